@@ -11,7 +11,6 @@ namespace linkwork {
 namespace {
 
 constexpr double same_time = 1e-9;  // as in Simulation
-constexpr double singular_pivot = 1e-15;
 
 }  // namespace
 

@@ -93,8 +93,6 @@ class Lane {
   void join() { waits_ = false; }
   std::int64_t joins_at() const { return joins_at_; }  ///< -1 before it moved
   const VectorXd& joining_state() const { return joining_state_; }
-  double power() const { return power_; }
-  void set_power(double power) { power_ = power; }
 
   // At the start of a step, in this order, with the evaluation of `begin`.
   Evaluation& begin(double t, const VectorXd& y) { return dynamics_.begin_elsewhere(t, y); }
@@ -143,7 +141,7 @@ class Lane {
   bool moves_ = false, waits_ = false;    ///< between two packs; in the next one
   std::int64_t joins_at_ = -1;
   VectorXd joining_state_;
-  double power_ = 0.0, left_at_ = NAN;
+  double left_at_ = NAN;
   std::string reason_;
 };
 

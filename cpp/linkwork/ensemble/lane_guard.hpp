@@ -8,6 +8,9 @@
 
 namespace linkwork {
 
+/// Equations with a smaller pivot are singular, whatever the run has seen before.
+constexpr double singular_pivot = 1e-15;
+
 /// Who takes the steps of lanes, and hears of each what a run by itself would watch.
 class LaneGuard {
  public:

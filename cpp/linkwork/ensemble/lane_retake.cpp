@@ -87,7 +87,7 @@ void LaneRetake::hold() {
 void LaneRetake::note(int l, double t, double pivot, bool) {
   SingularWatch& watch = lanes_[l].run->dynamics.formulation().watch();
   watch.note(t, pivot);
-  if (!watch.usual(pivot)) lanes_[l].active = false;
+  if (!(pivot > singular_pivot) || !watch.usual(pivot)) lanes_[l].active = false;
 }
 
 namespace {

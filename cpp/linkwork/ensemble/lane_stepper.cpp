@@ -120,8 +120,10 @@ void LaneStepper::load_joints(int l, const Model& model) {
       give(joint.at.C_i.data(), 9, l, attachments_[kind], 24 * k + 6);
       give(joint.at.C_j.data(), 9, l, attachments_[kind], 24 * k + 15);
       const auto first = static_cast<std::ptrdiff_t>(joint.first_parameter);
-      for (std::ptrdiff_t p = 0; p < parameters; ++p)
-        *lane(parameters_[kind], 3 * (parameters * k + p), l) = model.joint_parameters()[first + p].constant;
+      for (std::ptrdiff_t p = 0; p < parameters; ++p) {
+        const double constant[3] = {model.joint_parameters()[first + p].constant, 0.0, 0.0};
+        give(constant, 3, l, parameters_[kind], 3 * (parameters * k + p));
+      }
     }
   }
 }

@@ -59,7 +59,12 @@ void run_on_threads(const std::vector<LaneTask>& tasks, int threads) {
     std::vector<std::thread> workers;
     const auto count = std::min<std::size_t>(threads, tasks.size());
     work.working = static_cast<int>(count);
-    for (std::size_t k = 0; k < count; ++k) workers.emplace_back([&] { work.run(look); });
+    try {
+      for (std::size_t k = 0; k < count; ++k) workers.emplace_back([&] { work.run(look); });
+    } catch (...) {  // there are no more threads to be had
+      work.stop(std::current_exception());
+      work.working -= static_cast<int>(count - workers.size());
+    }
     while (work.working > 0) {
       std::this_thread::sleep_for(between_looks);
       try {

@@ -9,8 +9,6 @@
 namespace linkwork {
 namespace {
 
-constexpr double least_pivot = 1e-15;
-
 /// The first ones, which lanes begin with.
 std::vector<Dynamics*> first_mechanisms(const TrialQueue& queue, const InstructionSet& instructions) {
   std::vector<Dynamics*> out;
@@ -23,7 +21,6 @@ std::vector<Dynamics*> first_mechanisms(const TrialQueue& queue, const Instructi
 
 LaneTrials::LaneTrials(TrialQueue& queue, const InstructionSet& instructions, const ButcherTableau& tableau)
     : queue_(queue),
-      stages_(static_cast<int>(tableau.b.size())),
       stepper_(queue.structure, instructions, first_mechanisms(queue, instructions), tableau),
       spans_(stepper_.width()),
       lanes_(stepper_.count()) {
@@ -72,7 +69,8 @@ void LaneTrials::advance(int l) {
 void LaneTrials::begin(int l) {
   Lane& lane = lanes_[l];
   const Dynamics& mechanism = lane.run->mechanism();
-  lane.active = mechanism.dropped().rows() == queue_.structure.dropped && lane.run->begin_trial();
+  const bool begun = lane.run->begin_trial();  // which may find other rows redundant
+  lane.active = begun && mechanism.dropped().rows() == queue_.structure.dropped;
   if (!lane.active) return;
   lane.watch = watch_of(lane);
   spans_.set(l, lane.run->trial_span());
@@ -117,7 +115,7 @@ void LaneTrials::run(const std::function<void()>& look) {
 void LaneTrials::note(int l, double t, double pivot, bool) {
   SingularWatch& watch = watch_of(lanes_[l]);
   watch.note(t, pivot);
-  if (!(pivot > least_pivot) || !watch.usual(pivot)) leave(l, t, "");
+  if (!(pivot > singular_pivot) || !watch.usual(pivot)) leave(l, t, "");
 }
 
 /// For this step: the run takes the stages by itself, and finds what there is to find.
@@ -147,6 +145,7 @@ std::vector<std::string> run_trials(const std::vector<AdaptiveSimulation*>& runs
     (*found)->runs.push_back(runs[k]);
     (*found)->reasons.push_back(&reasons[k]);
   }
+  threads = std::max(threads, 1);
   std::vector<LaneTask> tasks;
   for (const auto& queue : queues) {
     const auto width = static_cast<std::size_t>(lane_kernels(widest).width);

@@ -55,7 +55,6 @@ class LaneTrials final : private LaneGuard {
   void guarded(Lane& lane, const Action& action);
 
   TrialQueue& queue_;
-  int stages_;
   LaneStepper stepper_;
   LaneSpans spans_;
   std::vector<Lane> lanes_;

@@ -12,7 +12,6 @@
 namespace linkwork {
 namespace {
 
-constexpr double golden = golden_share;
 constexpr double beside = 1e-9;  // of a step: how far from a break the parts on its sides end and begin
 
 /// One step of a one-step method in two parts, with the correction that a multistep method adds.
@@ -30,9 +29,9 @@ class Starter final : public Integrator {
   void step(Dynamics& dynamics, double t, double h, VectorXd& y) override {
     correction_.setZero();
     dynamics.add_correction(h, correction_);
-    advance(dynamics, t, golden * h, y);
-    dynamics.evaluate(t + golden * h, y);
-    advance(dynamics, t + golden * h, (1.0 - golden) * h, y);
+    advance(dynamics, t, golden_share * h, y);
+    dynamics.evaluate(t + golden_share * h, y);
+    advance(dynamics, t + golden_share * h, (1.0 - golden_share) * h, y);
     y += correction_;
   }
 
@@ -55,8 +54,8 @@ double largest_column(const Eigen::Matrix3Xd& vectors) {
 
 SecondTake in_parts(std::unique_ptr<Integrator> integrator) {
   const int order = integrator->order();
-  const double left = elementary::power(golden, order + 1) + elementary::power(1.0 - golden, order + 1);
-  return {std::move(integrator), golden, order > 0 ? left : 0.0};
+  const double left = elementary::power(golden_share, order + 1) + elementary::power(1.0 - golden_share, order + 1);
+  return {std::move(integrator), golden_share, order > 0 ? left : 0.0};
 }
 
 SecondTake by_starter(const MultistepCoefficients& method) {
@@ -91,6 +90,7 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside, co
   out.h = step.h;
   out.change = step.change;
   out.force = out.torque = out.largest_force = out.largest_torque = NAN;
+  came_inside_ = false;
   try {
     if (retaken.size() > 0 && dynamics_.dropped().rows() == step.left_out) y_ = retaken;
     else take_again(step);

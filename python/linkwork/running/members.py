@@ -21,12 +21,24 @@ from linkwork.results.result import Result
 from linkwork.running import checks, estimation, recording, schedule
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.manifest import manifest
-from linkwork.running.simulation import Prepared, Stepped, concluded, prepared, simulate, what_steps
+from linkwork.running.simulation import (
+    Prepared,
+    Stepped,
+    concluded,
+    estimator_of,
+    prepared,
+    simulate,
+    what_steps,
+)
 
 __all__ = ["FRAMES", "Member", "Method", "facts_of", "method_of", "refusal", "remarked", "run_members"]
 
 #: Of members of which only the last frame is asked for: the verdict looks at the balance of energy over them.
 FRAMES = 50
+
+#: Statistics of what lanes share, which say nothing of one of them.
+SHARED = ("evaluations", "factorizations", "solves", "evaluate_time", "factorize_time", "assemble_time",
+          "solve_time", "smallest_pivot", "seconds", "setup_seconds", "driver_seconds")  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -65,7 +77,7 @@ class Method:
 
     @property
     def given(self) -> dict[str, Any]:
-        usual = {"integrator": None, "breaks": (), "assemble": True, "on_inaccurate": "pass"}
+        usual = {"integrator": None, "breaks": (), "assemble": True}
         return {**usual, "t_end": self.t_end, **self.arguments}
 
     @property
@@ -105,10 +117,7 @@ def method_of(
     integrator = arguments.get("integrator") or plan.usual_integrator
     found = named(integrator) if isinstance(integrator, str) else integrator
     alone = ""
-    if not isinstance(plan, schedule.Fixed):
-        if not isinstance(found, EmbeddedPair):
-            alone = "lanes follow tolerances by embedded Runge-Kutta pairs only"
-    elif not isinstance(found, ButcherTableau):
+    if not isinstance(found, ButcherTableau if isinstance(plan, schedule.Fixed) else EmbeddedPair):
         alone = "lanes have explicit Runge-Kutta methods only"
     elif arguments.get("events"):
         alone = "lanes have no events"
@@ -153,7 +162,7 @@ def run_members(models: Sequence[Model | Exception], method: Method) -> list[Mem
 def _side_by_side(models: Sequence[Model | Exception], method: Method) -> list[Member]:
     """With steps that follow tolerances: each is the run that it is alone, but lanes take stages of it."""
     found: dict[int, Member] = {}
-    runs: dict[int, tuple[Prepared, list[str]]] = {}
+    runs: dict[int, tuple[Prepared, estimation.ErrorEstimator, list[str]]] = {}
     for place, model in enumerate(models):
         if isinstance(model, Exception):
             found[place] = Member(None, error=facts_of(model))
@@ -162,28 +171,38 @@ def _side_by_side(models: Sequence[Model | Exception], method: Method) -> list[M
             try:
                 with _core.OnePath(method.options.get("deterministic") is True):
                     checks.check_bodies(model)
-                    it = prepared(model, method.plan, method.given, method.options)
-                runs[place] = it, remarks
+                    given = {"on_inaccurate": "pass", **method.given}
+                    it = prepared(model, method.plan, given, method.options)
+                    runs[place] = it, estimator_of(it), remarks  # it sees the run from the first step on
             except Exception as error:
                 found[place] = Member(None, error=facts_of(error))
     with Interrupts() as interrupts, interrupts.computing():
-        together = [it.run for it, _ in runs.values() if isinstance(it.run, _core.AdaptiveSimulation)]
-        reasons = _core.advance_together(together, method.threads)
-    for (place, (it, remarks)), reason in zip(runs.items(), reasons, strict=True):
-        found[place] = _concluded(it, method, reason, remarks)
+        reasons = _core.advance_together([_adaptive(it.run) for it, *_ in runs.values()], method.threads)
+    for (place, (it, estimator, remarks)), reason in zip(runs.items(), reasons, strict=True):
+        if reason:
+            found[place] = _alone(it.system.model, method, reason, remarks)
+        else:
+            found[place] = _concluded(it, estimator, method, remarks)
     return [found[place] for place in range(len(models))]
 
 
-def _concluded(it: Prepared, method: Method, reason: str, remarks: Sequence[str]) -> Member:
-    if reason:
-        return _alone(it.system.model, method, reason, remarks)
+def _adaptive(run: _core.Run) -> _core.AdaptiveSimulation:
+    assert isinstance(run, _core.AdaptiveSimulation)
+    return run
+
+
+def _concluded(
+    it: Prepared, estimator: estimation.ErrorEstimator, method: Method, remarks: Sequence[str]
+) -> Member:
     with remarked() as more:
         try:
             with _core.OnePath(method.options.get("deterministic") is True):
-                result = concluded(it)
+                result = concluded(it, estimator)
         except Exception as error:
             return Member(None, error=facts_of(error), remarks=[*remarks, *more])
     result.manifest["lane"] = result.statistics["lane"] = True
+    for name in SHARED:
+        result.statistics.pop(name, None)
     return Member(result, remarks=list(dict.fromkeys([*remarks, *more])))
 
 

@@ -264,10 +264,18 @@ def prepared(
     return _prepared(model, plan, given, options, compile_events((), model), None)
 
 
-def concluded(it: Prepared) -> Result:
-    """The result of a run that has come to its end."""
+def concluded(it: Prepared, estimator: estimation.ErrorEstimator) -> Result:
+    """The result of a run that has come to its end, which the estimator has followed."""
     with Interrupts() as interrupts:
-        return _carried_out(it, None, False, time.perf_counter(), interrupts)[0]
+        return _carried_out(it, None, False, time.perf_counter(), interrupts, estimator)[0]
+
+
+def estimator_of(it: Prepared) -> estimation.ErrorEstimator:
+    """Before the first step."""
+    return estimation.ErrorEstimator(
+        it.run, it.method, it.system, it.options, it.start, it.plan, breaks=it.breaks,
+        stops=it.given["on_inaccurate"] == "stop",
+    )  # fmt: skip
 
 
 def check_run(
@@ -283,6 +291,7 @@ def _carried_out(
     progress: ProgressOption,
     started: float,
     interrupts: Interrupts,
+    estimator: estimation.ErrorEstimator | None = None,
 ) -> tuple[Result, estimation.ErrorEstimator]:
     """The result, with what the run took since `started` [s], and who can take steps of it again."""
     checkpoints = recording.Checkpoints(it.run, it.key)
@@ -294,10 +303,7 @@ def _carried_out(
     with reporting(progress, plan.t_end, run.steps_total, t_start) as report:
         pieces = recording.pieces(run, interrupts, it.method, it.system)
         labels, warns = it.facts["events"], it.system.options["on_singular"] == "warn"
-        estimator = estimation.ErrorEstimator(
-            run, it.method, it.system, it.options, it.start, plan, breaks=it.breaks,
-            stops=it.given["on_inaccurate"] == "stop",
-        )  # fmt: skip
+        estimator = estimator or estimator_of(it)
         with recording.kept(run, recorder, labels, checkpoints):
             spent["driver_seconds"] = recording.record(
                 run, pieces, recorder, report, labels, estimator, interrupts, warns=warns

@@ -72,11 +72,13 @@ def run_cases(
         mean = sum(seconds) / len(seconds) if seconds else TASK_SECONDS
     while lost:
         again, lost = lost, []
-        for chunk, answer in pool(runner, again):
-            if isinstance(answer, Lost) and len(chunk) > 1:
-                lost.extend(_parts(chunk, answer))
-            else:
-                yield chunk, answer
+        for alone in (False, True):  # apart, as those that are alone have the time of one
+            chosen = [chunk for chunk in again if (len(chunk) == 1) is alone]
+            for chunk, answer in pool(runner, chosen) if chosen else ():
+                if isinstance(answer, Lost) and len(chunk) > 1:
+                    lost.extend(_parts(chunk, answer))
+                else:
+                    yield chunk, answer
 
 
 def _parts(chunk: Chunk, lost: Lost) -> list[Chunk]:

@@ -40,6 +40,11 @@ class Collected:
     def __contains__(self, key: object) -> bool:
         return bool(self._state[self._first[str(key)]] != NOTHING)
 
+    @property
+    def done(self) -> int:
+        """Cases of which something is known, those with one key once."""
+        return int(np.count_nonzero(self._state != NOTHING))
+
     def wants(self, key: str) -> bool:
         """Whether it is a case of the study, of which nothing is known."""
         return key in self._first and key not in self
@@ -105,7 +110,9 @@ class Collected:
         """(n, ...) of each label; of a shape that nobody knows as it is given."""
         self._settle()
         usual = self._columns({label: shape for label, shape in labels.items() if label not in self._outputs})
-        return {label: {**self._outputs, **usual}[label][self._place] for label in labels}
+        found = {**self._outputs, **usual}
+        once = len(self._first) == len(self._place)
+        return {label: found[label] if once else found[label][self._place] for label in labels}
 
     def status(self, lost: Mapping[str, str], keys: Sequence[str]) -> NDArray[np.str_]:
         self._settle()

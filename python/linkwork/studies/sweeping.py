@@ -426,10 +426,11 @@ def _carried_out(
 @contextmanager
 def _telling(todo: Sequence[Case], to: _Found) -> Iterator[None]:
     """KeyboardInterrupt says what is kept, and what is not."""
+    before = to.known.done
     try:
         yield
     except KeyboardInterrupt as stop:
-        open_ = sum(case.key not in to.known for case in todo)
+        open_ = len(todo) - (to.known.done - before)
         done = f"interrupted: {len(todo) - open_} of {len(todo)} cases are done"
         kept = "and lost: give a directory, which keeps them"
         if to.store is not None:
