@@ -151,11 +151,11 @@ std::vector<std::string> run_trials(const std::vector<AdaptiveSimulation*>& runs
     const auto width = static_cast<std::size_t>(lane_kernels(widest).width);
     const std::size_t packs = std::min<std::size_t>((queue->runs.size() + width - 1) / width, threads);
     const auto each = static_cast<int>(std::min(width, queue->runs.size()));
-    for (std::size_t k = 0; k < packs; ++k)
-      tasks.emplace_back([&queue, &widest, each](const std::function<void()>& look) {
-        const ButcherTableau& method = queue->runs.front()->pair().method;
-        LaneTrials(*queue, instruction_set_for(each, widest), method).run(look);
-      });
+    const ButcherTableau& method = queue->runs.front()->pair().method;
+    for (std::size_t k = 0; k < packs; ++k) {  // here, where no run is on its way yet
+      const auto lanes = std::make_shared<LaneTrials>(*queue, instruction_set_for(each, widest), method);
+      tasks.emplace_back([lanes](const std::function<void()>& look) { lanes->run(look); });
+    }
   }
   run_on_threads(tasks, threads);
   return reasons;
