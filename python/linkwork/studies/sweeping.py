@@ -388,6 +388,13 @@ class _Found:
     store: Store | None
 
     def add(self, answer: Answer) -> None:
+        try:
+            self._add(answer)
+        except KeyboardInterrupt:  # in the midst of it: what is kept is to be known
+            self._add(answer)
+            raise
+
+    def _add(self, answer: Answer) -> None:
         if self.store is not None:
             self.store.keep(answer)
         for run in answer.runs:
