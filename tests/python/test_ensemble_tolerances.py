@@ -86,7 +86,9 @@ def driven_in_turn(first: float, second: float) -> lw.Model:
 
 def test_a_lane_forgets_the_motion_of_the_drivers_that_it_had() -> None:
     """More members than lanes: the last ones drive another joint than those before."""
-    models = [driven_in_turn(0.1, 0.0)] * 8 + [driven_in_turn(0.0, 0.1)] * 3
+    models = [driven_in_turn(1e-8, 0.0)] * 8 + [
+        driven_in_turn(0.0, 0.1)
+    ] * 3  # so little that wrong steps end, too
     found = many(models, 0.2, threads=1)
     assert found.alone == {}
     for k in (0, 8, 10):
