@@ -186,41 +186,78 @@ class PythonLaw final : public CoordinateLaw {
   PythonFunction function_;
 };
 
-/// (t, q (n, 7), v (n, 6)) -> (n, 6).
+/// (t, q (n, 7), v (n, 6)) -> (n, 6); of several mechanisms (t (k,), q (k, n, 7), v (k, n, 6)) -> (k, n, 6).
 class PythonForce final : public UserForce {
  public:
-  PythonForce(py::function function, std::string name)
-      : function_(std::make_shared<py::function>(std::move(function))), name_(std::move(name)) {}
+  /// `origin`: the user's function and its bodies, where it takes several mechanisms.
+  PythonForce(py::function function, std::string name, const py::object& origin)
+      : function_(std::make_shared<py::function>(std::move(function))), name_(std::move(name)) {
+    if (origin.is_none()) return;
+    const auto given = origin.cast<std::pair<py::object, std::vector<int>>>();
+    origin_ = std::make_shared<py::object>(given.first);
+    bodies_ = given.second;
+  }
   PythonForce(const PythonForce&) = delete;
   PythonForce& operator=(const PythonForce&) = delete;
   ~PythonForce() override {
     const py::gil_scoped_acquire gil;
     function_.reset();
+    origin_.reset();
   }
 
   void add(double t, int bodies, const double* q, const double* v, double* g) const override {
+    if (origin_) return add_to_all(1, &t, bodies, q, v, g);
     const py::gil_scoped_acquire gil;
-    const auto count = static_cast<py::ssize_t>(bodies);
-    const py::array_t<double> positions({count, py::ssize_t{position_size}}, q);
-    const py::array_t<double> velocities({count, py::ssize_t{velocity_size}}, v);
-    const py::object given = (*function_)(t, positions, velocities);
-    const Doubles result = numbers(given, t);
-    check_shape(result, {count, py::ssize_t{velocity_size}}, ("what user force '" + name_ + "' returns").c_str());
-    for (py::ssize_t k = 0; k < velocity_size * count; ++k) g[k] += result.data()[k];
+    ask({}, py::float_(t), t, bodies, q, v, g);
+  }
+
+  void add_to_all(int count, const double* t, int bodies, const double* q, const double* v, double* g) const override {
+    if (!origin_) return UserForce::add_to_all(count, t, bodies, q, v, g);
+    const py::gil_scoped_acquire gil;
+    ask({py::ssize_t{count}}, py::array_t<double>(count, t), *t, bodies, q, v, g);
+  }
+
+  bool goes_with(const UserForce& other) const override {
+    const auto* it = dynamic_cast<const PythonForce*>(&other);
+    return it && origin_ && it->origin_ && bodies_ == it->bodies_ && same_function(origin_->ptr(), it->origin_->ptr());
   }
 
  private:
+  /// `first` axes before those of the bodies.
+  void ask(const std::vector<py::ssize_t>& first, const py::object& times, double t, int bodies, const double* q,
+           const double* v, double* g) const {
+    const auto shape = [&](int size) {
+      std::vector<py::ssize_t> all = first;
+      all.insert(all.end(), {py::ssize_t{bodies}, py::ssize_t{size}});
+      return all;
+    };
+    const py::array_t<double> positions(shape(position_size), q), velocities(shape(velocity_size), v);
+    const py::object given = (*function_)(times, positions, velocities);
+    const Doubles result = numbers(given, t);
+    check_shape(result, shape(velocity_size), ("what user force '" + name_ + "' returns").c_str());
+    for (py::ssize_t k = 0; k < result.size(); ++k) g[k] += result.data()[k];
+  }
+
+  /// Methods of an object are made anew wherever they are named.
+  static bool same_function(PyObject* a, PyObject* b) {
+    if (a == b) return true;
+    return PyMethod_Check(a) && PyMethod_Check(b) && PyMethod_GET_SELF(a) == PyMethod_GET_SELF(b) &&
+           PyMethod_GET_FUNCTION(a) == PyMethod_GET_FUNCTION(b);
+  }
+
   Doubles numbers(const py::object& given, double t) const {
     if (!given.is_none()) {
       if (Doubles out = Doubles::ensure(given)) return out;
       PyErr_Clear();
     }
     throw ModelError("not_a_number", "user force '" + name_ + "': returned " + shown(given) + at_time(t) +
-                                         ", not an array of numbers (n, 6)");
+                                         ", not an array of numbers " + (origin_ ? "(k, n, 6)" : "(n, 6)"));
   }
 
   std::shared_ptr<py::function> function_;
   std::string name_;
+  std::shared_ptr<py::object> origin_;
+  std::vector<int> bodies_;
 };
 
 /// void f(double t, int64_t n, const double* q, const double* v, double* g, void* data): runs without Python.
@@ -279,10 +316,12 @@ void bind_functions(py::class_<Model>& model) {
       .def_property_readonly("breaks", &Model::breaks)
       .def(
           "add_user_force",
-          [](Model& model, const std::string& name, py::function function) {
-            model.add_user_force(name, std::make_shared<PythonForce>(std::move(function), name));
+          [](Model& model, const std::string& name, py::function function, const py::object& origin) {
+            model.add_user_force(name, std::make_shared<PythonForce>(std::move(function), name, origin));
           },
-          py::arg("name"), py::arg("function"), "A function of (t, q (n, 7), v (n, 6)) that returns forces (n, 6).")
+          py::arg("name"), py::arg("function"), py::arg("origin") = py::none(),
+          "A function of (t, q (n, 7), v (n, 6)) that returns forces (n, 6). `origin`: the user's function and its "
+          "bodies; `function` is then one of (t (k,), q (k, n, 7), v (k, n, 6)) that returns (k, n, 6).")
       .def(
           "add_compiled_force",
           [](Model& model, const std::string& name, std::uintptr_t function, std::uintptr_t data) {

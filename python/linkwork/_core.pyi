@@ -687,9 +687,11 @@ class Model:
         Adds a point of b on a spline of a, ascending coefficients (k, 4, 3); returns its index.
         """
     def add_signal(self, function: TimeFunction) -> int: ...
-    def add_user_force(self, name: str, function: collections.abc.Callable) -> None:
+    def add_user_force(
+        self, name: str, function: collections.abc.Callable, origin: typing.Any = None
+    ) -> None:
         """
-        A function of (t, q (n, 7), v (n, 6)) that returns forces (n, 6).
+        A function of (t, q (n, 7), v (n, 6)) that returns forces (n, 6). `origin`: the user's function and its bodies; `function` is then one of (t (k,), q (k, n, 7), v (k, n, 6)) that returns (k, n, 6).
         """
     def body_name(self, body: typing.SupportsInt | typing.SupportsIndex) -> str: ...
     def describe_row(self, row: typing.SupportsInt | typing.SupportsIndex) -> str: ...

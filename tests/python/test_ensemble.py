@@ -6,7 +6,7 @@ import os
 import subprocess
 import sys
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import linkwork as lw
@@ -18,6 +18,7 @@ from hypothesis import given
 from light_mechanisms import light_mechanisms
 from linkwork import _core, mechanisms
 from linkwork.modeling.files import record_of
+from linkwork.options import names as option_names
 from linkwork.studies.variants import Changed
 
 pytestmark = pytest.mark.filterwarnings("ignore")
@@ -29,7 +30,7 @@ def many(models: Sequence[lw.Model], t_end: float, step: float, **options: Any) 
     )
 
 
-@pytest.mark.parametrize("stabilization", ["sampled_baumgarte", "baumgarte", "none"])
+@pytest.mark.parametrize("stabilization", option_names()["stabilization"])
 @pytest.mark.parametrize("name", KNOWN)
 def test_a_lane_has_the_bits_of_its_run_by_itself(name: str, stabilization: str) -> None:
     make, step = KNOWN[name]
@@ -39,6 +40,43 @@ def test_a_lane_has_the_bits_of_its_run_by_itself(name: str, stabilization: str)
     assert found.alone == {}
     for k in (0, 2, 4):
         assert bits(found.member(k)) == bits(alone(models[k], 40 * step, step, **options))
+
+
+@pytest.mark.parametrize("stabilization", ["projection", "position_projection", "velocity_projection"])
+def test_projections_are_those_by_themselves_with_drivers_verdicts_and_thin_rods(stabilization: str) -> None:
+    models = [with_functions(0.3 + 0.1 * k, 5.0 + k) for k in range(9)]
+    models += [slender(mechanisms.four_bar(2), 1e-4), *variants(mechanisms.bricard(), 2, seed=1)]
+    found = many(models, 0.2, 1e-3, stabilization=stabilization)
+    assert found.alone == {}
+    for k in (0, 8, 9, 11):
+        single = alone(models[k], 0.2, 1e-3, stabilization=stabilization)
+        assert bits(found.member(k)) == bits(single)
+        assert found.accuracy[k] == single.verdict.error
+        assert single.recorded("violation").max() < 1e-10 or stabilization != "projection"
+
+
+def test_a_projection_that_finds_no_pose_fails_as_by_itself_and_disturbs_no_other() -> None:
+    """A rod that a driver pulls longer than it is: no pose closes the loop from then on."""
+    models = [torn(rate) for rate in (0.0, 0.5, 4.0, 0.1)]
+    options: dict[str, Any] = {"stabilization": "projection"}
+    found = many(models, 0.3, 1e-2, **options)
+    assert found.status.tolist() == ["finished", "finished", "failed", "finished"]
+    with pytest.raises(lw.LinkworkError) as refused:
+        alone(models[2], 0.3, 1e-2, **options)
+    assert found.errors[2]["type"] == type(refused.value).__name__
+    for k in (0, 1, 3):
+        assert k not in found.alone
+        assert bits(found.member(k)) == bits(alone(models[k], 0.3, 1e-2, **options))
+
+
+def torn(rate: float) -> lw.Model:
+    """A triangle with a side whose length a driver changes."""
+    model = lw.Model(gravity=(0, 0, 0), name="torn")
+    arm = model.body("arm", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0.5, 0, 0))
+    model.revolute(model.ground, arm, at=(0, 0, 0), axis=(0, 1, 0))
+    length = lw.functions.polynomial(2.0**0.5, 0.0, 5.0 * rate)
+    model.distance(model.ground, arm, at=((0, 0, 1), (1, 0, 0)), length=length)
+    return model
 
 
 def slender(model: lw.Model, moment: float) -> lw.Model:
@@ -298,7 +336,6 @@ def test_a_variation_without_a_model_fails_and_the_others_run() -> None:
     ("options", "reason"),
     [
         ({"integrator": "ab2"}, "Runge-Kutta"),
-        ({"stabilization": "projection"}, "projection"),
         ({"formulation": "augmented_lagrangian"}, "standard"),
         ({"linear_solver": "dense"}, "block"),
         ({"violation_limit": 1e-2}, "violation_limit"),
@@ -311,18 +348,36 @@ def test_what_lanes_do_not_have_is_simulated_alone_and_says_so(options: dict[str
     assert bits(found.member(1)) == bits(alone(model, 0.02, 1e-3, **options))
 
 
-def far_apart() -> lw.Model:
+def far_apart(mass: float) -> lw.Model:
     model = mechanisms.chain(2)
-    speck = model.body("speck", mass=1e-9, inertia=np.full(3, 1e-9), position=(0, 0, 1))
+    speck = model.body("speck", mass=mass, inertia=np.full(3, mass), position=(0, 0, 1))
     model.revolute(model.ground, speck, at=(0, 0, 0), axis=(0, 1, 0))
     return model
 
 
-@pytest.mark.parametrize("make", [mechanisms.torque_free_top, far_apart])
-def test_mechanisms_that_lanes_cannot_hold_are_simulated_alone(make: Callable[[], lw.Model]) -> None:
-    found = many([make()], 5e-3, 1e-4)
+def test_mechanisms_without_joints_are_simulated_alone() -> None:
+    found = many([mechanisms.torque_free_top()], 5e-3, 1e-4)
     assert set(found.alone) == {0}
-    assert bits(found.member(0)) == bits(alone(make(), 5e-3, 1e-4))
+    assert bits(found.member(0)) == bits(alone(mechanisms.torque_free_top(), 5e-3, 1e-4))
+
+
+@pytest.mark.parametrize("stabilization", ["sampled_baumgarte", "projection"])
+def test_masses_far_apart_are_refined_as_by_themselves_beside_usual_ones(stabilization: str) -> None:
+    bricards = variants(mechanisms.bricard(), 4, seed=1)
+    names = [f"rod {k}.{what}" for k in (2, 4) for what in ("mass", "inertia")]
+    source = Changed.of(mechanisms.bricard(), names)
+    usual = {name: np.asarray(source.value(name)) for name in names}
+    for factor in (1e-7, 1e-9, 3e7):
+        bricards.insert(1, source.model({name: (factor * value).tolist() for name, value in usual.items()}))
+    thin_and_light = slender(bricards[1], 1e-6)
+    models = [*bricards, thin_and_light, *(far_apart(10.0**-k) for k in (3, 9, 12))]
+    options: dict[str, Any] = {"stabilization": stabilization, "on_singular": "pass"}
+    found = many(models, 0.1, 1e-3, **options)
+    for k, model in enumerate(models):
+        single = alone(model, 0.1, 1e-3, **options)
+        assert bits(found.member(k)) == bits(single)
+        assert found.accuracy[k] == single.verdict.error
+    assert set(found.alone) <= {7}, found.alone
 
 
 # --- what is asked for ---

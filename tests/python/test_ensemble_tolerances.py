@@ -11,6 +11,7 @@ import random_mechanisms
 from ensembles import KNOWN, alone, bits, variants, with_functions
 from hypothesis import given
 from linkwork import _core, mechanisms
+from linkwork.options import names as option_names
 
 pytestmark = pytest.mark.filterwarnings("ignore")
 
@@ -40,8 +41,8 @@ def test_a_run_in_a_lane_has_the_bits_of_its_run_by_itself(name: str, pair: str)
         assert same(found.member(k), alone(models[k], 0.03, **options))
 
 
-@pytest.mark.parametrize("stabilization", ["sampled_baumgarte", "baumgarte", "none"])
-def test_it_has_them_with_every_stabilization_that_lanes_have(stabilization: str) -> None:
+@pytest.mark.parametrize("stabilization", option_names()["stabilization"])
+def test_it_has_them_with_every_stabilization(stabilization: str) -> None:
     models = variants(mechanisms.bricard(), 3, seed=2)
     found = many(models, 0.5, stabilization=stabilization)
     assert found.alone == {}

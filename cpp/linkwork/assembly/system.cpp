@@ -43,6 +43,7 @@ void System::evaluate(double t, const ConstVector& q, const ConstVector& v, cons
   out.potential = evaluate_bodies(q, v, out);
   out.power = 0.0;
   evaluate_forces(t, q, v, history, out);  // g of (12.1)
+  if (!model_.user_forces().empty()) evaluate_user_forces(t, q, v, out);
 }
 
 void System::evaluate_forces(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
@@ -53,7 +54,6 @@ void System::evaluate_forces(double t, const ConstVector& q, const ConstVector& 
       [&](std::size_t k) { return inerters_.inertance(k) * out.inerter_gamma[static_cast<Eigen::Index>(k)]; },
       out.g.data());
   if (!model_.joint_forces().empty()) evaluate_joint_forces(t, q, v, history, out);
-  if (!model_.user_forces().empty()) evaluate_user_forces(t, q, v, out);
 }
 
 double System::evaluate_bodies(const ConstVector& q, const ConstVector& v, Evaluation& out) const {
@@ -72,10 +72,15 @@ bool System::has_rest() const {
          !model_.joint_forces().empty() || !model_.user_forces().empty();
 }
 
-void System::evaluate_rest(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
-                           Evaluation& out) const {
+void System::evaluate_rest_of_constraints(double t, const ConstVector& q, const ConstVector& v,
+                                          const ConstVector& history, Evaluation& out) const {
   evaluate_signals(t, out);
   for (const CompiledSpecialJoint& it : special_joints_) evaluate_special_joint(it, q, v, history, out);
+}
+
+void System::evaluate_rest(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                           Evaluation& out) const {
+  evaluate_rest_of_constraints(t, q, v, history, out);
   out.power = 0.0;
   evaluate_forces(t, q, v, history, out);
 }
@@ -114,9 +119,13 @@ void System::evaluate_user_forces(double t, const ConstVector& q, const ConstVec
   for (const auto& force : model_.user_forces()) {
     out.user.setZero(v_size());
     force->add(t, body_count(), q.data(), v.data(), out.user.data());
-    out.g.head(v_size()) += out.user;
-    out.power += out.user.dot(v);
+    add_user_force(out.user, v, out);
   }
+}
+
+void System::add_user_force(const VectorXd& force, const ConstVector& v, Evaluation& out) const {
+  out.g.head(v_size()) += force;
+  out.power += force.dot(v);
 }
 
 void System::evaluate_switches(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,

@@ -97,9 +97,14 @@ class System {
   // For ensembles, which evaluate bodies and joints of many mechanisms at once.
   /// Whether there is more than bodies and joints without functions of time.
   bool has_rest() const;
-  /// That: functions of time, special joints, and all forces, added to `out.g` and `out.potential` of the bodies.
+  /// Functions of time and special joints.
+  void evaluate_rest_of_constraints(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                                    Evaluation& out) const;
+  /// All of it but forces of the user's own: also forces, added to `out.g` and `out.potential` of the bodies.
   void evaluate_rest(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                      Evaluation& out) const;
+  /// What one force of the user's own, 6 per body, does to bodies of velocities v.
+  void add_user_force(const VectorXd& force, const ConstVector& v, Evaluation& out) const;
 
   // History variables: those of special joints, then those of force elements.
   int history_size() const { return static_cast<int>(history_owners_.size()); }

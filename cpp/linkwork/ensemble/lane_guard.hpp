@@ -3,6 +3,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <utility>
 
 #include "linkwork/math/interruption.hpp"
 
@@ -24,6 +25,8 @@ class LaneGuard {
   virtual void note(int l, double t, double pivot, bool first_stage) = 0;
   /// It meets what lanes cannot do.
   virtual void leave(int l, double t, std::string reason) = 0;
+  /// What lanes have made of it so far may be wrong.
+  virtual void refuse(int l, double t, std::string reason) { leave(l, t, std::move(reason)); }
 };
 
 /// Does something of one lane. What goes wrong there, functions of the user's included, is told to `fail` in words and

@@ -24,8 +24,10 @@ LanePack::LanePack(const LaneStructure& structure, const InstructionSet& instruc
       lanes_(std::move(lanes)),
       steps_(steps),
       stepper_(structure, instructions, mechanisms_of(lanes_), tableau),
+      projection_(stepper_, mechanisms_of(lanes_)),
       spans_(stepper_.width()),
       whole_(stepper_.width(), 1.0),
+      ends_(stepper_.width(), 0.0),
       state_(structure.y_size()),
       new_state_(structure.y_size()) {
   for (const Lane* it : lanes_) {
@@ -134,6 +136,8 @@ void LanePack::begin_lane(int l, std::int64_t step) {
 void LanePack::finish_step(std::int64_t step) {
   check_size(step);
   stepper_.normalize();
+  std::fill(ends_.begin(), ends_.end(), steps_.time(step + 1));
+  projection_.stabilize(ends_, *this);
   if (!watches_ && !judged_) return;
   const double t = steps_.time(step), h = steps_.size(step);
   each_stepping([&](int l, Lane& lane) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "linkwork/ensemble/lane.hpp"
+#include "linkwork/ensemble/lane_projection.hpp"
 #include "linkwork/ensemble/lane_stepper.hpp"
 
 namespace linkwork {
@@ -47,8 +48,10 @@ class LanePack final : private LaneGuard {
   std::vector<Lane*> lanes_;
   const FixedSteps& steps_;
   LaneStepper stepper_;
+  LaneProjection projection_;
   LaneSpans spans_;
   AlignedDoubles whole_;  ///< the shares of steps that are not parts
+  AlignedDoubles ends_;   ///< of the step
   bool watches_ = false, judged_ = false;
   VectorXd state_, new_state_;
 };

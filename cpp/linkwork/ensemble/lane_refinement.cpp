@@ -35,13 +35,13 @@ void LaneRefinement::load(std::size_t l) {
           mechanisms_[lane]->formulation().inertia().lengths()[body];
 }
 
-void LaneRefinement::refine(const Problem& problem, const LaneElimination& elimination, const LaneData& nearby,
+void LaneRefinement::refine(const double* t, const double* mass, const LaneSolver::Problem& problem, LaneSolver& nearby,
                             LaneGuard& guard) {
   const LaneEquations equations{.bodies = structure_.bodies,
                                 .rows = structure_.rows,
                                 .blocks = structure_.blocks.data(),
                                 .block_count = std::ssize(structure_.blocks),
-                                .mass = problem.mass,
+                                .mass = mass,
                                 .lengths = lengths_.data(),
                                 .D = problem.D};
   kernels_.free_motion(equations, problem.a, size_.data());
@@ -53,15 +53,12 @@ void LaneRefinement::refine(const Problem& problem, const LaneElimination& elimi
   }
   while (std::any_of(going_on_.begin(), going_on_.end(), [](double chosen) { return chosen != 0.0; })) {
     kernels_.residuals(equations, problem.a, problem.b, problem.x, problem.lambda, r_1_.data(), r_2_.data());
-    elimination.forward(nearby, r_1_.data(), r_2_.data());
-    for (const int row : structure_.dropped)
-      std::fill_n(dlambda_.begin() + std::ptrdiff_t{row} * kernels_.width, kernels_.width, 0.0);
-    elimination.backward(nearby, r_1_.data(), dx_.data(), dlambda_.data());
+    nearby.solve({problem.D, r_1_.data(), r_2_.data(), dx_.data(), dlambda_.data()});
     kernels_.add(velocity_size * structure_.bodies, going_on_.data(), dx_.data(), problem.x);
     kernels_.add(structure_.rows, going_on_.data(), dlambda_.data(), problem.lambda);
     kernels_.motion(equations, problem.x, size_.data());
     kernels_.motion(equations, dx_.data(), correction_.data());
-    judge(problem.t, corrections, guard);
+    judge(t, corrections, guard);
   }
 }
 

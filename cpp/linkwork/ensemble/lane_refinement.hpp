@@ -4,7 +4,7 @@
 
 #include "linkwork/constraints/refinement.hpp"
 #include "linkwork/ensemble/lane_guard.hpp"
-#include "linkwork/ensemble/lanes.hpp"
+#include "linkwork/ensemble/lane_solver.hpp"
 #include "linkwork/formulation/dynamics.hpp"
 #include "linkwork/math/aligned.hpp"
 
@@ -23,12 +23,9 @@ class LaneRefinement {
   /// Whether any lane needs it.
   bool needed() const { return needed_; }
 
-  /// Of x and lambda where nothing else than a, b, M and D decides; `elimination` has factors of nearby equations.
-  struct Problem {
-    const double *t, *mass, *D, *a, *b;
-    double *x, *lambda;
-  };
-  void refine(const Problem& problem, const LaneElimination& elimination, const LaneData& nearby, LaneGuard& guard);
+  /// Of x and lambda where nothing else than a, b, M and D decides, at t; `nearby` has factors of nearby equations.
+  void refine(const double* t, const double* mass, const LaneSolver::Problem& problem, LaneSolver& nearby,
+              LaneGuard& guard);
 
  private:
   void load(std::size_t l);

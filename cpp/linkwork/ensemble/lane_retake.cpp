@@ -22,8 +22,10 @@ LaneRetake::LaneRetake(const LaneStructure& structure, const InstructionSet& ins
                        const std::vector<LaneRun*>& runs, const ButcherTableau& tableau)
     : structure_(structure),
       stepper_(structure, instructions, mechanisms_of_runs(runs), tableau),
+      projection_(stepper_, mechanisms_of_runs(runs)),
       spans_(stepper_.width()),
-      shares_(stepper_.width(), 1.0) {
+      shares_(stepper_.width(), 1.0),
+      ends_(stepper_.width(), 0.0) {
   std::fill(spans_.h.begin(), spans_.h.end(), 1.0);  // of lanes that have no step
   for (LaneRun* run : runs) lanes_.push_back({run, {run->sampling.breaks(), golden_share}, nullptr, {}, false});
 }
@@ -69,11 +71,13 @@ void LaneRetake::take(std::size_t parts) {
       if (!lanes_[l].active) continue;
       const Span& span = lanes_[l].spans[part];
       spans_.set(l, span.from, span.to - span.from);
+      ends_[l] = span.to;
     }
     stepper_.evaluate(spans_, *this);
     if (part == 0) hold();
     stepper_.step(spans_, *this);
     stepper_.normalize();
+    projection_.stabilize(ends_, *this);
   }
 }
 

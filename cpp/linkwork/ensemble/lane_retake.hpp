@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "linkwork/ensemble/lane.hpp"
+#include "linkwork/ensemble/lane_projection.hpp"
 #include "linkwork/ensemble/lane_stepper.hpp"
 #include "linkwork/integration/run_judge.hpp"
 
@@ -44,8 +45,9 @@ class LaneRetake final : private LaneGuard {
 
   const LaneStructure& structure_;
   LaneStepper stepper_;
+  LaneProjection projection_;
   LaneSpans spans_;
-  AlignedDoubles shares_;
+  AlignedDoubles shares_, ends_;
   std::vector<Lane> lanes_;
 };
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "linkwork/formulation/watched_formulation.hpp"
-#include "linkwork/linear/block/block_solver.hpp"
 #include "linkwork/model/joint_kind.hpp"
 
 namespace linkwork {
@@ -13,16 +11,17 @@ LaneStepper::LaneStepper(const LaneStructure& structure, const InstructionSet& i
                          std::vector<Dynamics*> mechanisms, const ButcherTableau& tableau)
     : structure_(structure),
       kernels_(lane_kernels(instructions)),
-      elimination_(lane_elimination(instructions)),
       level_(instructions.level),
       width_(kernels_.width),
       mechanisms_(std::move(mechanisms)),
       tableau_(tableau),
       stabilization_(mechanisms_.front()->stabilization()),
-      refinement_(structure, kernels_, mechanisms_) {
+      solver_(structure, instructions),
+      refinement_(structure, kernels_, mechanisms_),
+      user_forces_(mechanisms_) {
   for (const Dynamics* it : mechanisms_) rest_ = rest_ || it->system().has_rest();
   allocate_motion();
-  allocate_factors();
+  allocate_parameters();
   for (int l = 0; l < width_; ++l) load(l, mechanism(l));
 }
 
@@ -31,11 +30,10 @@ void LaneStepper::size(Numbers& numbers, std::ptrdiff_t count) const { numbers.a
 void LaneStepper::allocate_motion() {
   const int n = structure_.bodies, m = structure_.rows;
   size(states_, 18 * (n + 1));
-  size(D_, structure_.D_size);
+  for (Numbers* D : {&D_, &factorized_D_}) size(*D, structure_.D_size);
   for (Numbers* rows : {&Phi_, &Phi_t_, &Phi_dot_, &gamma_, &b_, &u_, &lambda_, &looked_lambda_}) size(*rows, m);
-  for (Numbers* velocities : {&g_, &v_dot_, &looked_v_dot_}) size(*velocities, velocity_size * n);
-  for (Numbers* one : {&smallest_, &power_, &potential_, &largest_, &stage_t_, &velocity_gains_, &position_gains_})
-    size(*one, 1);
+  for (Numbers* velocities : {&g_, &v_dot_, &looked_v_dot_, &none_}) size(*velocities, velocity_size * n);
+  for (Numbers* one : {&power_, &potential_, &largest_, &stage_t_, &velocity_gains_, &position_gains_}) size(*one, 1);
   ones_.assign(width_, 1.0);
   for (Numbers* state : {&y_, &before_, &stage_}) size(*state, structure_.y_size());
   k_.assign(tableau_.b.size(), y_);
@@ -45,18 +43,9 @@ void LaneStepper::allocate_motion() {
   rates_.resize(m);
 }
 
-void LaneStepper::allocate_factors() {
-  const block::SymbolicFactorization& symbolic = structure_.symbolic;
-  size(factors_, symbolic.factor_size);
-  size(articulated_inertias_, block::articulated_inertia_size * symbolic.articulated_inertia_count);
-  size(panels_, symbolic.panel_size);
-  size(contributions_, symbolic.contribution_size);
-  int most_rows = 0;
-  for (const block::CoreBody& body : symbolic.bodies) most_rows = std::max(most_rows, body.rows);
-  size(scratch_, std::max(12 * most_rows, 8 * symbolic.highest_front + symbolic.widest_front));
+void LaneStepper::allocate_parameters() {
   size(gravity_, 3);
-  for (Numbers* all : {&mass_, &nearby_mass_}) size(*all, 10l * structure_.bodies);
-  size(mass_factors_, 9l * symbolic.mass_factor_count);
+  size(mass_, 10l * structure_.bodies);
   for (const LaneStructure::Joints& joints : structure_.joints) {
     const std::ptrdiff_t count = std::ssize(joints.joint);
     size(attachments_.emplace_back(), 24 * count);
@@ -86,6 +75,7 @@ void LaneStepper::replace(int l, Dynamics& mechanism) {
   mechanisms_[l] = &mechanism;
   rest_ = rest_ || mechanism.system().has_rest();
   refinement_.replace(l, mechanism);
+  user_forces_.replace(l, mechanism);
   load(l, mechanism);
 }
 
@@ -96,17 +86,10 @@ void LaneStepper::load(int l, const Dynamics& mechanism) {
 }
 
 void LaneStepper::load_masses(int l, const Dynamics& mechanism) {
-  const System &system = mechanism.system(), &nearby = mechanism.formulation().inertia().system();
+  const System& system = mechanism.system();
   give(system.model().gravity().data(), 3, l, gravity_, 0);
-  for (int body = 0; body < structure_.bodies; ++body) {
-    give(&system.mass_blocks()[body].m, 10, l, mass_, 10l * body);
-    give(&nearby.mass_blocks()[body].m, 10, l, nearby_mass_, 10l * body);
-  }
-  for (const block::CoreBody& body : structure_.symbolic.bodies) {
-    if (body.mass_factor < 0) continue;
-    const block::MassFactor factor = block::mass_factor(nearby, body.body);
-    give(&factor.L43, 9, l, mass_factors_, 9l * body.mass_factor);
-  }
+  for (int body = 0; body < structure_.bodies; ++body) give(&system.mass_blocks()[body].m, 10, l, mass_, 10l * body);
+  solver_.load(l, mechanism);
 }
 
 void LaneStepper::load_joints(int l, const Model& model) {
@@ -126,28 +109,6 @@ void LaneStepper::load_joints(int l, const Model& model) {
       }
     }
   }
-}
-
-LaneData LaneStepper::data() {
-  const block::SymbolicFactorization& s = structure_.symbolic;
-  return {.steps = s.steps.data(),
-          .step_count = std::ssize(s.steps),
-          .fronts = s.fronts.data(),
-          .front_count = std::ssize(s.fronts),
-          .relative_indices = s.relative_indices.data(),
-          .bodies = s.bodies.data(),
-          .rows = s.rows.data(),
-          .row_positions = structure_.row_positions.data(),
-          .unknowns = s.unknowns.data(),
-          .compliance = structure_.compliance.data(),
-          .mass = nearby_mass_.data(),
-          .mass_factors = mass_factors_.data(),
-          .D = D_.data(),
-          .factors = factors_.data(),
-          .articulated_inertias = articulated_inertias_.data(),
-          .panels = panels_.data(),
-          .contributions = contributions_.data(),
-          .scratch = scratch_.data()};
 }
 
 void LaneStepper::violations(int l, VectorXd& Phi, VectorXd& Phi_dot) const {
@@ -250,33 +211,61 @@ void LaneStepper::rates(int l, int stage, MutableVector out) const { take(k_[sta
 void LaneStepper::evaluate(const Numbers& t, const Numbers& y, LaneGuard& guard) {
   kernels_.states(structure_.bodies, y.data(), states_.data());
   kernels_.body_forces(structure_.bodies, mass_.data(), gravity_.data(), y.data(), g_.data(), potential_.data());
-  if (rest_) each_lane(guard, [&](int l) { evaluate_rest(l, t[l], y, guard); });
+  if (rest_) evaluate_rest(t, y, guard);
   evaluate_joints();
   leave_out_rows();
 }
 
-/// Functions of time, special joints, forces.
-void LaneStepper::evaluate_rest(int l, double t, const Numbers& y, LaneGuard& guard) {
+void LaneStepper::evaluate_constraints(const Numbers& t, LaneGuard& guard) {
+  kernels_.states(structure_.bodies, y_.data(), states_.data());
+  if (rest_)
+    each_lane(guard, [&](int l) {
+      evaluate_apart(l, t[l], y_, guard, [&](const System& system, auto q, auto v, const VectorXd& history, auto& at) {
+        system.evaluate_rest_of_constraints(t[l], q, v, history, at);
+      });
+    });
+  evaluate_joints();
+  leave_out_rows();
+}
+
+template <class Evaluate>
+void LaneStepper::evaluate_apart(int l, double t, const Numbers& y, LaneGuard& guard, Evaluate evaluate) {
   Dynamics& dynamics = *mechanisms_[l];
   const System& system = dynamics.system();
+  const int nq = system.q_size(), nv = system.v_size();
   take(y, l, 0, state_);
   Evaluation& at = dynamics.begin_elsewhere(t, state_);
-  const int nq = system.q_size(), nv = system.v_size();
-  const double* g = g_.data() + l;
-  for (int k = 0; k < nv; ++k) at.g[k] = g[static_cast<std::ptrdiff_t>(k) * width_];
-  at.potential = *lane(potential_, 0, l);
   bool there = true;
-  do_apart([&] { system.evaluate_rest(t, state_.head(nq), state_.segment(nq, nv), dynamics.history(), at); },
+  do_apart([&] { evaluate(system, state_.head(nq), state_.segment(nq, nv), dynamics.history(), at); },
            [&](std::string why) {
              guard.leave(l, t, std::move(why));
              there = false;
            });
   if (!there) return;
-  give(at.g.data(), nv, l, g_, 0);
-  *lane(power_, 0, l) = at.power;
-  *lane(potential_, 0, l) = at.potential;
   give_parameters(l, at);
   give_special_joints(l, at);
+}
+
+/// Functions of time, special joints, forces.
+void LaneStepper::evaluate_rest(const Numbers& t, const Numbers& y, LaneGuard& guard) {
+  each_lane(guard, [&](int l) { evaluate_rest(l, t[l], y, guard); });
+  if (!user_forces_.none()) user_forces_.add(guard);
+  each_lane(guard, [&](int l) {
+    const Evaluation& found = mechanisms_[l]->evaluation();
+    give(found.g.data(), mechanisms_[l]->system().v_size(), l, g_, 0);
+    *lane(power_, 0, l) = found.power;
+    *lane(potential_, 0, l) = found.potential;
+  });
+}
+
+void LaneStepper::evaluate_rest(int l, double t, const Numbers& y, LaneGuard& guard) {
+  evaluate_apart(l, t, y, guard, [&](const System& system, auto q, auto v, const VectorXd& history, Evaluation& at) {
+    const double* g = g_.data() + l;
+    for (int k = 0; k < system.v_size(); ++k) at.g[k] = g[static_cast<std::ptrdiff_t>(k) * width_];
+    at.potential = *lane(potential_, 0, l);
+    system.evaluate_rest(t, q, v, history, at);
+    if (!user_forces_.none()) user_forces_.place(l) = {.t = t, .y = state_, .at = &at};
+  });
 }
 
 /// Functions of time among the parameters of joints.
@@ -339,34 +328,52 @@ void LaneStepper::solve(const Numbers& t, bool first, LaneGuard& guard) {
     const double* const u = u_.data();
     kernels_.combine(structure_.rows, gamma_.data(), 1, ones_.data(), &u, b_.data());
   }
+  factorize_and_solve(g_, t, first, guard);
+}
+
+void LaneStepper::leave_out_b() {
   for (const int row : structure_.dropped) std::fill_n(b_.begin() + std::ptrdiff_t{row} * width_, width_, 0.0);
-  const LaneData at = data();
-  elimination_.factor(at, g_.data(), b_.data(), smallest_.data());
-  for (const int row : structure_.dropped) std::fill_n(lambda_.begin() + std::ptrdiff_t{row} * width_, width_, 0.0);
-  elimination_.backward(at, g_.data(), v_dot_.data(), lambda_.data());
+}
+
+/// M x - D^T lambda = a, D x = b.
+void LaneStepper::factorize_and_solve(const Numbers& a, const Numbers& t, bool first, LaneGuard& guard) {
+  leave_out_b();
+  solver_.factorize_and_solve(problem(D_, a));
   bool looked = false;
   each_lane(guard, [&](int l) {
-    guard.note(l, t[l], smallest_[l], first);
+    guard.note(l, t[l], solver_.smallest_pivot(l), first);
     looked = looked || (first && guard.looked(l));
   });
   if (looked) solve_as_looked(guard);
-  if (refinement_.needed())
-    refinement_.refine({t.data(), mass_.data(), D_.data(), g_.data(), b_.data(), v_dot_.data(), lambda_.data()},
-                       elimination_, at, guard);
+  if (refinement_.needed()) refinement_.refine(t.data(), mass_.data(), problem(D_, a), solver_, guard);
 }
 
 /// Lanes that were looked at ahead have factors already there, where a single run substitutes in another order.
 void LaneStepper::solve_as_looked(const LaneGuard& guard) {
-  const LaneData at = data();
-  elimination_.forward(at, g_.data(), b_.data());
-  for (const int row : structure_.dropped)
-    std::fill_n(looked_lambda_.begin() + std::ptrdiff_t{row} * width_, width_, 0.0);
-  elimination_.backward(at, g_.data(), looked_v_dot_.data(), looked_lambda_.data());
+  solver_.solve({D_.data(), g_.data(), b_.data(), looked_v_dot_.data(), looked_lambda_.data()});
   each_lane(guard, [&](int l) {
     if (!guard.looked(l)) return;
     for (std::size_t k = l; k < v_dot_.size(); k += width_) v_dot_[k] = looked_v_dot_[k];
     for (std::size_t k = l; k < lambda_.size(); k += width_) lambda_[k] = looked_lambda_[k];
   });
+}
+
+void LaneStepper::factorize_and_correct(Violation of, const Numbers& t, LaneGuard& guard) {
+  take_violation(of);
+  factorize_and_solve(none_, t, false, guard);
+  std::swap(D_, factorized_D_);
+}
+
+void LaneStepper::correct(Violation of, const Numbers& t, LaneGuard& guard) {
+  take_violation(of);
+  leave_out_b();
+  solver_.solve(problem(factorized_D_, none_));
+  if (refinement_.needed()) refinement_.refine(t.data(), mass_.data(), problem(factorized_D_, none_), solver_, guard);
+}
+
+void LaneStepper::take_violation(Violation of) {
+  const Numbers& from = of == Violation::positions ? Phi_ : Phi_dot_;
+  for (std::size_t k = 0; k < b_.size(); ++k) b_[k] = -from[k];
 }
 
 /// With the power of forces and drivers last.

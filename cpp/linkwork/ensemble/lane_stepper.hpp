@@ -6,6 +6,7 @@
 
 #include "linkwork/ensemble/lane_refinement.hpp"
 #include "linkwork/ensemble/lane_structure.hpp"
+#include "linkwork/ensemble/lane_user_forces.hpp"
 #include "linkwork/integration/integrator.hpp"
 #include "linkwork/math/aligned.hpp"
 
@@ -57,6 +58,18 @@ class LaneStepper {
   void step(const LaneSpans& spans, LaneGuard& guard);
   void normalize();
 
+  // For projections, which move the states of single lanes.
+  /// Positions, forces and joints of the current states at t of each lane; joints alone.
+  void evaluate(const AlignedDoubles& t, LaneGuard& guard) { evaluate(t, y_, guard); }
+  void evaluate_constraints(const AlignedDoubles& t, LaneGuard& guard);
+  void forces(int l, VectorXd& g) const { take(g_, l, 0, g); }
+  /// M x - D^T lambda = 0, D x = -Phi, or -Phi_dot, of the last evaluation: with the M and D there, or
+  /// with those of the last factorization.
+  enum class Violation { positions, velocities };
+  void factorize_and_correct(Violation of, const AlignedDoubles& t, LaneGuard& guard);
+  void correct(Violation of, const AlignedDoubles& t, LaneGuard& guard);
+  void correction(int l, VectorXd& x) const { take(v_dot_, l, 0, x); }
+
   // The stages of a step without its end. The first one and the correction that it holds, of one lane:
   void begin_stages(int l, const VectorXd& y, const ConstVector& rates, const VectorXd& held);
   void later_stages(const LaneSpans& spans, LaneGuard& guard);
@@ -71,11 +84,10 @@ class LaneStepper {
 
   void size(Numbers& numbers, std::ptrdiff_t count) const;
   void allocate_motion();
-  void allocate_factors();
+  void allocate_parameters();
   void load(int l, const Dynamics& mechanism);
   void load_masses(int l, const Dynamics& mechanism);
   void load_joints(int l, const Model& model);
-  LaneData data();
   const Dynamics& mechanism(int l) const;
   double* lane(Numbers& numbers, std::ptrdiff_t k, int l) { return numbers.data() + k * width_ + l; }
   void take(const Numbers& numbers, int l, std::ptrdiff_t first, MutableVector out) const;
@@ -84,6 +96,9 @@ class LaneStepper {
   void each_lane(const LaneGuard& guard, Action action);
 
   void evaluate(const Numbers& t, const Numbers& y, LaneGuard& guard);
+  template <class Evaluate>
+  void evaluate_apart(int l, double t, const Numbers& y, LaneGuard& guard, Evaluate evaluate);
+  void evaluate_rest(const Numbers& t, const Numbers& y, LaneGuard& guard);
   void evaluate_rest(int l, double t, const Numbers& y, LaneGuard& guard);
   void give_parameters(int l, const Evaluation& at);
   void give_special_joints(int l, const Evaluation& at);
@@ -94,25 +109,32 @@ class LaneStepper {
   void correct();
   void combine(const LaneSpans& spans, const ConstVector& weights, Eigen::Index count, Numbers& out);
   void solve(const Numbers& t, bool first, LaneGuard& guard);
+  void leave_out_b();
+  LaneSolver::Problem problem(const Numbers& D, const Numbers& a) {
+    return {D.data(), a.data(), b_.data(), v_dot_.data(), lambda_.data()};
+  }
+  void factorize_and_solve(const Numbers& a, const Numbers& t, bool first, LaneGuard& guard);
   void solve_as_looked(const LaneGuard& guard);
+  void take_violation(Violation of);
   void find_rates(const Numbers& y, Numbers& y_dot, const LaneGuard& guard);
 
   const LaneStructure& structure_;
   const LaneKernels& kernels_;
-  const LaneElimination& elimination_;
   int level_, width_;
   std::vector<Dynamics*> mechanisms_;
   const ButcherTableau& tableau_;
   bool rest_ = false;
   StabilizationKind stabilization_;
 
+  LaneSolver solver_;
   LaneRefinement refinement_;
+  LaneUserForces user_forces_;
 
-  Numbers mass_, nearby_mass_, mass_factors_, gravity_, states_;
+  Numbers mass_, gravity_, states_;
   std::vector<Numbers> attachments_, parameters_;  ///< by kind
-  Numbers D_, Phi_, Phi_t_, Phi_dot_, gamma_, g_, b_, u_, v_dot_, lambda_, smallest_, power_, potential_;
+  Numbers D_, Phi_, Phi_t_, Phi_dot_, gamma_, g_, b_, u_, v_dot_, lambda_, power_, potential_;
   Numbers looked_v_dot_, looked_lambda_, largest_;
-  Numbers factors_, articulated_inertias_, panels_, contributions_, scratch_;
+  Numbers factorized_D_, none_;  ///< of projections
   Numbers y_, before_, stage_, stage_t_, weights_, ones_, velocity_gains_, position_gains_;
   std::vector<Numbers> k_;
   std::vector<const double*> terms_;

@@ -91,15 +91,10 @@ std::string LaneStructure::refusal_of_numbers(const Dynamics& dynamics) {
   if (!options.deterministic) return "lanes have the bits of deterministic runs only";
   if (!formulation_info(options.formulation).lanes || !linear_solver_info(options.linear_solver).lanes)
     return "lanes have formulation 'standard' by linear solver 'block' only";
-  const StabilizationKind kind = dynamics.stabilization();
-  if (projects_positions(kind) || projects_velocities(kind)) return "lanes have no stabilization by projection";
   for (const double limit : options.violation_limit)
     if (std::isfinite(limit)) return "lanes do not watch a violation_limit";
   if (system.row_count() == 0) return "it has no joints";
   if (!system.inerters().empty()) return "it has inerters";
-  if (block::masses_far_apart(dynamics.formulation().inertia().system()))
-    return "its masses are far apart, which takes refinement";
-  if (!system.model().user_forces().empty()) return "it has forces that are functions of Python";
   return "";
 }
 

@@ -34,11 +34,13 @@ SingularWatch& LaneTrials::watch_of(const Lane& lane) const { return lane.run->m
 
 template <class Action>
 void LaneTrials::guarded(Lane& lane, const Action& action) {
-  do_apart(action, [&](std::string why) {
-    *lane.reason = std::move(why);
-    lane.run = nullptr;
-    lane.trial = lane.active = false;
-  });
+  do_apart(action, [&](std::string why) { give_up(lane, std::move(why)); });
+}
+
+void LaneTrials::give_up(Lane& lane, std::string why) {
+  *lane.reason = std::move(why);
+  lane.run = nullptr;
+  lane.trial = lane.active = false;
 }
 
 void LaneTrials::take_up(int l) {

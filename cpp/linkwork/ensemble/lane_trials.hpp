@@ -45,6 +45,7 @@ class LaneTrials final : private LaneGuard {
   bool looked(int) const override { return false; }
   void note(int l, double t, double pivot, bool first) override;
   void leave(int l, double t, std::string reason) override;
+  void refuse(int l, double, std::string reason) override { give_up(lanes_[l], std::move(reason)); }
 
   SingularWatch& watch_of(const Lane& lane) const;
   void take_up(int l);
@@ -53,6 +54,7 @@ class LaneTrials final : private LaneGuard {
   void finish(int l);
   template <class Action>
   void guarded(Lane& lane, const Action& action);
+  static void give_up(Lane& lane, std::string why);
 
   TrialQueue& queue_;
   LaneStepper stepper_;

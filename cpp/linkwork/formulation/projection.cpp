@@ -11,8 +11,7 @@
 namespace linkwork {
 namespace {
 
-// Relative to the size of the mechanism and its distance from the origin, or to its rate: where a change is roundoff;
-// where one that no longer shrinks counts as roundoff, and one that does so as no convergence.
+// Of changes: roundoff; where one that no longer shrinks counts as roundoff.
 constexpr double exact = 1e-14, roundoff = 1e-9, shrinking = 0.5;
 // Of the violation, likewise relative: near a singular pose nothing is to be made of noise, and where nothing moves
 // against it a small one is left.
@@ -20,6 +19,22 @@ constexpr double noise = 1e-14, impossible = 1e-4;
 constexpr int most_iterations = 30;
 
 }  // namespace
+
+ProjectionProgress::State ProjectionProgress::judge(double change) {
+  iterations_ += 1;
+  if (change <= exact || (change <= roundoff && change > shrinking * last_)) return State::converged;
+  if (!(change <= last_) || iterations_ == most_iterations) return State::diverged;
+  last_ = change;
+  return State::going_on;
+}
+
+/// The farthest body counts, in its length.
+double projection_reach(const NaturalSize& size, const System& system, const VectorXd& y) {
+  double farthest = 0.0;
+  for (int body = 0; body < system.body_count(); ++body)
+    farthest = std::max(farthest, y.segment<3>(position_size * body).norm() / size.length(body));
+  return 1.0 + farthest;
+}
 
 Projection::Projection(Dynamics& dynamics)
     : dynamics_(dynamics),
@@ -38,24 +53,20 @@ template <class Violation, class Move>
 void Projection::iterate(double t, VectorXd& y, double scale, Violation violation, Move move) {
   const System& system = dynamics_.system();
   if (system.row_count() == 0) return;
-  double last = INFINITY;
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+  using State = ProjectionProgress::State;
+  ProjectionProgress progress;
+  State state = State::going_on;
+  while (state == State::going_on) {
     system.evaluate_constraints(t, y.head(system.q_size()), y.segment(system.q_size(), system.v_size()),
                                 dynamics_.history(), at_);
     b_ = -violation(at_);
     const bool singular = dynamics_.watch().open();
     if (singular && relative_violation(scale) <= noise) return;
     dynamics_.solve(none_, b_, x_, lambda_);
-    const double change = move();
-    if (change <= exact || (change <= roundoff && change > shrinking * last)) {
-      if (!dynamics_.formulation().fallback() || relative_violation(scale) <= impossible) return;
-      break;
-    }
-    if (!(change <= last)) {
-      if (singular && relative_violation(scale) <= 1e2 * noise) return;
-      break;
-    }
-    last = change;
+    state = progress.judge(move());
+    if (state == State::converged && (!dynamics_.formulation().fallback() || relative_violation(scale) <= impossible))
+      return;
+    if (state == State::diverged && singular && relative_violation(scale) <= 1e2 * noise) return;
   }
   Eigen::Index row = 0;
   const double worst = b_.cwiseAbs().maxCoeff(&row);
@@ -72,7 +83,7 @@ void Projection::iterate(double t, VectorXd& y, double scale, Violation violatio
 
 void Projection::positions(double t, VectorXd& y) {
   const System& system = dynamics_.system();
-  const double reach = 1.0 + farthest(y);
+  const double reach = projection_reach(size_, system, y);
   const auto violation = [](const Evaluation& at) -> const VectorXd& { return at.Phi; };
   iterate(t, y, 1.0, violation, [&] {
     displace(system, x_, y);
@@ -91,14 +102,6 @@ void Projection::velocities(double t, VectorXd& y) {
     rate = std::max(rate, size_.of(v));
     return NaturalSize::ratio(size_.of(x_), rate);
   });
-}
-
-/// Of the bodies from the origin, in their lengths.
-double Projection::farthest(const VectorXd& y) const {
-  double out = 0.0;
-  for (int body = 0; body < dynamics_.system().body_count(); ++body)
-    out = std::max(out, y.segment<3>(position_size * body).norm() / size_.length(body));
-  return out;
 }
 
 void Projection::stabilize(double t, VectorXd& y) {

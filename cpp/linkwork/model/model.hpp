@@ -50,6 +50,14 @@ class UserForce {
   /// Adds to g (6 per body: force inertial, torque about the center of mass in body axes) at q (7 per body; Euler
   /// parameters may be off unit length within a step) and v (6 per body).
   virtual void add(double t, int bodies, const double* q, const double* v, double* g) const = 0;
+
+  /// For ensembles: whether this and that of another mechanism may be asked for together.
+  virtual bool goes_with(const UserForce&) const { return false; }
+  /// Of `count` such mechanisms at once, at times t, one after the other in q, v and g.
+  virtual void add_to_all(int count, const double* t, int bodies, const double* q, const double* v, double* g) const {
+    for (std::ptrdiff_t k = 0; k < count; ++k)
+      add(t[k], bodies, q + k * position_size * bodies, v + k * velocity_size * bodies, g + k * velocity_size * bodies);
+  }
 };
 
 /// The constant description of a mechanism, cheap to copy. Everything is checked when it is added: bad input is a

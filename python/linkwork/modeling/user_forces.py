@@ -30,6 +30,7 @@ class UserForceMethods:
         function: Callable[..., ArrayLike],
         bodies: BodyLike | BodiesLike | None = None,
         *,
+        vectorized: bool = False,
         breaks: ArrayLike = (),
         name: str | None = None,
     ) -> None:
@@ -38,11 +39,16 @@ class UserForceMethods:
             body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
             model.user_force(lambda t, q, v: [0, 0, -0.3 * abs(v[2]) * v[2], 0, 0, 0], body)   # drag
 
-        bodies    without them all n of the model
-        function  of t [s], q (n, 7) and v (n, 6) of these bodies, which returns (n, 6): force [N], inertial,
-                  and torque [N m] about the center of mass, in body axes; of one body (7,), (6,) and (6,).
-                  Within a step the Euler parameters may be off unit length by little
-        breaks    times [s] at which it is not smooth: steps that follow tolerances end there
+        bodies      without them all n of the model
+        function    of t [s], q (n, 7) and v (n, 6) of these bodies, which returns (n, 6): force [N], inertial,
+                    and torque [N m] about the center of mass, in body axes; of one body (7,), (6,) and (6,).
+                    Within a step the Euler parameters may be off unit length by little
+        vectorized  the function is one of k mechanisms at once, t (k,), q (k, n, 7) and v (k, n, 6), and returns
+                    (k, n, 6); of one body (k, 7), (k, 6) and (k, 6). An ensemble calls it once for all members
+                    that run side by side and have this same function, a run by itself with k = 1. What it
+                    returns of a mechanism must not depend on the others, to the last bit: operations on
+                    elements do not
+        breaks      times [s] at which it is not smooth: steps that follow tolerances end there
 
         All its power counts as work. Python in the loop costs microseconds an evaluation and keeps other
         threads out: see `compiled_force`.
@@ -53,12 +59,17 @@ class UserForceMethods:
         name = model._named(name, "user force", len(model._user_forces))
         if not callable(function):
             raise ModelError(f"user force '{name}': {function!r} is not a function", code="not_callable")
-        whole, place = function, ""
+        if not isinstance(vectorized, bool):
+            raise ModelError(
+                f"user force '{name}': vectorized is {vectorized!r:.80}, not True or False", code="vectorized"
+            )
+        whole, place, chosen = function, "", []
         if bodies is not None:
             single, indices = isinstance(bodies, Body | str), model.indices(bodies)
             whole, place = _on_bodies(function, indices, single, name), f"bodies {list(indices)}"
+            chosen = [int(single), *indices.tolist()]
         times = functions.check_breaks(breaks, f"user force '{name}'")
-        model._core.add_user_force(name, whole)
+        model._core.add_user_force(name, whole, (function, chosen) if vectorized else None)
         model._core.add_breaks(times)
         model._user_forces.append((name, function, place))
 
@@ -154,18 +165,18 @@ def _on_bodies(
         raise ModelError(f"user force '{name}': its bodies {why}", code="bodies")
     chosen: Any = int(bodies[0]) if single else bodies
 
-    def whole(t: float, q: Floats, v: Floats) -> Floats:
+    def whole(t: float | Floats, q: Floats, v: Floats) -> Floats:
         out = np.zeros_like(v)
-        returned = function(t, q[chosen], v[chosen])
+        returned = function(t, q[..., chosen, :], v[..., chosen, :])
         try:
             force = np.asarray(returned, dtype=float)
         except arguments.UNREADABLE as error:
-            why = f"returned {returned!r:.80} at t = {t:g} s, not an array of numbers"
+            why = f"returned {returned!r:.80} at t = {np.ravel(t)[0]:g} s, not an array of numbers"
             raise ModelError(f"user force '{name}': {why}", code="not_a_number") from error
-        if force.shape != out[chosen].shape:
-            wanted = f"returned shape {force.shape}, not {out[chosen].shape}"
+        if force.shape != out[..., chosen, :].shape:
+            wanted = f"returned shape {force.shape}, not {out[..., chosen, :].shape}"
             raise ModelError(f"user force '{name}': {wanted}", code="shape")
-        out[chosen] = force
+        out[..., chosen, :] = force
         return out
 
     return whole

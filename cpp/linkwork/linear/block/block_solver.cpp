@@ -14,8 +14,7 @@ namespace {
 
 constexpr double singular_pivot = 1e-15;
 constexpr double small_pivot = 1e-8;  // beyond it the pivot of a joint is delayed to a hub, if there is one
-constexpr double far_apart = 1e6, refined_enough = 1e-13;
-constexpr int most_refinements = 5;
+constexpr double far_apart = 1e6;
 constexpr std::size_t cached = 1 << 16;   // doubles, half of a cache of 1 MB: the rest is for D
 constexpr std::size_t slack = 2 * lanes;  // vectors may reach past the last column
 
@@ -88,7 +87,7 @@ class BlockSolver final : public SaddleSolver {
       substitute_backward(rest_a_, change_x_, change_lambda_);
       x += change_x_;
       lambda += change_lambda_;
-      if (!(change_x_.cwiseAbs().maxCoeff() > refined_enough * x.cwiseAbs().maxCoeff())) return;
+      if (!goes_on_refining(x.cwiseAbs().maxCoeff(), change_x_.cwiseAbs().maxCoeff())) return;
     }
   }
 

@@ -12,6 +12,12 @@ std::unique_ptr<SaddleSolver> make_block_solver(const InstructionSet& instructio
 
 /// Light bodies between heavy ones cost digits, which the residual brings back.
 bool masses_far_apart(const System& system);
+constexpr int most_refinements = 5;
+/// Whether after a correction of this size, in amount, comes another one.
+inline bool goes_on_refining(double solution, double correction) {
+  constexpr double refined_enough = 1e-13;
+  return correction > refined_enough * solution;
+}
 /// Of a body's mass matrix.
 MassFactor mass_factor(const System& system, int body);
 

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include "linkwork/ensemble/lanes.hpp"
+#include "linkwork/formulation/dynamics.hpp"
+#include "linkwork/math/aligned.hpp"
+
+namespace linkwork {
+
+class LaneStructure;
+
+/// Solves M x - D^T lambda = a, D x = b of the mechanisms in lanes, each as the block solver does: with other inertias
+/// nearby where some are none or nearly so, with corrections of its own where masses are far apart.
+class LaneSolver {
+ public:
+  LaneSolver(const LaneStructure& structure, const InstructionSet& instructions);
+
+  /// A mechanism in a lane; of lanes that are not used, any.
+  void load(int l, const Dynamics& mechanism);
+
+  /// All numbers of all lanes; the b of redundant rows is zero.
+  struct Problem {
+    const double *D, *a, *b;
+    double *x, *lambda;
+  };
+  void factorize_and_solve(const Problem& problem);
+  /// With the factors of the last factorization, of the same D.
+  void solve(const Problem& problem);
+  double smallest_pivot(int l) const { return smallest_[l]; }
+
+ private:
+  void size(AlignedDoubles& numbers, std::ptrdiff_t count) const;
+  void leave_out(double* lambda) const;
+  LaneData data(const double* D);
+  void refine(const Problem& problem);
+
+  const LaneStructure& structure_;
+  const LaneKernels& kernels_;
+  const LaneElimination& elimination_;
+  AlignedDoubles mass_, mass_factors_, smallest_;
+  AlignedDoubles factors_, articulated_inertias_, panels_, contributions_, scratch_;
+  std::vector<char> far_apart_;
+  AlignedDoubles going_on_, largest_, correction_, r_1_, r_2_, dx_, dlambda_;
+};
+
+}  // namespace linkwork
