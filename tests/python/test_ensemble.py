@@ -51,7 +51,7 @@ def test_projections_are_those_by_themselves_with_drivers_verdicts_and_thin_rods
     for k in (0, 8, 9, 11):
         single = alone(models[k], 0.2, 1e-3, stabilization=stabilization)
         assert bits(found.member(k)) == bits(single)
-        assert found.accuracy[k] == single.verdict.error
+        assert single.verdict is not None and found.accuracy[k] == single.verdict.error
         assert single.recorded("violation").max() < 1e-10 or stabilization != "projection"
 
 
@@ -376,7 +376,7 @@ def test_masses_far_apart_are_refined_as_by_themselves_beside_usual_ones(stabili
     for k, model in enumerate(models):
         single = alone(model, 0.1, 1e-3, **options)
         assert bits(found.member(k)) == bits(single)
-        assert found.accuracy[k] == single.verdict.error
+        assert single.verdict is not None and found.accuracy[k] == single.verdict.error
     assert set(found.alone) <= {7}, found.alone
 
 

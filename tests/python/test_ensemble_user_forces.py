@@ -48,7 +48,7 @@ def test_a_force_on_all_lanes_at_once_is_that_on_each(steps: dict[str, float]) -
     for k in (0, 5, 10):
         single = alone(bricard(pulls[k]), 0.1, **steps)
         assert bits(found.member(k)) == bits(single) == bits(plain.member(k))
-        assert found.accuracy[k] == single.verdict.error
+        assert single.verdict is not None and found.accuracy[k] == single.verdict.error
     assert not np.array_equal(found.member(0).q, alone(bricard(0.5, lambda t, q, v: 0.0 * v), 0.1, **steps).q)
 
 
