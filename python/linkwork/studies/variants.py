@@ -183,9 +183,16 @@ class Changed:
                 record[it.field] = copy.deepcopy(record[it.field])
                 continue
             section, place = str(it.where[0]), it.where[1]
-            if record[section] is self.record[section]:
-                record[section] = [*record[section]]
-            record[section][place] = copy.deepcopy(self.record[section][place])
+            given = self.record[section]
+            if record[section] is given:
+                record[section] = [*given]
+            if record[section][place] is given[place]:
+                record[section][place] = {**given[place]}
+            one = record[section][place]
+            if it.field in one:
+                one[it.field] = copy.deepcopy(one[it.field])
+            else:  # such as a point, which is found from more than one field
+                record[section][place] = copy.deepcopy(one)
         return record
 
     def value(self, name: str) -> Any:
