@@ -71,7 +71,7 @@ class BlockSolver final : public SaddleSolver {
     const auto bytes = [](const auto&... vectors) { return (... + (vectors.size() * sizeof(vectors[0]))); };
     const SymbolicFactorization& s = *symbolic_;
     return static_cast<std::int64_t>(bytes(factors_, articulated_inertias_, panels_, contributions_, scratch_, pivots_,
-                                           mass_factors_, s.steps, s.fronts, s.relative_indices, s.bodies, s.vectors,
+                                           mass_factors_, s.steps, s.step_rows, s.fronts, s.relative_indices, s.bodies, s.vectors,
                                            s.runs, s.rows, s.mixed, s.hubs, s.couplings, s.unknowns));
   }
 
@@ -199,7 +199,7 @@ class BlockSolver final : public SaddleSolver {
   }
 
   void factorize_symbolically() {
-    symbolic_ = std::make_unique<SymbolicFactorization>(*system_, dropped_, delayed_, split_);
+    symbolic_ = std::make_unique<SymbolicFactorization>(*system_, dropped_, compliant_from_, delayed_, split_);
     look_for_interruption();
     factors_.assign(symbolic_->factor_size + slack, 0.0);
     articulated_inertias_.assign(
@@ -227,9 +227,8 @@ class BlockSolver final : public SaddleSolver {
     if (hub < 0) return false;
     delays_ += 1;
     const int joint = system_->model().joint_of_row(row);
-    const auto found = std::find_if(delayed_.begin(), delayed_.end(), [&](auto& it) { return it.joint == joint; });
-    if (found == delayed_.end()) delayed_.push_back({joint, hub});
-    else found->hub = hub;
+    std::erase_if(delayed_, [&](const auto& it) { return it.joint == joint; });
+    delayed_.push_back({joint, hub});
     factorize_symbolically();
     return true;
   }
@@ -273,6 +272,7 @@ class BlockSolver final : public SaddleSolver {
   void collect_data() {
     const SymbolicFactorization& s = *symbolic_;
     data_ = {.steps = s.steps.data(),
+             .step_rows = s.step_rows.data(),
              .fronts = s.fronts.data(),
              .relative_indices = s.relative_indices.data(),
              .bodies = s.bodies.data(),

@@ -29,18 +29,18 @@ LINKWORK_INLINE Vector inverse_of_lane(const Vector& v, int k) {
   return out;
 }
 
-/// Columns of a block of D with `rows` rows.
-template <int rows>
-LINKWORK_INLINE void load_columns(const double* D, Vector* columns) {
+/// Columns of a block of D with `rows` rows, of which row r stands at row_at(r).
+template <int rows, class RowAt>
+LINKWORK_INLINE void load_columns(const RowAt& row_at, Vector* columns) {
   if constexpr (width == 8) {
     Native square[width];
-    for (int r = 0; r < width; ++r) square[r] = r < rows ? load_first<6>(D + 6 * r).part[0] : Native{};
+    for (int r = 0; r < width; ++r) square[r] = r < rows ? load_first<6>(row_at(r)).part[0] : Native{};
     transpose(square);
     for (int c = 0; c < 6; ++c) columns[c].part[0] = square[c];
   } else {
     for (int c = 0; c < 6; ++c) {
       columns[c] = splat(0.0);
-      for (int r = 0; r < rows; ++r) columns[c].set(r, D[6 * r + c]);
+      for (int r = 0; r < rows; ++r) columns[c].set(r, row_at(r)[c]);
     }
   }
 }

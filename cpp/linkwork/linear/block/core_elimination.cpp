@@ -56,7 +56,7 @@ constexpr std::size_t joints_of_a_large_hub = 1000;
 
 class CoreBuilder {
  public:
-  CoreBuilder(const System& system, const PrunedLeaves& pruned, const std::vector<int>& slot, const CountedRows& rows,
+  CoreBuilder(const System& system, const PrunedLeaves& pruned, const std::vector<int>& slot, const EliminatedRows& rows,
               const std::vector<SymbolicFactorization::DelayedPivot>& delayed, bool for_threads,
               SymbolicFactorization& out)
       : system_(system), slot_(slot), rows_(rows), delayed_(delayed), out_(out) {
@@ -81,13 +81,11 @@ class CoreBuilder {
     double cost = 0.0;
   };
 
-  bool is_dropped(int row) const { return rows_.dropped[row] != 0; }
   int first_row(int joint) const { return system_.model().joint_rows()[joint]; }
-  int rows_of_joint(int joint) const { return rows_.rows_of_joint[joint]; }
   int joint_count() const { return static_cast<int>(joints_.size()); }
   bool is_hub(int node) const { return node >= joint_count(); }
   int hub_body(int node) const { return order_.hubs[node - joint_count()]; }
-  int rows_of(int node) const { return is_hub(node) ? 6 : rows_of_joint(joints_[node]); }
+  int rows_of(int node) const { return is_hub(node) ? 6 : rows_.count(joints_[node]); }
   int node_at(int position) const { return order_.elimination.order[position]; }
   int rows_at(int position) const { return rows_of(node_at(position)); }
   int position_of(int node) const { return position_[node]; }
@@ -119,7 +117,7 @@ class CoreBuilder {
     out.hubs = std::move(hubs);
     out.hub_node.assign(system_.body_count(), none);
     JointGraph graph;
-    for (const int joint : joints_) graph.weight.push_back(rows_of_joint(joint));
+    for (const int joint : joints_) graph.weight.push_back(rows_.count(joint));
     for (const int body : out.hubs) {
       out.hub_node[body] = static_cast<int>(graph.weight.size());
       graph.weight.push_back(6);
@@ -140,7 +138,7 @@ class CoreBuilder {
       }
     }
     for (const SymbolicFactorization::DelayedPivot& it : delayed_)
-      graph.hub[core_index_[it.joint]] = out.hub_node[it.hub];
+      graph.hub[core_index_[rows_.host(it.joint)]] = out.hub_node[it.hub];
     out.elimination = order_joint_graph(graph);
     out.cost += out.elimination.cost;
     return out;
@@ -153,7 +151,7 @@ class CoreBuilder {
     return true;
   }
 
-  /// The joints in loops on a body, as nodes.
+  /// The joints in loops on a body, as nodes; attached ones are none.
   std::vector<int> core_joints(int body) const {
     std::vector<int> out;
     for (const int index : system_.body_blocks(body)) {
@@ -212,13 +210,14 @@ class CoreBuilder {
     }
     std::sort(blocks.begin(), blocks.end());
     for (const auto& [place, index] : blocks) {
-      const ConstraintBlock& block = system_.blocks()[index];
       int position = place;
-      for (int k = 0; k < block.rows; ++k) {
-        if (is_dropped(block.row + k)) continue;
-        append_row(out, front, position++, block.offset + 6 * k);
-        out_.rows.push_back({block.offset + 6 * k, block.row + k});
-      }
+      rows_.for_blocks_on(body, system_.blocks()[index].joint, [&](const ConstraintBlock& block) {
+        for (int k = 0; k < block.rows; ++k) {
+          if (rows_.is_dropped(block.row + k)) continue;
+          append_row(out, front, position++, block.offset + 6 * k);
+          out_.rows.push_back({block.offset + 6 * k, block.row + k});
+        }
+      });
     }
     out.vectors = static_cast<int>(out_.vectors.size()) - out.first_vector;
     out.runs = static_cast<int>(out_.runs.size()) - out.first_run;
@@ -275,9 +274,9 @@ class CoreBuilder {
     if (is_hub(node)) {
       for (int row = 0; row < 6; ++row) out_.unknowns.push_back(~(6 * hub_body(node) + row));
     } else {
-      const int joint = joints_[node];
-      for (int row = first_row(joint); row < first_row(joint + 1); ++row)
-        if (!is_dropped(row)) out_.unknowns.push_back(row);
+      for (int joint = joints_[node]; joint != none; joint = rows_.next(joint))
+        for (int row = first_row(joint); row < first_row(joint + 1); ++row)
+          if (!rows_.is_dropped(row)) out_.unknowns.push_back(row);
     }
     return rows_of(node);
   }
@@ -299,8 +298,12 @@ class CoreBuilder {
         for (const int index : system_.joint_blocks(joints_[node])) {
           const ConstraintBlock& block = system_.blocks()[index];
           const auto hub = place_of.find(order_.hub_node[block.body]);
-          if (hub != place_of.end() && (eliminates(node) || eliminates(hub->first)))
-            append_couplings(block, place, hub->second);
+          if (hub != place_of.end() && (eliminates(node) || eliminates(hub->first))) {
+            int position = place;
+            rows_.for_blocks_on(block.body, block.joint, [&](const ConstraintBlock& it) {
+              position = append_couplings(it, position, hub->second);
+            });
+          }
         }
       }
     mixed.hubs = static_cast<int>(out_.hubs.size()) - mixed.first_hub;
@@ -310,11 +313,11 @@ class CoreBuilder {
     return static_cast<int>(out_.mixed.size()) - 1;
   }
 
-  /// Runs of rows between dropped ones.
-  void append_couplings(const ConstraintBlock& block, int joint, int hub) {
+  /// Runs of rows between dropped ones; returns the position behind them.
+  int append_couplings(const ConstraintBlock& block, int joint, int hub) {
     bool joined = false;
     for (int k = 0; k < block.rows; ++k) {
-      if (is_dropped(block.row + k)) {
+      if (rows_.is_dropped(block.row + k)) {
         joined = false;
         continue;
       }
@@ -323,6 +326,7 @@ class CoreBuilder {
       joined = true;
       joint += 1;
     }
+    return joint;
   }
 
   /// Parents, and runs of rows in them.
@@ -402,7 +406,7 @@ class CoreBuilder {
 
   const System& system_;
   const std::vector<int>& slot_;  ///< of articulated inertias, per body
-  const CountedRows& rows_;
+  const EliminatedRows& rows_;
   const std::vector<SymbolicFactorization::DelayedPivot>& delayed_;
   SymbolicFactorization& out_;
   std::vector<int> joints_, core_index_, position_;
@@ -417,7 +421,7 @@ class CoreBuilder {
 }  // namespace
 
 void eliminate_core(const System& system, const PrunedLeaves& pruned, const std::vector<int>& slot,
-                    const CountedRows& rows, const std::vector<SymbolicFactorization::DelayedPivot>& delayed,
+                    const EliminatedRows& rows, const std::vector<SymbolicFactorization::DelayedPivot>& delayed,
                     bool for_threads, SymbolicFactorization& out) {
   CoreBuilder(system, pruned, slot, rows, delayed, for_threads, out);
 }

@@ -16,12 +16,20 @@ constexpr int right_hand_side = 6;  ///< lane that carries the right-hand side b
 struct TreeStep {
   int body;
   int parent;          ///< the joint's other body, or -1 for the ground (or where there is no joint)
-  int row, rows;       ///< of the joint; rows = 0 for a body without joints
+  int row, rows;       ///< of the joint, 6 at most; rows = 0 for a body without joints
   int slot;            ///< of the body's articulated inertia, or -1 while it has only its own mass
   int parent_slot;     ///< of the parent's articulated inertia
   bool parent_begins;  ///< the parent's articulated inertia begins with its own mass here
+  int scattered;       ///< place in `step_rows` of rows that do not stand one after the other, as those of a joint with
+                       ///< others attached, or -1
   std::ptrdiff_t D_body, D_parent;
   std::ptrdiff_t storage;  ///< place of the factors
+};
+
+/// A row of a step, wherever it stands: D of the body and of the parent, and its multiplier.
+struct StepRow {
+  std::ptrdiff_t D_body, D_parent;
+  int row;
 };
 
 /// Doubles of factor storage of a step: 6 + rows vectors.
@@ -139,6 +147,7 @@ struct Helpers {
 /// Everything that the sweeps read, and the factors that they write.
 struct Data {
   const TreeStep* steps;
+  const StepRow* step_rows;
   const Front* fronts;
   const RelativeIndices* relative_indices;
   const CoreBody* bodies;

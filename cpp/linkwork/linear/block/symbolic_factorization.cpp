@@ -9,22 +9,11 @@
 namespace linkwork::block {
 namespace {
 
-CountedRows count_rows(const System& system, const std::vector<int>& dropped) {
-  CountedRows out;
-  out.dropped.assign(system.row_count(), 0);
-  for (const int row : dropped) out.dropped[row] = 1;
-  const std::vector<int>& first = system.model().joint_rows();
-  const auto begin = out.dropped.begin();
-  for (int joint = 0; joint < system.joint_count(); ++joint)
-    out.rows_of_joint.push_back(static_cast<int>(std::count(begin + first[joint], begin + first[joint + 1], 0)));
-  return out;
-}
-
-/// Joints without rows count as absent. A joint of more than two bodies is part of loops, as if it closed one: no open
+/// Joints without rows of their own count as absent, so those that are attached to others. A joint of more than two bodies is part of loops, as if it closed one: no open
 /// branch ends on it.
-PrunedLeaves prune_branches(const System& system, const CountedRows& rows) {
+PrunedLeaves prune_branches(const System& system, const EliminatedRows& rows) {
   std::vector<char> absent;
-  for (const int count : rows.rows_of_joint) absent.push_back(count == 0);
+  for (int joint = 0; joint < system.joint_count(); ++joint) absent.push_back(rows.count(joint) == 0);
   const auto joins_two = [&](const ConstraintBlock& block) {
     const BlockRange blocks = system.joint_blocks(block.joint);
     return blocks.end() - blocks.begin() <= 2;
@@ -34,13 +23,13 @@ PrunedLeaves prune_branches(const System& system, const CountedRows& rows) {
 
 }  // namespace
 
-SymbolicFactorization::SymbolicFactorization(const System& system, const std::vector<int>& dropped,
+SymbolicFactorization::SymbolicFactorization(const System& system, const std::vector<int>& dropped, int compliant_from,
                                              const std::vector<DelayedPivot>& delayed, bool for_threads) {
   look_for_interruption();
-  const CountedRows counted = count_rows(system, dropped);
-  const PrunedLeaves pruned = prune_branches(system, counted);
-  const std::vector<int> slots = eliminate_trees(system, pruned, for_threads, *this);
-  eliminate_core(system, pruned, slots, counted, delayed, for_threads, *this);
+  const EliminatedRows eliminated(system, dropped, compliant_from);
+  const PrunedLeaves pruned = prune_branches(system, eliminated);
+  const std::vector<int> slots = eliminate_trees(system, pruned, eliminated, for_threads, *this);
+  eliminate_core(system, pruned, slots, eliminated, delayed, for_threads, *this);
 }
 
 int SymbolicFactorization::next_hub(int row) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "linkwork/assembly/system.hpp"
@@ -16,15 +17,18 @@ namespace linkwork::block {
 /// inertias only add up on the way. What is left are closed loops, the 2-core of the graph: its bodies first, then its
 /// joints in a fill-reducing order of the graph "joints that share a body", gathered into supernodes (multifrontal
 /// method, Duff and Reid 1983). Bodies with many joints, hubs, are eliminated among the joints where that takes fewer
-/// operations.
+/// operations. Joints with compliance go with another one between the same bodies, see EliminatedRows.
 struct SymbolicFactorization {
-  /// A joint that must not be eliminated before a hub, because it depends on the others while the hub is held.
+  /// A joint that must not be eliminated before a hub, because it depends on the others while the hub is held. Of
+  /// several that are eliminated together the last one counts.
   struct DelayedPivot {
     int joint, hub;  ///< the hub is a body
     void keep(Archive& archive) { archive(joint, hub); }
   };
-  /// Without the `dropped` rows of joints in loops; `for_threads`: in tasks for several ones.
+  /// Without the `dropped` rows of joints in loops; rows from `compliant_from` on have compliance; `for_threads`: in
+  /// tasks for several ones.
   explicit SymbolicFactorization(const System& system, const std::vector<int>& dropped = {},
+                                 int compliant_from = std::numeric_limits<int>::max(),
                                  const std::vector<DelayedPivot>& delayed = {}, bool for_threads = false);
 
   /// The hub to which the joint of a constraint row can be delayed: the next one to be eliminated that it affects, or
@@ -32,6 +36,7 @@ struct SymbolicFactorization {
   int next_hub(int row) const;
 
   std::vector<TreeStep> steps;
+  std::vector<StepRow> step_rows;
   std::vector<Front> fronts;
   WorkPlan step_plan, front_plan;  ///< steps before fronts, on the way back after them
   std::vector<RelativeIndices> relative_indices, runs;

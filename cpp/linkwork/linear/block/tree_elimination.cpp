@@ -18,8 +18,9 @@ int other_body(const System& system, const ConstraintBlock& block) {
 
 class TreeBuilder {
  public:
-  TreeBuilder(const System& system, const PrunedLeaves& pruned, bool for_threads, SymbolicFactorization& out)
-      : system_(system), pruned_(pruned), out_(out), slot_(system.body_count(), none) {
+  TreeBuilder(const System& system, const PrunedLeaves& pruned, const EliminatedRows& rows, bool for_threads,
+              SymbolicFactorization& out)
+      : system_(system), pruned_(pruned), rows_(rows), out_(out), slot_(system.body_count(), none) {
     group_children();
     std::vector<int> roots;
     for (int body = 0; body < system.body_count(); ++body)
@@ -71,7 +72,7 @@ class TreeBuilder {
     TreeStep step{};
     step.body = body;
     step.parent = parent(body);
-    step.slot = step.parent_slot = none;
+    step.slot = step.parent_slot = step.scattered = none;
     step.storage = out_.factor_size;
     if (const int index = pruned_.inboard_block[body]; index != none) {
       const ConstraintBlock& block = system_.blocks()[index];
@@ -80,6 +81,7 @@ class TreeBuilder {
       step.D_body = block.offset;
       for (const int other : system_.joint_blocks(block.joint))
         if (other != index) step.D_parent = system_.blocks()[other].offset;
+      if (rows_.next(block.joint) != none) append_rows(block.joint, step);
     }
     out_.factor_size += step_storage(step.rows);
     out_.nonzeros += 21 + step.rows * (step.rows + 1) / 2 + 6 * step.rows;
@@ -87,6 +89,21 @@ class TreeBuilder {
     work_.push_back(91.0 + m * (36.0 + 6.0 * (m + 1.0) + 6.0 * m + 21.0 * 2.0) + m * m * m / 3.0 + 24.0 * m + 72.0);
     out_.flops += work_.back();
     out_.steps.push_back(step);
+  }
+
+  /// One by one, those of the joints that are attached included.
+  void append_rows(int joint, TreeStep& step) {
+    step.scattered = static_cast<int>(out_.step_rows.size());
+    rows_.for_blocks_on(step.body, joint, [&](const ConstraintBlock& block) {
+      for (int k = 0; k < block.rows; ++k)
+        out_.step_rows.push_back({block.offset + velocity_size * k, system_.row_of_zeros(), block.row + k});
+    });
+    step.rows = static_cast<int>(out_.step_rows.size()) - step.scattered;
+    if (step.parent == none) return;
+    auto row = out_.step_rows.begin() + step.scattered;
+    rows_.for_blocks_on(step.parent, joint, [&](const ConstraintBlock& block) {
+      for (int k = 0; k < block.rows; ++k) (row++)->D_parent = block.offset + velocity_size * k;
+    });
   }
 
   /// Branches end on the core in the order of the steps: as if it were one body more, which takes no work.
@@ -139,6 +156,7 @@ class TreeBuilder {
 
   const System& system_;
   const PrunedLeaves& pruned_;
+  const EliminatedRows& rows_;
   SymbolicFactorization& out_;
   std::vector<int> slot_, free_slots_, child_begin_, child_;
   std::vector<double> work_;  ///< of each step
@@ -147,9 +165,9 @@ class TreeBuilder {
 
 }  // namespace
 
-std::vector<int> eliminate_trees(const System& system, const PrunedLeaves& pruned, bool for_threads,
-                                 SymbolicFactorization& out) {
-  return TreeBuilder(system, pruned, for_threads, out).slots();
+std::vector<int> eliminate_trees(const System& system, const PrunedLeaves& pruned, const EliminatedRows& rows,
+                                 bool for_threads, SymbolicFactorization& out) {
+  return TreeBuilder(system, pruned, rows, for_threads, out).slots();
 }
 
 }  // namespace linkwork::block

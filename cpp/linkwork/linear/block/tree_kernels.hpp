@@ -16,9 +16,45 @@ namespace {
 constexpr int steps_ahead = 8;  // that are prefetched
 constexpr double right_hand_side_lane[lanes] = {0, 0, 0, 0, 0, 0, 1, 0};
 
+/// Where the rows of a step stand.
+template <bool scattered>
+struct RowsOfStep {
+  const TreeStep& step;
+  const Data& data;
+
+  LINKWORK_INLINE const double* D_body(int k) const {
+    if constexpr (scattered) return data.D + of(k).D_body;
+    else return data.D + step.D_body + 6 * k;
+  }
+  LINKWORK_INLINE const double* D_parent(int k) const {
+    if constexpr (scattered) return data.D + of(k).D_parent;
+    else return data.D + step.D_parent + 6 * k;
+  }
+  LINKWORK_INLINE int row(int k) const {
+    if constexpr (scattered) return of(k).row;
+    else return step.row + k;
+  }
+  template <int rows>
+  LINKWORK_INLINE void store_multipliers(double* lambda, const Vector& found) const {
+    if constexpr (!scattered) return store_first<rows>(lambda + step.row, found);
+    LINKWORK_UNROLL for (int k = 0; k < rows; ++k)
+      lambda[row(k)] = found[k];
+  }
+
+ private:
+  LINKWORK_INLINE const StepRow& of(int k) const { return data.step_rows[step.scattered + k]; }
+};
+
 LINKWORK_INLINE void prefetch_step(const TreeStep& step, const Data& data) {
-  prefetch<false>(data.D + step.D_body, 6 * step.rows);
-  prefetch<false>(data.D + step.D_parent, 6 * step.rows);
+  if (step.scattered >= 0) {
+    for (const StepRow* row = data.step_rows + step.scattered; row < data.step_rows + step.scattered + step.rows; ++row) {
+      prefetch<false>(data.D + row->D_body, 6);
+      prefetch<false>(data.D + row->D_parent, 6);
+    }
+  } else {
+    prefetch<false>(data.D + step.D_body, 6 * step.rows);
+    prefetch<false>(data.D + step.D_parent, 6 * step.rows);
+  }
   prefetch<true>(data.factors + step.storage, step_storage(step.rows));
   __builtin_prefetch(&data.mass[step.body]);
 }
@@ -43,15 +79,15 @@ LINKWORK_INLINE void factor_body_of(const TreeStep& step, Vector* M, Vector* W, 
 }
 
 /// S = K D' K^T with V = K^-1 D_p and T = D'^-1 V; S is left with K.
-template <int rows>
-LINKWORK_INLINE void factor_joint_of(const TreeStep& step, const Data& data, Vector* S, Vector* V, Vector* T,
+template <int rows, class Rows>
+LINKWORK_INLINE void factor_joint_of(const Rows& of, const Data& data, Vector* S, Vector* V, Vector* T,
                                      SmallestPivot& smallest) {
   double diagonal[rows];
   LINKWORK_UNROLL for (int k = 0; k < rows; ++k)
     diagonal[k] = S[k][k];
   LINKWORK_UNROLL for (int k = 0; k < rows; ++k) {
     const Vector pivot = lane(S[k], k), inverse = inverse_of_lane(S[k], k);
-    note(smallest, pivot[0], diagonal[k], step.row + k, data);
+    note(smallest, pivot[0], diagonal[k], of.row(k), data);
     const Vector K = S[k] * inverse;
     T[k] = V[k] * inverse;
     LINKWORK_UNROLL for (int c = k + 1; c < rows; ++c) {
@@ -78,11 +114,12 @@ LINKWORK_INLINE void add_to_parent(const TreeStep& step, const Data& data, const
   }
 }
 
-template <int rows>
+template <int rows, bool scattered>
 LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const double* a, const double* b,
                                  SmallestPivot& smallest) {
+  const RowsOfStep<scattered> of{step, data};
   Vector M[6], W[6], L[6], G[6];
-  load_columns<rows>(data.D + step.D_body, W);
+  load_columns<rows>([&](int k) { return of.D_body(k); }, W);
   LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
     if (step.slot >= 0) M[c] = load(data.articulated_inertias + step.slot * articulated_inertia_size + c * lanes);
     else M[c] = mass_column(data.mass[step.body], c, a[6 * step.body + c]);
@@ -93,13 +130,13 @@ LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const d
   if constexpr (rows > 0) {
     Vector S[rows], V[rows], T[rows];
     LINKWORK_UNROLL for (int c = 0; c < rows; ++c) {
-      S[c] = unit(c) * splat(data.e[step.row + c]);
+      S[c] = unit(c) * splat(data.e[of.row(c)]);
       LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
         S[c] += W[k] * lane(G[k], c);
-      V[c] = unit(right_hand_side) * (splat(b[step.row + c]) - S[c]);
-      if (step.parent >= 0) V[c] += load_first<6>(data.D + step.D_parent + 6 * c);
+      V[c] = unit(right_hand_side) * (splat(b[of.row(c)]) - S[c]);
+      if (step.parent >= 0) V[c] += load_first<6>(of.D_parent(c));
     }
-    factor_joint_of<rows>(step, data, S, V, T, smallest);
+    factor_joint_of<rows>(of, data, S, V, T, smallest);
     if (step.parent >= 0) add_to_parent<rows>(step, data, a, V, T);
     LINKWORK_UNROLL for (int k = rows - 1; k >= 0; --k) {
       LINKWORK_UNROLL for (int c = k + 1; c < rows; ++c)
@@ -114,7 +151,7 @@ LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const d
   }
 }
 
-template <int rows>
+template <int rows, bool scattered>
 LINKWORK_INLINE void backward_step(const TreeStep& step, const Data& data, double* x, double* lambda) {
   const Vector one = unit(right_hand_side);
   const double* factors = data.factors + step.storage;
@@ -126,7 +163,7 @@ LINKWORK_INLINE void backward_step(const TreeStep& step, const Data& data, doubl
     LINKWORK_UNROLL for (int k = 0; k < rows; ++k)
       products[k] = load(factors + (6 + k) * lanes) * x_parent;
     l = sums<rows>(products);
-    store_first<rows>(lambda + step.row, l);
+    RowsOfStep<scattered>{step, data}.template store_multipliers<rows>(lambda, l);
   }
   l += one;
   LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
@@ -136,11 +173,13 @@ LINKWORK_INLINE void backward_step(const TreeStep& step, const Data& data, doubl
   if (step.slot >= 0) leave_for_children(x_body, step.slot, data);
 }
 
-/// Calls f with the number of rows of a joint, 0 to 6, as a constant.
+/// Calls f with the number of rows of a joint, 0 to 6, and whether they are scattered, as constants.
 template <class Function>
-LINKWORK_INLINE void with_rows(int rows, const Function& f) {
-  if (rows == 0) f(std::integral_constant<int, 0>());
-  else with_count<6>(rows, f);
+LINKWORK_INLINE void with_rows(const TreeStep& step, const Function& f) {
+  const auto together = [&](auto rows) { f(rows, std::false_type()); };
+  if (step.scattered >= 0) with_count<6>(step.rows, [&](auto rows) { f(rows, std::true_type()); });
+  else if (step.rows == 0) together(std::integral_constant<int, 0>());
+  else with_count<6>(step.rows, together);
 }
 
 SmallestPivot factor_branches(const Data& data, const NodeRange* ranges, int count, const double* a, const double* b) {
@@ -149,7 +188,7 @@ SmallestPivot factor_branches(const Data& data, const NodeRange* ranges, int cou
     for (std::ptrdiff_t s = range->first; s < range->last; ++s) {
       const TreeStep& step = data.steps[s];
       if (data.large && s + steps_ahead < range->last) prefetch_step(data.steps[s + steps_ahead], data);
-      with_rows(step.rows, [&](auto rows) { factor_step<rows>(step, data, a, b, smallest); });
+      with_rows(step, [&](auto rows, auto scattered) { factor_step<rows, scattered>(step, data, a, b, smallest); });
     }
   return smallest;
 }
@@ -162,7 +201,7 @@ void backward_branches(const Data& data, const NodeRange* ranges, int count, dou
         const TreeStep& ahead = data.steps[s - steps_ahead];
         prefetch<false>(data.factors + ahead.storage, step_storage(ahead.rows));
       }
-      with_rows(step.rows, [&](auto rows) { backward_step<rows>(step, data, x, lambda); });
+      with_rows(step, [&](auto rows, auto scattered) { backward_step<rows, scattered>(step, data, x, lambda); });
     }
 }
 
