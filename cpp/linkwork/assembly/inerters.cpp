@@ -1,6 +1,9 @@
 #include "linkwork/assembly/inerters.hpp"
 
 #include <memory>
+#include <utility>
+
+#include "linkwork/model/force_kind.hpp"
 
 namespace linkwork {
 namespace {
@@ -26,10 +29,43 @@ double inertance_of(const Model& model, const Element& force) {
 
 }  // namespace
 
-Inerters::Inerters(const Model& model, std::ptrdiff_t D) : D_(D) {
+Inerters::Inerters(const Model& model, std::ptrdiff_t D, const InstructionSet& instructions) : D_(D) {
+  std::vector<int> count(force_kinds().size(), 0);
   for (const Element& it : model.forces())
-    if (const double inertance = inertance_of(model, it); inertance != 0.0)
-      all_.push_back({it.i, it.j, it.at, inertance, force_kinds()[it.kind].inertia});
+    if (const double inertance = inertance_of(model, it); inertance != 0.0) {
+      all_.push_back({it.i, it.j, inertance});
+      count[it.kind] += 1;
+    }
+  for (std::size_t kind = 0; kind < count.size(); ++kind)
+    if (count[kind] > 0) compile(model, static_cast<int>(kind), instruction_set_for(count[kind], instructions));
+}
+
+void Inerters::compile(const Model& model, int kind, const InstructionSet& instructions) {
+  Rows rows{force_kinds()[kind].inertia_rows().evaluate[instructions.level], {}};
+  int row = 0;
+  for (const Element& it : model.forces()) {
+    if (inertance_of(model, it) == 0.0) continue;
+    if (it.kind == kind) {
+      rows.batch.body_i.push_back(it.i);
+      rows.batch.body_j.push_back(it.j);
+      rows.batch.attachment.push_back(it.at);
+      rows.batch.row.push_back(row);
+      rows.batch.D.push_back(place(static_cast<std::size_t>(row)));
+    }
+    row += 1;
+  }
+  rows.batch.pack(instructions.width);
+  rows_.push_back(std::move(rows));
+}
+
+void Inerters::evaluate(const double* q, const double* v, double* D, double* gamma, double* values,
+                        ThreadPool& threads) const {
+  constexpr int chunk = 4096;  // a multiple of any width
+  const ConstraintArrays out{.Phi = values, .Phi_t = values, .Phi_dot = values, .gamma = gamma, .D = D};
+  for (const Rows& rows : rows_)
+    threads.in_chunks(static_cast<int>(rows.batch.row.size()), chunk, [&](int first, int last) {
+      rows.evaluate(rows.batch.arrays(first, last), q, v, nullptr, out);
+    });
 }
 
 double Inerters::rate(std::size_t k, const double* D, const double* x) const {

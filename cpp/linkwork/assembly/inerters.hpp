@@ -3,9 +3,11 @@
 #include <array>
 #include <vector>
 
+#include "linkwork/math/instruction_set.hpp"
+#include "linkwork/math/thread_pool.hpp"
 #include "linkwork/math/types.hpp"
+#include "linkwork/model/joint_kind.hpp"
 #include "linkwork/model/model.hpp"
-#include "linkwork/model/primitives.hpp"
 
 namespace linkwork {
 
@@ -16,29 +18,17 @@ namespace linkwork {
 class Inerters {
  public:
   /// `D`: the place of the first row.
-  Inerters(const Model& model, std::ptrdiff_t D);
+  Inerters(const Model& model, std::ptrdiff_t D, const InstructionSet& instructions);
 
   bool empty() const { return all_.empty(); }
   std::size_t count() const { return all_.size(); }
   std::ptrdiff_t D_size() const { return 2 * velocity_size * static_cast<std::ptrdiff_t>(all_.size()); }
   double inertance(std::size_t k) const { return all_[k].inertance; }
 
-  /// Rows and gammas at a state; `body` gives that of one, the ground included.
-  template <class StateOf>
-  void evaluate(const StateOf& body, double* D, double* gamma) const {
-    for (std::size_t k = 0; k < all_.size(); ++k) {
-      const Inerter& it = all_[k];
-      Equation<double> row;
-      it.coordinate(it.at, body(it.i), body(it.j), row);
-      double* to = D + place(k);
-      for (int c = 0; c < velocity_size; ++c) {
-        to[c] = it.i == ground ? 0.0 : row.D_i[c];
-        to[velocity_size + c] = it.j == ground ? 0.0 : row.D_j[c];
-      }
-      gamma[k] = row.gamma;
-    }
-  }
-  /// The part of d that belongs to its first or second body: that body, or the ground, and 6 numbers.
+  /// Rows and gammas at a state; `values` takes the coordinates and rates, which mean nothing.
+  void evaluate(const double* q, const double* v, double* D, double* gamma, double* values, ThreadPool& threads) const;
+
+  /// The part of d that belongs to its first or second body: that body, or the ground, whose 6 numbers mean nothing.
   struct Part {
     int body;
     const double* d;
@@ -67,13 +57,18 @@ class Inerters {
  private:
   struct Inerter {
     int i, j;
-    Attachment<double> at;
     double inertance;
-    CoordinateRow coordinate;
   };
+  /// Those of one kind.
+  struct Rows {
+    EvaluateJoints evaluate;
+    JointBatch batch;
+  };
+  void compile(const Model& model, int kind, const InstructionSet& instructions);
   std::ptrdiff_t place(std::size_t k) const { return D_ + 2 * velocity_size * static_cast<std::ptrdiff_t>(k); }
 
   std::vector<Inerter> all_;
+  std::vector<Rows> rows_;
   std::ptrdiff_t D_;
 };
 

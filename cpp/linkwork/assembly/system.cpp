@@ -21,7 +21,7 @@ VectorXd System::beginning_history(double t, const ConstVector& q, const ConstVe
   Evaluation at = make_evaluation();
   const VectorXd blank = blank_history();
   evaluate_constraints(t, q, v, blank, at);
-  if (!model_.forces().empty()) evaluate_elements(q, v, blank, at);
+  if (has_elements_) evaluate_elements(q, v, blank, at);
   for (std::size_t k = 0; k < model_.joint_forces().size(); ++k)
     if (const int place = joint_force_history_[k]; place >= 0) {
       const JointForce& force = model_.joint_forces()[k];
@@ -48,7 +48,7 @@ void System::evaluate(double t, const ConstVector& q, const ConstVector& v, cons
 
 void System::evaluate_forces(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                              Evaluation& out) const {
-  if (!model_.forces().empty()) evaluate_elements(q, v, history, out);
+  if (has_elements_) evaluate_elements(q, v, history, out);
   inerters_.add(
       out.D.data(),
       [&](std::size_t k) { return inerters_.inertance(k) * out.inerter_gamma[static_cast<Eigen::Index>(k)]; },
@@ -131,7 +131,7 @@ void System::add_user_force(const VectorXd& force, const ConstVector& v, Evaluat
 void System::evaluate_switches(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                                Evaluation& out) const {
   evaluate_signals(t, out);
-  if (!model_.forces().empty()) evaluate_elements(q, v, history, out);
+  if (has_elements_) evaluate_elements(q, v, history, out);
 }
 
 void System::evaluate_signals(double t, Evaluation& out) const {
@@ -149,7 +149,7 @@ void System::evaluate_constraints(double t, const ConstVector& q, const ConstVec
 }
 
 void System::evaluate_inerters(const ConstVector& q, const ConstVector& v, Evaluation& out) const {
-  inerters_.evaluate([&](int body) { return moving(body, q, v); }, out.D.data(), out.inerter_gamma.data());
+  inerters_.evaluate(q.data(), v.data(), out.D.data(), out.inerter_gamma.data(), out.inerter_values.data(), *threads_);
 }
 
 void System::evaluate_joints(const ConstVector& q, const ConstVector& v, Evaluation& out) const {

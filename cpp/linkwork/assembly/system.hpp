@@ -31,7 +31,7 @@ struct BlockRange {
 
 /// What an evaluation fills, allocated once by System::make_evaluation.
 struct Evaluation {
-  std::vector<BodyState<double>> bodies;   ///< for force elements, empty where there are none; the last is the ground
+  std::vector<BodyState<double>> bodies;   ///< for force elements but inerters, if there are any; last is the ground
   std::vector<BodyState<double>> special;  ///< scratch: the bodies of a special joint
   std::vector<Signal<double>> signals;
   std::vector<double> D;  ///< blocks of D, see ConstraintBlock
@@ -40,6 +40,7 @@ struct Evaluation {
   VectorXd switches;      ///< of force elements whose law is not smooth, see Wrenches
   VectorXd Phi, Phi_t, Phi_dot, gamma;
   VectorXd inerter_gamma;          ///< of each inerter, see Inerters
+  VectorXd inerter_values;         ///< scratch of theirs
   VectorXd user;                   ///< scratch of the user's own forces
   std::vector<double> wrenches;    ///< scratch of force elements, where there are many, see ForceArrays
   std::vector<double> potentials;  ///< of gravity, of many bodies: in each chunk
@@ -214,7 +215,8 @@ class System {
   std::vector<int> massless_;
   std::vector<CompiledJoints> joints_;                     ///< one per kind in use
   std::vector<JointChunk> joint_chunks_;                   ///< of all of them
-  std::vector<Batch> force_batches_;                       ///< one per registered kind
+  std::vector<Batch> force_batches_;                       ///< one per registered kind, none of inerters
+  bool has_elements_ = false;                              ///< in these batches
   std::vector<int> body_wrench_list_, body_wrench_begin_;  ///< of many elements: 2 x element + which body
   std::vector<char> called_alone_;                         ///< per kind: some call functions of the user's
   std::vector<int> joint_force_history_;                   ///< places, -1 where there is none

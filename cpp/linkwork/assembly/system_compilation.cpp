@@ -56,10 +56,10 @@ System::System(const Model& model, const InstructionSet& instructions)
     : model_(model),
       instructions_(instructions),
       body_forces_(body_forces(instruction_set_for(static_cast<int>(model.bodies().size()), instructions))),
-      inerters_(model_, 0) {
+      inerters_(model_, 0, instructions) {
   compile_masses();
   compile_joints();
-  inerters_ = Inerters(model_, D_size_);
+  inerters_ = Inerters(model_, D_size_, instructions);
   D_size_ += inerters_.D_size();
   compile_forces();
   begin_history();
@@ -144,6 +144,8 @@ void System::compile_forces() {
   for (std::size_t k = 0; k < model_.forces().size(); ++k) {
     const Element& element = model_.forces()[k];
     const ForceKind& kind = force_kinds()[element.kind];
+    if (kind.inertia) continue;
+    has_elements_ = true;
     Batch& batch = force_batches_[element.kind];
     batch.body_i.push_back(element.i == ground ? n : element.i);
     batch.body_j.push_back(element.j == ground ? n : element.j);
@@ -226,7 +228,7 @@ VectorXd System::blank_history() const {
 
 Evaluation System::make_evaluation() const {
   Evaluation out;
-  if (!model_.forces().empty()) out.bodies.assign(body_count() + 1, BodyState<double>::ground());
+  if (has_elements_) out.bodies.assign(body_count() + 1, BodyState<double>::ground());
   out.signals.resize(model_.signals().size());
   out.D.assign(D_size_ + velocity_size, 0.0);
   out.special.resize(most_bodies_);
@@ -235,7 +237,8 @@ Evaluation System::make_evaluation() const {
   for (VectorXd* variables : {&out.history, &out.history_rate}) variables->setZero(history_size());
   out.switches.setZero(static_cast<Eigen::Index>(switches_.size()));
   for (VectorXd* rows : {&out.Phi, &out.Phi_t, &out.Phi_dot, &out.gamma}) rows->setZero(row_count());
-  out.inerter_gamma.setZero(static_cast<Eigen::Index>(inerters_.count()));
+  for (VectorXd* each : {&out.inerter_gamma, &out.inerter_values})
+    each->setZero(static_cast<Eigen::Index>(inerters_.count()));
   out.g.setZero(v_size() + velocity_size);
   return out;
 }

@@ -79,6 +79,8 @@ struct Equation;  // primitives.hpp
 using CoordinateRow = void (*)(const Attachment<double>&, const BodyState<double>& i, const BodyState<double>& j,
                                Equation<double>&);
 
+struct JointKind;  // joint_kind.hpp
+
 struct ForceKind {
   KindInfo info;
   HistoryKind history = HistoryKind::none;
@@ -87,6 +89,7 @@ struct ForceKind {
                    const TimeFunctionPtr* functions, ForceArrays);
   /// Of an inerter: its coordinate, along which its first parameter, a constant, is inertia; see Inerters.
   CoordinateRow inertia = nullptr;
+  JointKind (*inertia_rows)() = nullptr;  ///< the same of many
 };
 
 /// Leaves what an element does for others to add up.
@@ -131,7 +134,10 @@ void evaluate_forces(const Batch& batch, const BodyState<double>* bodies, const 
 template <class Force>
 ForceKind make_force_kind() {
   ForceKind kind{Force::info(), Force::history, switches_of<Force>(), &evaluate_forces<Force>};
-  if constexpr (requires { Force::coordinate; }) kind.inertia = &Force::coordinate;
+  if constexpr (requires { Force::coordinate; }) {
+    kind.inertia = &Force::coordinate;
+    kind.inertia_rows = Force::rows;
+  }
   return kind;
 }
 

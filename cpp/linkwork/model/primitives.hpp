@@ -172,6 +172,20 @@ LINKWORK_PRIMITIVE void angle(const BodyState<Real>& i, const BodyState<Real>& j
   angle_of<Real>(i, j, s, c, out);
 }
 
+// The row of that angle without the angle itself. With b = A_i^T A_j x_j, c = x_i . b, s = y_i . b it is that of
+// n . b = 0 for n = (c y_i - s x_i) / (c^2 + s^2), as if n were fixed in i; its gamma has beside that
+//   2 Phi_dot (c c_dot + s s_dot) / (c^2 + s^2),   c_dot = x_i . b_dot, s_dot = y_i . b_dot, Phi_dot = n . b_dot
+template <class Real>
+LINKWORK_PRIMITIVE void turning(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& x_i,
+                                const Vec3<Real>& y_i, const Vec3<Real>& x_j, Rows<Real, 1> out) {
+  const Vec3<Real> b = i.A.transpose() * (j.A * x_j);
+  const Vec3<Real> b_dot = i.A.transpose() * (j.A * j.omega.cross(x_j)) - i.omega.cross(b);
+  const Real c = x_i.dot(b), s = y_i.dot(b), scale = Real(1) / (c * c + s * s);
+  const Vec3<Real> n = scale * c * y_i - scale * s * x_i;
+  perpendicular<Real>(i, j, n, x_j, out);
+  out.gamma[0] += Real(2) * scale * n.dot(b_dot) * (c * x_i.dot(b_dot) + s * y_i.dot(b_dot));
+}
+
 // Phi = the angle about z_i of the direction from the point of i to the point of j [rad], in (-pi, pi].
 template <class Real>
 LINKWORK_PRIMITIVE void bearing(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& x_i,

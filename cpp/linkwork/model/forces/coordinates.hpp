@@ -4,6 +4,7 @@
 
 #include "linkwork/math/elementary.hpp"
 #include "linkwork/model/force_kind.hpp"
+#include "linkwork/model/inerter_rows.hpp"
 #include "linkwork/model/primitives.hpp"
 
 /// Coordinates between two bodies along which force elements act, with the equation whose row of D is their direction:
@@ -108,10 +109,11 @@ void stop(const Attachment<Real>& at, const ForceParameters<Real>& parameters, c
   out.power = (force + spring) * rate - spring * limit.rate + Real(0.5) * parameters[2].rate * depth * depth;
 }
 
-/// Inertia of a coordinate: see Inerters, which have all of it. As a force it is nothing.
-template <class Coordinate>
+/// Inertia of a coordinate: see Inerters, which have all of it. As a force it is nothing. `of_many`: see inerter_rows.hpp.
+template <class Coordinate, JointKind (*of_many)()>
 struct InertiaOf {
   static constexpr HistoryKind history = HistoryKind::none;
+  static constexpr auto rows = of_many;
 
   static void coordinate(const Attachment<double>& at, const BodyState<double>& i, const BodyState<double>& j,
                          Equation<double>& row) {

@@ -3,7 +3,7 @@
 namespace linkwork {
 
 /// Inertia of a relative displacement.
-struct TranslationalInerter : InertiaOf<Displacement> {
+struct TranslationalInerter : InertiaOf<Displacement, &displacement_row_joint> {
   static KindInfo info() {
     return {.name = "translational_inerter",
             .placement = Displacement::placement,

@@ -1,0 +1,48 @@
+// Compiled once for the kinds and once per instruction set for their evaluation, as joints are.
+#include "linkwork/model/inerter_rows.hpp"
+
+#include "linkwork/model/primitives.hpp"
+
+namespace linkwork {
+
+/// The distance of two points.
+struct LengthRow {
+  static constexpr int rows = 1;
+  static KindInfo info() { return {.name = "length"}; }
+
+  template <class Real>
+  static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
+                       const BodyState<Real>& j, Rows<Real, rows> out) {
+    separation<Real>(i, j, at.s_i, at.s_j, {Real(0), Real(0), Real(0)}, out);
+  }
+};
+
+/// The angle about z_i.
+struct AngleRow {
+  static constexpr int rows = 1;
+  static KindInfo info() { return {.name = "angle"}; }
+
+  template <class Real>
+  static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
+                       const BodyState<Real>& j, Rows<Real, rows> out) {
+    turning<Real>(i, j, at.x_i(), at.y_i(), at.x_j(), out);
+  }
+};
+
+/// The shift along z_i.
+struct DisplacementRow {
+  static constexpr int rows = 1;
+  static KindInfo info() { return {.name = "displacement"}; }
+
+  template <class Real>
+  static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
+                       const BodyState<Real>& j, Rows<Real, rows> out) {
+    in_plane<Real>(i, j, at.z_i(), at.s_i, at.s_j, out);
+  }
+};
+
+LINKWORK_DEFINE_JOINT(length_row, LengthRow)
+LINKWORK_DEFINE_JOINT(angle_row, AngleRow)
+LINKWORK_DEFINE_JOINT(displacement_row, DisplacementRow)
+
+}  // namespace linkwork
