@@ -12,6 +12,10 @@ MatrixXd dense_delassus(const MatrixXd& M, const MatrixXd& D) { return D * M.inv
 
 VectorXd dense_solution(const MatrixXd& A, const VectorXd& b) { return A.fullPivLu().solve(b); }
 
+VectorXd accurate_solution(const MatrixXd& A, const VectorXd& b) {
+  return A.cast<long double>().fullPivLu().solve(b.cast<long double>()).cast<double>();
+}
+
 VectorXd dense_least_norm(const MatrixXd& A, const VectorXd& b, double tolerance) {
   Eigen::CompleteOrthogonalDecomposition<MatrixXd> decomposition(A);
   decomposition.setThreshold(tolerance);

@@ -10,6 +10,8 @@ using linkwork::MatrixXd, linkwork::VectorXd;
 MatrixXd dense_inverse(const MatrixXd& A);
 MatrixXd dense_delassus(const MatrixXd& M, const MatrixXd& D);  ///< D M^-1 D^T
 VectorXd dense_solution(const MatrixXd& A, const VectorXd& b);  ///< of A x = b
+/// The same in long double.
+VectorXd accurate_solution(const MatrixXd& A, const VectorXd& b);
 /// The x with the least |A x - b|, and of these the one with the least |x|.
 VectorXd dense_least_norm(const MatrixXd& A, const VectorXd& b, double tolerance);
 double dense_determinant(const MatrixXd& A);

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "dense_algebra.hpp"
+#include "linkwork/linear/block/block_solver.hpp"
 #include "linkwork/linear/saddle_solver.hpp"
 #include "linkwork/math/error.hpp"
 #include "support.hpp"
@@ -28,6 +29,55 @@ MatrixXd dense_mass(const System& system, const Evaluation& at) {
     M.col(k) = column;
   }
   return M;
+}
+
+constexpr const char* kinds[] = {"inerter", "rotational_inerter", "translational_inerter"};
+
+void add_inerter(Model& model, Random& random, int kind, double inertance, int i, int j) {
+  model.add_force(kinds[kind], "inerter " + std::to_string(model.forces().size()), i, j, random_attachment(random),
+                  {{inertance, -1}});
+}
+
+/// [M D^T d^T; D -E 0; d 0 -1/b] with the rows d of inerters: no entry of it is large.
+MatrixXd dense_matrix(const System& system, const Evaluation& at, const VectorXd& e) {
+  const MatrixXd D = dense_D(system, at);
+  const auto n = static_cast<Eigen::Index>(system.v_size()), m = D.rows();
+  const auto count = static_cast<Eigen::Index>(system.inerters().count());
+  MatrixXd K = MatrixXd::Zero(n + m + count, n + m + count);
+  K.topLeftCorner(n, n) = dense_M(system.model());
+  K.block(n, 0, m, n) = D;
+  K.block(n, n, m, m) = -MatrixXd(e.asDiagonal());
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto inerter = static_cast<std::size_t>(k);
+    for (const Inerters::Part& part : system.inerters().row(inerter, at.D.data()))
+      if (part.body != ground)
+        K.row(n + m + k).segment<6>(6 * part.body) = Eigen::Map<const Eigen::Matrix<double, 1, 6>>(part.d);
+    K(n + m + k, n + m + k) = -1.0 / system.inerters().inertance(inerter);
+  }
+  K.topRightCorner(n, m + count) = K.bottomLeftCorner(m + count, n).transpose();
+  return K;
+}
+
+/// By the block solver of each instruction set, x and lambda against those of the dense matrix.
+void check_by_block(const System& system, Random& random, bool compliant, double tolerance = 1e-10) {
+  const Evaluation at = evaluate_initially(system);
+  const Eigen::Index n = system.v_size(), m = system.row_count();
+  const VectorXd e = VectorXd::Constant(m, compliant ? 1e-3 : 0.0);
+  const VectorXd a = random.vector(n), b = random.vector(m);
+  VectorXd right = VectorXd::Zero(n + m + static_cast<Eigen::Index>(system.inerters().count()));
+  right.head(n + m) << a, b;
+  const VectorXd expected = accurate_solution(dense_matrix(system, at, e), right);
+  for (int level = 0; level < instruction_set_count(); ++level) {
+    INFO("kernels of ", std::string(instruction_set(level).name));
+    const auto solver = detail::with_inerters(block::make_block_solver(instruction_set(level)));
+    VectorXd x(n), lambda(m), again(n);
+    solver->analyze(system, at);
+    solver->factorize_and_solve(at, e, a, b, x, lambda);
+    CHECK(relative_error(x, expected.head(n)) < tolerance);
+    CHECK(relative_error(VectorXd(-lambda), expected.segment(n, m)) < tolerance);
+    solver->solve(2.0 * a, 2.0 * b, again, lambda);
+    CHECK(relative_error(again, 2.0 * x) < tolerance);
+  }
 }
 
 }  // namespace
@@ -74,4 +124,84 @@ TEST_CASE("without inerters nothing stands between") {
   const auto plain = make_saddle_solver("kkt", linear_solver_info("block"));
   plain->analyze(system, at);
   CHECK(solver->factor_nonzeros() == plain->factor_nonzeros());
+}
+
+TEST_CASE("beside joints of every kind inerters of every kind are solved, as many as there are") {
+  Random random(313);
+  for (const JointKind& kind : joint_kinds())
+    for (const int each : {1, 2, 3, 7}) {  // from one to more than a joint has room for
+      INFO(kind.info.name, ", ", each, " inerters");
+      Model model = random_chain(random, 3, kind.info.name);
+      for (int body = 0; body < 3; ++body)
+        for (int k = 0; k < each; ++k) {
+          const bool turned = (body + k) % 2 == 1;  // bodies the other way round than the joint has them
+          add_inerter(model, random, (body + k) % 3, 0.2 + k, turned ? body : body - 1, turned ? body - 1 : body);
+        }
+      const System system(model);
+      check_by_block(system, random, false);
+      check_by_block(system, random, true);
+    }
+}
+
+TEST_CASE("inertances from nothing to rigidity are solved, along what moves and along what does not") {
+  Random random(314);
+  for (const double inertance : {1e-12, 1e-3, 1e3, 1e6, 1e9}) {
+    INFO("inertance ", inertance);
+    Model model = random_chain(random, 6, "revolute");
+    for (int body = 0; body < 6; ++body) {
+      const Element hinge = model.joints()[body];
+      model.add_force("rotational_inerter", "rotor " + std::to_string(body), body - 1, body, hinge.at,
+                      {{body % 2 ? 0.1 : inertance, -1}});
+    }
+    check_by_block(System(model), random, false, 1e-11);
+    if (inertance > 1e6) continue;  // as hard as joints that contradict each other, along what does not move
+    for (int kind = 0; kind < 3; ++kind) add_inerter(model, random, kind, inertance, 2 * kind - 1, 2 * kind);
+    check_by_block(System(model), random, false, 1e-9);
+  }
+}
+
+TEST_CASE("with vanishing inertance the solution is that without inerters") {
+  Random random(315);
+  const Model plain = random_chain(random, 5, "universal");
+  Model model = plain;
+  for (int body = 0; body < 5; ++body) add_inerter(model, random, 1, 1e-300, body - 1, body);
+  const System with(model), without(plain);
+  const Evaluation at = evaluate_initially(with), plain_at = evaluate_initially(without);
+  const VectorXd a = random.vector(with.v_size()), b = random.vector(with.row_count()), e = VectorXd::Zero(b.size());
+  VectorXd x(a.size()), lambda(b.size()), plain_x(a.size()), plain_lambda(b.size());
+  const auto solve = [&](const System& system, const Evaluation& where, VectorXd& to, VectorXd& multipliers) {
+    const auto solver = make_saddle_solver("kkt", linear_solver_info("block"), system);
+    solver->analyze(system, where);
+    solver->factorize_and_solve(where, e, a, b, to, multipliers);
+  };
+  solve(with, at, x, lambda);
+  solve(without, plain_at, plain_x, plain_lambda);
+  CHECK(relative_error(x, plain_x) < 1e-13);
+  CHECK(relative_error(lambda, plain_lambda) < 1e-13);
+}
+
+TEST_CASE("in loops, beside joints and across, and on hubs inerters are solved") {
+  Random random(316);
+  for (const int arms : {5, 16}) {  // 16 joints make the body a hub
+    INFO(arms, " arms");
+    Model model;
+    model.add_body("platform", random_body(random));
+    for (int arm = 1; arm <= arms; ++arm) {
+      const std::string number = std::to_string(arm);
+      model.add_body("arm" + number, random_body(random));
+      add_joint(model, random, "universal", "shoulder" + number, 0, arm);
+      add_inerter(model, random, arm % 3, 0.1 * arm, arm, 0);
+      if (arm % 4 == 0) add_inerter(model, random, 1, 2.0, 0, arm);
+      if (arm % 5 == 0) add_inerter(model, random, 0, 0.7, arm - 1, arm);
+    }
+    for (int arm = 1; arm <= arms; ++arm) {
+      add_joint(model, random, "distance", "loop" + std::to_string(arm), arm, 1 + arm % arms);
+      if (arm % 3 == 0) add_inerter(model, random, 2, 0.4, arm, 1 + arm % arms);
+    }
+    add_joint(model, random, "revolute", "axle", ground, 0);
+    add_inerter(model, random, 1, 3.0, ground, 0);
+    const System system(model);
+    check_by_block(system, random, false, 1e-9);
+    check_by_block(system, random, true, 1e-9);
+  }
 }

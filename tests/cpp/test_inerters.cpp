@@ -4,6 +4,7 @@
 
 #include "linkwork/assembly/system.hpp"
 #include "linkwork/model/joint_coordinates.hpp"
+#include "linkwork/model/primitives.hpp"
 #include "support.hpp"
 
 using namespace support;
@@ -93,4 +94,23 @@ TEST_CASE("names of theirs give way to those of joints") {
   Model model = with_inerters(random);
   model.add_joint("distance", "of inerter 1", 0, 2, random_attachment(random), {{1.0, -1}});
   CHECK(Inerters::as_joints(model).row_count() == model.row_count() + 4);
+}
+
+TEST_CASE("the row of an angle is that of the angle itself") {
+  Random random(305);
+  for (int trial = 0; trial < 50; ++trial) {
+    const auto state = [&] {
+      return BodyState<double>{random.vec3(), random.frame(), random.vec3(), random.vec3(3.0)};
+    };
+    const BodyState<double> i = state(), j = state();
+    const Attachment<double> at = random_attachment(random);
+    Equation<double> turns, is;
+    turning<double>(i, j, at.x_i(), at.y_i(), at.x_j(), turns.rows());
+    angle<double>(i, j, at.x_i(), at.y_i(), at.x_j(), is.rows());
+    for (int c = 0; c < velocity_size; ++c) {
+      CHECK(turns.D_i[c] == doctest::Approx(is.D_i[c]).epsilon(1e-12));
+      CHECK(turns.D_j[c] == doctest::Approx(is.D_j[c]).epsilon(1e-12));
+    }
+    CHECK(turns.gamma == doctest::Approx(is.gamma).epsilon(1e-11));
+  }
 }

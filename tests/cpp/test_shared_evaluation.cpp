@@ -99,6 +99,20 @@ Model branches() {
   return model;
 }
 
+/// With a rotor beside each joint, and some inerters elsewhere.
+Model with_rotors(Model model) {
+  Random random(31);
+  const auto joints = static_cast<int>(model.joints().size());
+  for (int k = 0; k < joints; ++k) {
+    const Element joint = model.joints()[k];
+    model.add_force("rotational_inerter", "rotor " + std::to_string(k), joint.i, joint.j, joint.at,
+                    {{random.number(0.01, 1.0), -1}});
+    if (k % 1000 == 7)
+      model.add_force("inerter", "inerter " + std::to_string(k), joint.j, k / 2, random_attachment(random), {{0.1, -1}});
+  }
+  return model;
+}
+
 struct Found {
   VectorXd rows, g, numbers, v_dot, lambda, y_dot;
   MatrixXd reactions;
@@ -156,6 +170,13 @@ TEST_CASE("a chain has the same bits with any number of threads") {
 }
 
 TEST_CASE("branches of any length have the same bits with any number of threads") { check_same_bits(branches()); }
+
+TEST_CASE("rotors beside the joints of chains, branches and loops have the same bits with any number of threads") {
+  Random random(3);
+  check_same_bits(with_rotors(random_chain(random, many, "revolute")));
+  check_same_bits(with_rotors(branches()));
+  check_same_bits(with_rotors(ladder()));
+}
 
 TEST_CASE("a ladder with redundant equations has the same bits with any number of threads") {
   check_same_bits(ladder());

@@ -11,7 +11,7 @@ struct LengthRow {
   static KindInfo info() { return {.name = "length"}; }
 
   template <class Real>
-  static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
+  LINKWORK_INLINE static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
                        const BodyState<Real>& j, Rows<Real, rows> out) {
     separation<Real>(i, j, at.s_i, at.s_j, {Real(0), Real(0), Real(0)}, out);
   }
@@ -23,7 +23,7 @@ struct AngleRow {
   static KindInfo info() { return {.name = "angle"}; }
 
   template <class Real>
-  static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
+  LINKWORK_INLINE static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
                        const BodyState<Real>& j, Rows<Real, rows> out) {
     turning<Real>(i, j, at.x_i(), at.y_i(), at.x_j(), out);
   }
@@ -35,7 +35,7 @@ struct DisplacementRow {
   static KindInfo info() { return {.name = "displacement"}; }
 
   template <class Real>
-  static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
+  LINKWORK_INLINE static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
                        const BodyState<Real>& j, Rows<Real, rows> out) {
     in_plane<Real>(i, j, at.z_i(), at.s_i, at.s_j, out);
   }
