@@ -108,7 +108,8 @@ Model with_rotors(Model model) {
     model.add_force("rotational_inerter", "rotor " + std::to_string(k), joint.i, joint.j, joint.at,
                     {{random.number(0.01, 1.0), -1}});
     if (k % 1000 == 7)
-      model.add_force("inerter", "inerter " + std::to_string(k), joint.j, k / 2, random_attachment(random), {{0.1, -1}});
+      model.add_force("inerter", "inerter " + std::to_string(k), joint.j, k / 2, random_attachment(random),
+                      {{0.1, -1}});
   }
   return model;
 }

@@ -90,6 +90,19 @@ def test_rotors_do_what_wheels_do_that_are_coupled_to_the_joints() -> None:
         assert np.abs(a.torque - b.torque).max() < 1e-9
 
 
+@pytest.mark.parametrize("inertance", (1e-6, 0.3, 1e5))
+def test_accelerations_and_reactions_are_those_with_wheels_whatever_the_inertance(inertance: float) -> None:
+    rotors, wheels = (
+        lw.simulate(arm(6, inertance, wheels=it), 1e-3, 1e-3, progress=False) for it in (False, True)
+    )
+    assert np.abs(rotors.acceleration[0] - wheels.acceleration[0, :6]).max() < 2e-12
+    for k in range(6):
+        a, b = (it.reaction(f"hinge {k}") for it in (rotors, wheels))
+        scale = max(np.abs(b.force[0]).max(), np.abs(b.torque[0]).max())
+        assert np.abs(a.force[0] - b.force[0]).max() < 1e-12 * scale
+        assert np.abs(a.torque[0] - b.torque[0]).max() < 1e-12 * scale
+
+
 @pytest.mark.parametrize("formulation", TABLE["formulation"].choices)
 @pytest.mark.parametrize("solver", TABLE["linear_solver"].choices)
 def test_every_method_has_them(formulation: str, solver: str) -> None:
@@ -100,6 +113,8 @@ def test_every_method_has_them(formulation: str, solver: str) -> None:
         pytest.skip(str(error))
     usual = lw.simulate(arm(), 0.1, 1e-3, progress=False)
     near = 1e-5 if COMPLIANT[formulation] else 1e-10
+    if not COMPLIANT[formulation]:
+        assert np.abs(found.acceleration[0] - usual.acceleration[0]).max() < 1e-12  # of 10 m/s2
     assert np.abs(found.acceleration - usual.acceleration).max() < near
     assert np.abs(found.energy_error).max() < near
 

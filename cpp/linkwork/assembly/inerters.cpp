@@ -63,9 +63,8 @@ void Inerters::evaluate(const double* q, const double* v, double* D, double* gam
   constexpr int chunk = 4096;  // a multiple of any width
   const ConstraintArrays out{.Phi = values, .Phi_t = values, .Phi_dot = values, .gamma = gamma, .D = D};
   for (const Rows& rows : rows_)
-    threads.in_chunks(static_cast<int>(rows.batch.row.size()), chunk, [&](int first, int last) {
-      rows.evaluate(rows.batch.arrays(first, last), q, v, nullptr, out);
-    });
+    threads.in_chunks(static_cast<int>(rows.batch.row.size()), chunk,
+                      [&](int first, int last) { rows.evaluate(rows.batch.arrays(first, last), q, v, nullptr, out); });
 }
 
 double Inerters::rate(std::size_t k, const double* D, const double* x) const {

@@ -12,7 +12,7 @@ struct LengthRow {
 
   template <class Real>
   LINKWORK_INLINE static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
-                       const BodyState<Real>& j, Rows<Real, rows> out) {
+                                       const BodyState<Real>& j, Rows<Real, rows> out) {
     separation<Real>(i, j, at.s_i, at.s_j, {Real(0), Real(0), Real(0)}, out);
   }
 };
@@ -24,7 +24,7 @@ struct AngleRow {
 
   template <class Real>
   LINKWORK_INLINE static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
-                       const BodyState<Real>& j, Rows<Real, rows> out) {
+                                       const BodyState<Real>& j, Rows<Real, rows> out) {
     turning<Real>(i, j, at.x_i(), at.y_i(), at.x_j(), out);
   }
 };
@@ -36,7 +36,7 @@ struct DisplacementRow {
 
   template <class Real>
   LINKWORK_INLINE static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
-                       const BodyState<Real>& j, Rows<Real, rows> out) {
+                                       const BodyState<Real>& j, Rows<Real, rows> out) {
     in_plane<Real>(i, j, at.z_i(), at.s_i, at.s_j, out);
   }
 };

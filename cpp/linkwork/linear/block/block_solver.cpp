@@ -71,8 +71,8 @@ class BlockSolver final : public SaddleSolver {
     const auto bytes = [](const auto&... vectors) { return (... + (vectors.size() * sizeof(vectors[0]))); };
     const SymbolicFactorization& s = *symbolic_;
     return static_cast<std::int64_t>(bytes(factors_, articulated_inertias_, panels_, contributions_, scratch_, pivots_,
-                                           mass_factors_, s.steps, s.step_rows, s.fronts, s.relative_indices, s.bodies, s.vectors,
-                                           s.runs, s.rows, s.mixed, s.hubs, s.couplings, s.unknowns));
+                                           mass_factors_, s.steps, s.step_rows, s.fronts, s.relative_indices, s.bodies,
+                                           s.vectors, s.runs, s.rows, s.mixed, s.hubs, s.couplings, s.unknowns));
   }
 
  private:

@@ -56,9 +56,9 @@ constexpr std::size_t joints_of_a_large_hub = 1000;
 
 class CoreBuilder {
  public:
-  CoreBuilder(const System& system, const PrunedLeaves& pruned, const std::vector<int>& slot, const EliminatedRows& rows,
-              const std::vector<SymbolicFactorization::DelayedPivot>& delayed, bool for_threads,
-              SymbolicFactorization& out)
+  CoreBuilder(const System& system, const PrunedLeaves& pruned, const std::vector<int>& slot,
+              const EliminatedRows& rows, const std::vector<SymbolicFactorization::DelayedPivot>& delayed,
+              bool for_threads, SymbolicFactorization& out)
       : system_(system), slot_(slot), rows_(rows), delayed_(delayed), out_(out) {
     for (int joint = 0; joint < system.joint_count(); ++joint)
       if (!pruned.joints[joint]) joints_.push_back(joint);

@@ -13,10 +13,7 @@ constexpr int most_rows = 6;  // of a joint of an open branch; see TreeStep
 }  // namespace
 
 EliminatedRows::EliminatedRows(const System& system, const std::vector<int>& dropped, int compliant_from)
-    : system_(system),
-      dropped_(system.row_count(), 0),
-      host_(system.joint_count()),
-      next_(system.joint_count(), none) {
+    : system_(system), dropped_(system.row_count(), 0), host_(system.joint_count()), next_(system.joint_count(), none) {
   for (const int row : dropped) dropped_[row] = 1;
   const std::vector<int>& first = system.model().joint_rows();
   const auto begin = dropped_.begin();

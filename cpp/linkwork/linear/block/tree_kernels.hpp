@@ -47,7 +47,8 @@ struct RowsOfStep {
 
 LINKWORK_INLINE void prefetch_step(const TreeStep& step, const Data& data) {
   if (step.scattered >= 0) {
-    for (const StepRow* row = data.step_rows + step.scattered; row < data.step_rows + step.scattered + step.rows; ++row) {
+    for (const StepRow* row = data.step_rows + step.scattered; row < data.step_rows + step.scattered + step.rows;
+         ++row) {
       prefetch<false>(data.D + row->D_body, 6);
       prefetch<false>(data.D + row->D_parent, 6);
     }
