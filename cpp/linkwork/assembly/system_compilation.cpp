@@ -38,6 +38,11 @@ Mat3<double> pseudo_inverse(const Mat3<double>& J, bool& singular) {
   return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
+std::size_t count_elements(const std::vector<Batch>& batches) {
+  return std::accumulate(batches.begin(), batches.end(), std::size_t{0},
+                         [](std::size_t sum, const Batch& batch) { return sum + batch.size(); });
+}
+
 void append_joint(const Model& model, const Element& element, int row, std::ptrdiff_t D, JointBatch& batch) {
   batch.body_i.push_back(element.i);
   batch.body_j.push_back(element.j);
@@ -145,7 +150,6 @@ void System::compile_forces() {
     const Element& element = model_.forces()[k];
     const ForceKind& kind = force_kinds()[element.kind];
     if (kind.inertia) continue;
-    has_elements_ = true;
     Batch& batch = force_batches_[element.kind];
     batch.body_i.push_back(element.i == ground ? n : element.i);
     batch.body_j.push_back(element.j == ground ? n : element.j);
@@ -164,7 +168,8 @@ void System::compile_forces() {
     joint_force_history_.push_back(kind == HistoryKind::none ? -1 : history_size());
     add_history(kind, false, static_cast<int>(model_.forces().size() + k), kind == HistoryKind::none ? 0 : 1);
   }
-  if (model_.forces().size() >= many_forces) place_wrenches();
+  has_elements_ = count_elements(force_batches_) > 0;
+  if (count_elements(force_batches_) >= many_forces) place_wrenches();
 }
 
 /// Of each body the wrenches that elements apply to it, in the order in which one thread adds them up.
@@ -232,7 +237,7 @@ Evaluation System::make_evaluation() const {
   out.signals.resize(model_.signals().size());
   out.D.assign(D_size_ + velocity_size, 0.0);
   out.special.resize(most_bodies_);
-  if (!body_wrench_begin_.empty()) out.wrenches.resize(wrench_size * model_.forces().size());
+  if (!body_wrench_begin_.empty()) out.wrenches.resize(wrench_size * count_elements(force_batches_));
   out.potentials.resize((body_count() + chunk - 1) / chunk);
   for (VectorXd* variables : {&out.history, &out.history_rate}) variables->setZero(history_size());
   out.switches.setZero(static_cast<Eigen::Index>(switches_.size()));
