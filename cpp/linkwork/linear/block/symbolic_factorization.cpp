@@ -9,8 +9,8 @@
 namespace linkwork::block {
 namespace {
 
-/// Joints without rows of their own count as absent, so those that are attached to others. A joint of more than two bodies is part of loops, as if it closed one: no open
-/// branch ends on it.
+/// Joints without rows count as absent, and so do those that go with another one. A joint of more than two bodies is
+/// part of loops, as if it closed one: no open branch ends on it.
 PrunedLeaves prune_branches(const System& system, const EliminatedRows& rows) {
   std::vector<char> absent;
   for (int joint = 0; joint < system.joint_count(); ++joint) absent.push_back(rows.count(joint) == 0);
