@@ -70,7 +70,8 @@ Dynamics::Dynamics(const Model& model, const Options& options, const OnePath&)
       at_(system_.make_evaluation()) {
   use_threads();
   const FormulationInfo& info = formulation_info(options_.formulation);
-  rank_ = examine_rank(system_);
+  rank_ = examine_rank(system_, at_);
+  if (rank_.redundant_rows.empty()) rank_.q.resize(0);  // for their groups
   options_.matrix_form = choose_form(info, options_, !rank_.redundant_rows.empty());
   options_.linear_solver = choose_solver(options_.matrix_form, info, options_, system_);
   for (VectorXd* rows : {&b_, &lambda_}) rows->setZero(system_.row_count());
