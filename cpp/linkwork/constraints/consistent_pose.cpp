@@ -116,8 +116,7 @@ ConsistentPose project_positions(MassWeightedLeastSquares& solver, const ClosedL
   ConsistentPose out{q, std::vector<char>(components.count(), 0)};
   for (int k = 0; k < most_steps && std::find(out.reached.begin(), out.reached.end(), 0) != out.reached.end(); ++k) {
     system.evaluate_constraints(pose.t, q, rest, pose.history, at);
-    if (!solver.factorize(at, compliance(system, loops, at))) break;
-    solver.solve(rest, -at.Phi, step, lambda);
+    if (!solver.factorize_and_solve(at, compliance(system, loops, at), rest, -at.Phi, step, lambda)) break;
     if (!step.allFinite()) break;
     std::vector<double> factors = components.sizes(step);
     for (std::size_t c = 0; c < factors.size(); ++c) {

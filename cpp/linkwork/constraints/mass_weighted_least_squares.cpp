@@ -78,6 +78,17 @@ bool MassWeightedLeastSquares::factorize(const Evaluation& at, const VectorXd& e
   return true;
 }
 
+bool MassWeightedLeastSquares::factorize_and_solve(const Evaluation& at, const VectorXd& e, const ConstVector& a,
+                                                   const ConstVector& b, MutableVector x, MutableVector lambda) {
+  meter_.add(system_->body_count());
+  try {
+    saddle_->factorize_and_solve(at, e, a, b, x, lambda);
+  } catch (const SingularSystemError&) {
+    return false;
+  }
+  return true;
+}
+
 void MassWeightedLeastSquares::solve(const ConstVector& a, const ConstVector& b, MutableVector x,
                                      MutableVector lambda) {
   saddle_->solve(a, b, x, lambda);

@@ -155,6 +155,7 @@ class Selection {
       most = std::max(most, order[c].size());
       out[c].kernel.resize(static_cast<Eigen::Index>(rows_[c].size()), static_cast<Eigen::Index>(order[c].size()));
     }
+    if (most == 0) return out;
     ConstraintKernel kernel(solver_, loops_, pose.at, rows_at(pose.dependent));
     for (std::size_t k = 0; k < most && kernel.regular(); ++k) {
       VectorXd n_d = VectorXd::Zero(kernel.size());
@@ -247,8 +248,8 @@ class Selection {
             it.value();
     Eigen::ColPivHouseholderQR<MatrixXd> qr(A);
     qr.setThreshold(tolerance_);
-    const MatrixXd Q = qr.householderQ() * MatrixXd::Identity(count, count);
-    return Q.rightCols(count - qr.rank());
+    const Eigen::Index dependent = count - qr.rank();
+    return qr.householderQ() * MatrixXd::Identity(count, count).rightCols(dependent);
   }
 
   std::vector<int> rows_at(Places places) const {
