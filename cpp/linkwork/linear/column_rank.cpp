@@ -162,8 +162,7 @@ std::vector<int> dependent_columns(const Eigen::Ref<const Eigen::SparseMatrix<do
   std::vector<int> dead = singletons.dead(), columns;
   RowMatrix rest = std::move(singletons).rest(columns);
   if (!columns.empty())
-    for (const int k :
-         dead_columns(rest, groups_of(columns, groups), {least, std::max(weak * largest, least)}, orders))
+    for (const int k : dead_columns(rest, groups_of(columns, groups), {least, std::max(weak * largest, least)}, orders))
       dead.push_back(columns[k]);
   std::sort(dead.begin(), dead.end());
   return dead;
