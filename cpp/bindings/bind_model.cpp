@@ -1,4 +1,5 @@
 #include <array>
+#include <utility>
 #include <variant>
 
 #include "bindings.hpp"
@@ -29,8 +30,27 @@ void check_shape(const Array& array, std::vector<py::ssize_t> shape, const char*
   throw ModelError("shape", std::string(name) + " has shape (" + given + "), not (" + wanted + ")");
 }
 
-int add_bodies(Model& model, const GivenNames& names, const Doubles& mass, const Doubles& inertia,
-               const Doubles& position, const Doubles& orientation, const Doubles& velocity, const Doubles& omega,
+/// Of any strides: numbers that are the same for all bodies are not written out.
+using Strided = py::array_t<double, py::array::forcecast>;
+
+template <int size>
+Eigen::Matrix<double, size, 1> vector_at(const Strided& array, py::ssize_t k) {
+  const auto values = array.unchecked<2>();
+  Eigen::Matrix<double, size, 1> out;
+  for (int c = 0; c < size; ++c) out[c] = values(k, c);
+  return out;
+}
+
+Mat3<double> matrix_at(const Strided& array, py::ssize_t k) {
+  const auto values = array.unchecked<3>();
+  Mat3<double> out;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) out(row, column) = values(k, row, column);
+  return out;
+}
+
+int add_bodies(Model& model, const GivenNames& names, const Strided& mass, const Strided& inertia,
+               const Strided& position, const Strided& orientation, const Strided& velocity, const Strided& omega,
                const std::vector<bool>& inertia_as_is) {
   const py::ssize_t count = mass.size();
   check_shape(mass, {count}, "mass");
@@ -39,16 +59,14 @@ int add_bodies(Model& model, const GivenNames& names, const Doubles& mass, const
   check_shape(orientation, {count, 4}, "orientation");
   check_shape(velocity, {count, 3}, "velocity");
   check_shape(omega, {count, 3}, "omega");
-  std::vector<Body> bodies(count);
+  const auto masses = mass.unchecked<1>();
+  std::vector<Body> bodies;
+  bodies.reserve(static_cast<std::size_t>(count));
   for (py::ssize_t k = 0; k < count; ++k)
-    bodies[k] = {mass.data()[k],
-                 Eigen::Map<const RowMajor3>(inertia.data() + 9 * k),
-                 Eigen::Map<const Vec3<double>>(position.data() + 3 * k),
-                 Eigen::Map<const Vec4<double>>(orientation.data() + 4 * k),
-                 Eigen::Map<const Vec3<double>>(velocity.data() + 3 * k),
-                 Eigen::Map<const Vec3<double>>(omega.data() + 3 * k),
-                 !inertia_as_is.empty() && inertia_as_is.at(k)};
-  return model.add_bodies(read_names(names), bodies);
+    bodies.push_back({masses(k), matrix_at(inertia, k), vector_at<3>(position, k), vector_at<4>(orientation, k),
+                      vector_at<3>(velocity, k), vector_at<3>(omega, k),
+                      !inertia_as_is.empty() && inertia_as_is.at(static_cast<std::size_t>(k))});
+  return model.add_bodies(read_names(names), std::move(bodies));
 }
 
 struct Elements {
@@ -66,6 +84,8 @@ Elements read_elements(const Integers& bodies, const Doubles& origin, const Doub
   check_shape(parameters, {count, width}, "parameters");
   check_shape(signals, {count, width}, "signals");
   Elements out;
+  out.elements.reserve(static_cast<std::size_t>(count));
+  out.parameters.reserve(static_cast<std::size_t>(count * width));
   for (py::ssize_t k = 0; k < count; ++k) {
     const double* s = origin.data() + 6 * k;
     const double* C = frame.data() + 18 * k;
@@ -286,8 +306,8 @@ void bind_bodies_and_elements(py::class_<Model>& model) {
           "add_joints",
           [](Model& model, const std::string& kind, const GivenNames& names, const Integers& bodies,
              const Doubles& origin, const Doubles& frame, const Doubles& parameters, const Integers& signals) {
-            const Elements list = read_elements(bodies, origin, frame, parameters, signals);
-            return model.add_joints(kind, read_names(names), list.elements, list.parameters);
+            Elements list = read_elements(bodies, origin, frame, parameters, signals);
+            return model.add_joints(kind, read_names(names), std::move(list.elements), list.parameters);
           },
           py::arg("kind"), py::arg("names"), py::arg("bodies"), py::arg("origin"), py::arg("frame"),
           py::arg("parameters"), py::arg("signals"), "Adds joints; returns the first index.")
@@ -300,8 +320,8 @@ void bind_bodies_and_elements(py::class_<Model>& model) {
           "add_forces",
           [](Model& model, const std::string& kind, const GivenNames& names, const Integers& bodies,
              const Doubles& origin, const Doubles& frame, const Doubles& parameters, const Integers& signals) {
-            const Elements list = read_elements(bodies, origin, frame, parameters, signals);
-            return model.add_forces(kind, read_names(names), list.elements, list.parameters);
+            Elements list = read_elements(bodies, origin, frame, parameters, signals);
+            return model.add_forces(kind, read_names(names), std::move(list.elements), list.parameters);
           },
           py::arg("kind"), py::arg("names"), py::arg("bodies"), py::arg("origin"), py::arg("frame"),
           py::arg("parameters"), py::arg("signals"), "Adds force elements; returns the first index.");

@@ -1,14 +1,14 @@
-"""Types of arrays, for type hints."""
+"""Types of arrays, for type hints, and how large ones are worked through."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Floats", "Indices", "Number", "VectorLike"]
+__all__ = ["Floats", "Indices", "Number", "VectorLike", "pieces"]
 
 Floats = NDArray[np.float64]
 
@@ -20,3 +20,12 @@ Number = float | np.floating[Any] | np.integer[Any]
 
 #: A point or axis, several, or one for each body, of whatever numbers and arrays: ArrayLike has no mixtures.
 VectorLike = ArrayLike | Sequence[ArrayLike] | Sequence[Sequence[ArrayLike]]
+
+#: Rows of a large array that are worked on at a time: with what is computed on the way they fit into a cache.
+PIECE = 4096
+
+
+def pieces(count: int) -> Iterator[slice]:
+    """Slices of so many rows, one after the other."""
+    for first in range(0, count, PIECE):
+        yield slice(first, min(first + PIECE, count))

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork.arguments import array
-from linkwork.arrays import Floats
+from linkwork.arrays import Floats, pieces
 from linkwork.errors import ModelError
 
 __all__ = ["about", "between", "from_axes", "from_matrix", "matrix", "perpendicular"]
@@ -26,8 +26,11 @@ def matrix(p: ArrayLike) -> Floats:
     A = (2 e0^2 - 1) I + 2 (e e^T + e0 e~)
     """
     p = _vectors(p, 4, "p")
-    e0, e = p[..., :1, None], p[..., 1:]
-    result: Floats = (2 * e0**2 - 1) * np.eye(3) + 2 * (e[..., :, None] * e[..., None, :] + e0 * _skew(e))
+    if p.ndim == 1:
+        return _matrix(p)
+    result: Floats = np.empty((*p.shape[:-1], 3, 3))
+    for piece in pieces(len(p)):
+        result[piece] = _matrix(p[piece])
     return result
 
 
@@ -122,6 +125,12 @@ def _unit(a: Floats, what: str) -> Floats:
         raise ModelError(f"rotation.{what} has no direction", code="zero_axis")
     unit: Floats = a / length
     return unit
+
+
+def _matrix(p: Floats) -> Floats:
+    e0, e = p[..., :1, None], p[..., 1:]
+    result: Floats = (2 * e0**2 - 1) * np.eye(3) + 2 * (e[..., :, None] * e[..., None, :] + e0 * _skew(e))
+    return result
 
 
 def _skew(a: Floats) -> Floats:

@@ -29,7 +29,7 @@ TEST_CASE("without the dependent rows the others are independent, and no fewer a
   const Evaluation at = evaluate_initially(system);
   const ClosedLoops loops(system, at, tolerance);
   const SparseRows D = loops.scaled_D(at);
-  const Places dependent = dependent_rows(D, tolerance);
+  const Places dependent = dependent_rows(loops, D, tolerance);
   CHECK(dependent.size() == 3);
   CHECK(condition(without(D, dependent)) > 1e-3);
 }
@@ -48,4 +48,21 @@ TEST_CASE("the rows to leave out belong to a joint that closes a loop, and leave
   REQUIRE(rows.size() == 3);
   for (const int place : rows) CHECK(loops.closing(model.joint_of_row(loops.rows()[place])));
   CHECK(condition(without(assembled.D, rows)) > 1e-2);
+}
+
+TEST_CASE("rows left out of the question do not change which of the others depend on each other") {
+  const System used(four_bar());
+  const Evaluation at = evaluate_initially(used);
+  const ClosedLoops loops(used, at, tolerance);
+  const SparseRows D = loops.scaled_D(at);
+  for (const int left_out : {-1, 0, 7, 19, 7, -1}) {  // the same structures come back
+    Places kept;
+    for (int place = 0; place < loops.row_count(); ++place)
+      if (place != left_out) kept.push_back(place);
+    const SparseRows rest = select_rows(D, kept);
+    const System fresh(four_bar());
+    const ClosedLoops alone(fresh, at, tolerance);
+    CHECK(dependent_rows(loops, rest, tolerance) == dependent_rows(alone, rest, tolerance));
+    CHECK(rest.nonZeros() == D.nonZeros() - (left_out < 0 ? 0 : D.row(left_out).nonZeros()));
+  }
 }

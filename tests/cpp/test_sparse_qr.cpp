@@ -25,9 +25,10 @@ struct Planted {
 };
 
 std::vector<int> dependent(const MatrixXd& A, MatrixXd& dense, const std::vector<int>& groups, double weak = 1e-9) {
+  block::KeptOrders orders;
   qr::RowMatrix sparse = A.sparseView();
   sparse.makeCompressed();
-  return qr::dependent_columns(sparse, groups, {1e-9, weak}, dense);
+  return qr::dependent_columns(sparse, groups, {1e-9, weak}, dense, orders);
 }
 
 std::vector<int> each_alone(const MatrixXd& A) {

@@ -12,7 +12,7 @@ from typing import Any
 import linkwork as lw
 import numpy as np
 import pytest
-from linkwork import _core, mechanisms
+from linkwork import _core, arrays, mechanisms
 from linkwork.modeling.elements import KINDS
 from linkwork.running.checks import joint_residuals
 
@@ -301,6 +301,44 @@ def test_joints_in_bulk_are_those_added_one_by_one(kind: _core.KindInfo) -> None
     assert one_by_one.hash() == in_bulk.hash()
 
 
+@pytest.mark.parametrize("kind", _core.joint_kinds(), ids=lambda kind: kind.name)
+def test_joints_that_are_worked_through_in_pieces_are_those_of_one_piece(
+    kind: _core.KindInfo, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    whole, in_pieces = two_bodies(), two_bodies()
+    many = ["crank"] * 7, "rod"
+    whole.joints(kind.name, *many, **arguments(kind))
+    monkeypatch.setattr(arrays, "PIECE", 3)  # the last has one joint
+    in_pieces.joints(kind.name, *many, **arguments(kind))
+    assert in_pieces.hash() == whole.hash()
+
+
+def test_bodies_do_not_depend_on_how_their_arrays_lie_in_memory() -> None:
+    rng = np.random.default_rng(5)
+    position, velocity = rng.normal(size=(2, 9, 3))
+    orientation = rng.normal(size=(9, 4))
+    orientation /= np.linalg.norm(orientation, axis=1, keepdims=True)
+    inertia = np.array([A @ np.diag((2.0, 3.0, 4.0)) @ A.T for A in lw.rotation.matrix(orientation)])
+    inertia = (inertia + np.swapaxes(inertia, 1, 2)) / 2
+    mass = np.arange(1.0, 10.0)
+    rows, others = lw.Model(), lw.Model()
+    rows.bodies(
+        "body", mass=mass, inertia=inertia, position=position, orientation=orientation, velocity=velocity
+    )
+    others.bodies(
+        "body",
+        mass=np.repeat(mass, 2)[::2],
+        inertia=np.asfortranarray(inertia),
+        position=position[::-1].copy()[::-1],
+        orientation=np.asfortranarray(orientation),
+        velocity=np.hstack([velocity, velocity])[:, :3],
+    )
+    assert np.array_equal(others.compiled().mass, mass)
+    assert others.hash() == rows.hash()
+    assert np.array_equal(rows.compiled().inertia, inertia)
+    assert np.array_equal(rows.compiled().v0.reshape(-1, 6)[:, :3], velocity)
+
+
 def in_body(model: lw.Model, body: str, point: np.ndarray, free: bool = False) -> np.ndarray:
     """A point (or free vector) of space in coordinates of a body."""
     q = model.compiled().q0.reshape(-1, 7)[model.find(body).index]
@@ -453,6 +491,8 @@ def test_bodies_joints_and_forces_in_bulk_take_names_of_their_own() -> None:
         (["c", "", "d"], "the name is empty"),
         (["c", "d"], "2 names for 3"),
         (["c", 7, "d"], "name 7 is not printable text"),
+        (["c", "d\n", "e"], r"bodies: name 'd\\n' is not printable text"),
+        (["c", "d" * 981, "e"], "has more than 980 characters"),
         ("c\n", r"bodies: name 'c\\n' is not printable text"),
         (7, "bodies: name 7 is neither a text nor a sequence of names"),
         ({"c"}, "bodies: name {'c'} is neither a text nor a sequence of names"),

@@ -37,24 +37,26 @@ Inerters::Inerters(const Model& model, std::ptrdiff_t D, const InstructionSet& i
       count[it.kind] += 1;
     }
   for (std::size_t kind = 0; kind < count.size(); ++kind)
-    if (count[kind] > 0) compile(model, static_cast<int>(kind), instruction_set_for(count[kind], instructions));
+    if (count[kind] > 0)
+      compile(model, static_cast<int>(kind), count[kind], instruction_set_for(count[kind], instructions));
 }
 
-void Inerters::compile(const Model& model, int kind, const InstructionSet& instructions) {
+void Inerters::compile(const Model& model, int kind, int count, const InstructionSet& instructions) {
   Rows rows{force_kinds()[kind].inertia_rows().evaluate[instructions.level], {}};
+  rows.batch.reserve(static_cast<std::size_t>(count), 0, instructions.width);
   int row = 0;
   for (const Element& it : model.forces()) {
     if (inertance_of(model, it) == 0.0) continue;
     if (it.kind == kind) {
       rows.batch.body_i.push_back(it.i);
       rows.batch.body_j.push_back(it.j);
-      rows.batch.attachment.push_back(it.at);
+      rows.batch.attach(rows.batch.row.size(), it.at);
       rows.batch.row.push_back(row);
       rows.batch.D.push_back(place(static_cast<std::size_t>(row)));
     }
     row += 1;
   }
-  rows.batch.pack(instructions.width);
+  rows.batch.fill_up();
   rows_.push_back(std::move(rows));
 }
 

@@ -64,7 +64,7 @@ class Inerters {
     EvaluateJoints evaluate;
     JointBatch batch;
   };
-  void compile(const Model& model, int kind, const InstructionSet& instructions);
+  void compile(const Model& model, int kind, int count, const InstructionSet& instructions);
   std::ptrdiff_t place(std::size_t k) const { return D_ + 2 * velocity_size * static_cast<std::ptrdiff_t>(k); }
 
   std::vector<Inerter> all_;

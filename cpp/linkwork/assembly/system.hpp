@@ -8,6 +8,7 @@
 #include "linkwork/assembly/body_forces.hpp"
 #include "linkwork/assembly/constraint_block.hpp"
 #include "linkwork/assembly/inerters.hpp"
+#include "linkwork/math/kept.hpp"
 #include "linkwork/math/thread_pool.hpp"
 #include "linkwork/math/types.hpp"
 #include "linkwork/model/model.hpp"
@@ -79,6 +80,9 @@ class System {
 
   /// Whether there is enough work in an evaluation for several threads.
   bool shares_work() const;
+
+  /// What is found once about this system and used again.
+  Kept& kept() const { return kept_; }
 
   Evaluation make_evaluation() const;
 
@@ -232,6 +236,7 @@ class System {
   VectorXd initial_history_;
   bool time_dependent_constraints_ = false;
   std::shared_ptr<ThreadPool> threads_ = std::make_shared<ThreadPool>();
+  mutable Kept kept_;
 };
 
 using BlockOfD = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, velocity_size, Eigen::RowMajor>>;

@@ -46,7 +46,7 @@ std::size_t count_elements(const std::vector<Batch>& batches) {
 void append_joint(const Model& model, const Element& element, int row, std::ptrdiff_t D, JointBatch& batch) {
   batch.body_i.push_back(element.i);
   batch.body_j.push_back(element.j);
-  batch.attachment.push_back(element.at);
+  batch.attach(batch.row.size(), element.at);
   batch.row.push_back(row);
   batch.D.push_back(D);
   for (std::size_t p = 0; p < joint_info(element.kind).parameters.size(); ++p) {
@@ -116,7 +116,7 @@ void System::compile_joints() {
     for (int first = 0, count = static_cast<int>(joints_[kind].batch.row.size()); first < count; first += chunk)
       joint_chunks_.push_back({kind, first, std::min(first + chunk, count)});
   for (CompiledJoints& joints : joints_) {
-    joints.batch.pack(joints.width);
+    joints.batch.fill_up();
     time_dependent_constraints_ = time_dependent_constraints_ || joints.batch.time_dependent;
   }
   group_blocks(

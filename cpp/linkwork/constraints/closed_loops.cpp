@@ -25,13 +25,14 @@ bool independent(const Model& model, const Evaluation& at, const VectorXd& scale
                  double tolerance) {
   if (block.rows > 6) return false;
   const BlockOfD D = block_of(at, block);
-  Eigen::Matrix<double, 6, Eigen::Dynamic> rows = scale.segment<6>(6 * block.body).asDiagonal() * D.transpose();
+  using Rows = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;  // without memory of its own
+  Rows rows = scale.segment<6>(6 * block.body).asDiagonal() * D.transpose();
   for (int k = 0; k < block.rows; ++k)
     rows.col(k) *= vanishes(model, block.row + k, D.row(k).head<3>().cwiseAbs().maxCoeff(),
                             D.row(k).tail<3>().cwiseAbs().maxCoeff())
                        ? 0.0
                        : 1.0 / rows.col(k).norm();
-  Eigen::ColPivHouseholderQR<Eigen::Matrix<double, 6, Eigen::Dynamic>> qr(rows);
+  Eigen::ColPivHouseholderQR<Rows> qr(rows);
   qr.setThreshold(tolerance);
   return qr.rank() == block.rows;
 }
@@ -186,12 +187,16 @@ SparseRows ClosedLoops::scaled_D(const Evaluation& at, VectorXd* lengths) const 
 }
 
 SparseRows select_rows(const SparseRows& A, const std::vector<int>& rows) {
-  std::vector<Eigen::Triplet<double>> entries;
-  for (std::size_t k = 0; k < rows.size(); ++k)
-    for (SparseRows::InnerIterator it(A, rows[k]); it; ++it)
-      entries.emplace_back(static_cast<int>(k), static_cast<int>(it.col()), it.value());
   SparseRows out(static_cast<Eigen::Index>(rows.size()), A.cols());
-  out.setFromTriplets(entries.begin(), entries.end());
+  Eigen::Index entries = 0;
+  for (const int row : rows) entries += A.outerIndexPtr()[row + 1] - A.outerIndexPtr()[row];
+  out.reserve(entries);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    out.startVec(static_cast<Eigen::Index>(k));
+    for (SparseRows::InnerIterator it(A, rows[k]); it; ++it)
+      out.insertBack(static_cast<Eigen::Index>(k), it.col()) = it.value();
+  }
+  out.finalize();
   return out;
 }
 

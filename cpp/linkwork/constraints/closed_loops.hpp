@@ -17,6 +17,7 @@ class ClosedLoops {
  public:
   ClosedLoops(const System& system, const Evaluation& at, double tolerance);
 
+  const System& system() const { return *system_; }
   const std::vector<int>& rows() const { return rows_; }  ///< constraint rows, ascending
   int row_count() const { return static_cast<int>(rows_.size()); }
   int component_count() const { return component_count_; }

@@ -74,7 +74,7 @@ class Components {
   }
 
   void measure_lengths() {
-    const VectorXd lengths = characteristic_lengths(system_);
+    const VectorXd& lengths = characteristic_lengths(system_);
     length_.assign(count(), 1.0);
     for_each_body([&](int body, std::size_t c) { length_[c] = lengths[body]; });
   }
@@ -108,17 +108,15 @@ VectorXd compliance(const System& system, const ClosedLoops& loops, const Evalua
 }
 
 ConsistentPose project_positions(MassWeightedLeastSquares& solver, const ClosedLoops& loops,
-                                 const Components& components, const TimedPose& pose) {
+                                 const Components& components, const TimedPose& pose, Evaluation& at) {
   const System& system = solver.system();
   VectorXd q = pose.q;
   const VectorXd rest = VectorXd::Zero(system.v_size());
   VectorXd step(system.v_size()), lambda(system.row_count());
   ConsistentPose out{q, std::vector<char>(components.count(), 0)};
-  Evaluation at = system.make_evaluation();
   for (int k = 0; k < most_steps && std::find(out.reached.begin(), out.reached.end(), 0) != out.reached.end(); ++k) {
     system.evaluate_constraints(pose.t, q, rest, pose.history, at);
-    if (!solver.factorize(at, compliance(system, loops, at))) break;
-    solver.solve(rest, -at.Phi, step, lambda);
+    if (!solver.factorize_and_solve(at, compliance(system, loops, at), rest, -at.Phi, step, lambda)) break;
     if (!step.allFinite()) break;
     std::vector<double> factors = components.sizes(step);
     for (std::size_t c = 0; c < factors.size(); ++c) {
@@ -162,7 +160,8 @@ VectorXd random_allowed_velocity(MassWeightedLeastSquares& solver, const ClosedL
 }
 
 ConsistentPose project_positions(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const TimedPose& pose) {
-  return project_positions(solver, loops, Components(solver.system(), loops), pose);
+  Evaluation at = solver.system().make_evaluation();
+  return project_positions(solver, loops, Components(solver.system(), loops), pose, at);
 }
 
 PerturbedPose perturb(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const VectorXd& q,
@@ -184,7 +183,8 @@ PerturbedPose perturb(MassWeightedLeastSquares& solver, const ClosedLoops& loops
   for (const double step : steps) {
     VectorXd moved = q;
     move(system, step * velocity, moved);
-    const ConsistentPose found = project_positions(solver, loops, components, {0.0, moved, system.initial_history()});
+    const TimedPose near = {0.0, moved, system.initial_history()};
+    const ConsistentPose found = project_positions(solver, loops, components, near, at);
     const std::vector<double> way = components.distances(q, found.q);
     std::vector<char> news(components.count());
     for (std::size_t c = 0; c < news.size(); ++c)

@@ -6,6 +6,7 @@ namespace linkwork {
 
 DroppedRows::DroppedRows(const System& system, std::vector<int> rows) : rows_(std::move(rows)) {
   std::sort(rows_.begin(), rows_.end());
+  pieces_.reserve(2 * rows_.size());
   for (int place = 0; place < count(); ++place) {
     const int row = rows_[place];
     for (const int index : system.joint_blocks(system.model().joint_of_row(row))) {

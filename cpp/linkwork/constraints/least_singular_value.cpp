@@ -15,16 +15,23 @@ constexpr double news = 1.0;     // a vector in any direction, to one that was t
 }  // namespace
 
 LeastSingularValue::LeastSingularValue(const System& system, const VectorXd& delassus, const DroppedRows& dropped)
-    : system_(&system), scale_(delassus.cwiseSqrt()), some_(delassus.size()), none_(VectorXd::Zero(system.v_size())) {
+    : system_(&system), scale_(delassus.cwiseSqrt()) {
   dropped.take_from(scale_);
+}
+
+/// Where it is asked for at all, which it is near singular poses.
+void LeastSingularValue::begin() {
+  some_.resize(scale_.size());
   for (Eigen::Index k = 0; k < some_.size(); ++k) some_[k] = elementary::cosine(1.0 + 2.4 * static_cast<double>(k));
   some_ *= news / std::sqrt(static_cast<double>(some_.size()));
-  lambda_.resize(delassus.size());
-  for (VectorXd* velocities : {&x_, &momentum_}) velocities->resize(system.v_size());
+  lambda_.resize(scale_.size());
+  none_.setZero(system_->v_size());
+  for (VectorXd* velocities : {&x_, &momentum_}) velocities->resize(system_->v_size());
 }
 
 // The last u may be without any part of a vector that has become the least one: a little of all is added.
 double LeastSingularValue::of(SaddleSolver& saddle, const Evaluation& at) {
+  if (some_.size() == 0) begin();
   if (u_.size() == 0) u_.setZero(scale_.size());
   u_ += some_;
   double quotient = iterate(saddle, at), last = INFINITY;

@@ -21,6 +21,7 @@ class LeastSingularValue {
   void keep(Archive& archive) { archive(u_); }
 
  private:
+  void begin();
   double iterate(SaddleSolver& saddle, const Evaluation& at);
 
   const System* system_ = nullptr;

@@ -84,18 +84,26 @@ class ConnectedBodies {
   std::vector<double> arm_, way_, gyration_, reach_;  ///< of the roots
 };
 
+struct CharacteristicLengths {
+  VectorXd of_bodies;
+};
+
 }  // namespace
 
-VectorXd characteristic_lengths(const System& system) {
-  look_for_interruption();
-  ConnectedBodies connected(system);
-  VectorXd lengths(system.body_count());
-  for (int body = 0; body < system.body_count(); ++body) lengths[body] = connected.length(body);
-  return lengths;
+const VectorXd& characteristic_lengths(const System& system) {
+  return system.kept()
+      .get<CharacteristicLengths>([&] {
+        look_for_interruption();
+        ConnectedBodies connected(system);
+        CharacteristicLengths found{VectorXd(system.body_count())};
+        for (int body = 0; body < system.body_count(); ++body) found.of_bodies[body] = connected.length(body);
+        return found;
+      })
+      .of_bodies;
 }
 
 VectorXd velocity_scale(const System& system) {
-  const VectorXd lengths = characteristic_lengths(system);
+  const VectorXd& lengths = characteristic_lengths(system);
   VectorXd scale = VectorXd::Ones(system.v_size());
   for (int body = 0; body < system.body_count(); ++body)
     scale.segment<3>(velocity_size * body).setConstant(lengths[body]);
@@ -134,7 +142,7 @@ std::vector<char> rows_of_rotations(const System& system, const Evaluation& at) 
 }
 
 double farthest_position(const System& system, const ConstVector& q) {
-  const VectorXd lengths = characteristic_lengths(system);
+  const VectorXd& lengths = characteristic_lengths(system);
   double most = 0.0;
   for (int body = 0; body < system.body_count(); ++body)
     if (const BlockRange blocks = system.body_blocks(body); blocks.begin() != blocks.end())
@@ -147,7 +155,7 @@ double roundoff_of_positions(const System& system, const ConstVector& q) {
 }
 
 double characteristic_rate(const System& system, const Evaluation& at, const ConstVector& v) {
-  const VectorXd lengths = characteristic_lengths(system);
+  const VectorXd& lengths = characteristic_lengths(system);
   double rate = 0.0, force = 0.0, inertia = 0.0;
   for (int body = 0; body < system.body_count(); ++body) {
     const auto own = v.segment<velocity_size>(velocity_size * body);

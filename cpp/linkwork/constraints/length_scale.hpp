@@ -6,8 +6,8 @@ namespace linkwork {
 
 /// A length for each body [m], the same for bodies that joints connect: the longest way from one of their centers of
 /// mass to a joint. Where all joints are at the centers, the longest way between the two points of a joint, or between
-/// bodies; then a radius of gyration; 1 where there is nothing that has a length.
-VectorXd characteristic_lengths(const System& system);
+/// bodies; then a radius of gyration; 1 where there is nothing that has a length. Kept with the system.
+const VectorXd& characteristic_lengths(const System& system);
 
 /// Velocities of natural size, 6 per body: the body's length for a translation against 1 for a rotation. Masses do not
 /// count: rank is a fact of geometry.

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "linkwork/constraints/length_scale.hpp"
+#include "linkwork/linear/block/kept_orders.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
@@ -49,7 +50,7 @@ MassWeightedLeastSquares::MassWeightedLeastSquares(const System& system, const V
                                            : std::make_unique<System>(with_masses(system, weights))) {}
 
 MassWeightedLeastSquares MassWeightedLeastSquares::of_geometry(const System& system) {
-  const VectorXd lengths = characteristic_lengths(system);
+  const VectorXd& lengths = characteristic_lengths(system);
   std::vector<Body> bodies = system.model().bodies();
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const double length = lengths[static_cast<Eigen::Index>(b)];
@@ -63,14 +64,25 @@ MassWeightedLeastSquares::MassWeightedLeastSquares(const System& system, std::un
     : regularized_(std::move(other)),
       system_(regularized_ ? regularized_.get() : &system),
       saddle_(make_saddle_solver("kkt", linear_solver_info("block"), *system_)) {
-  const Evaluation at = system_->make_evaluation();
-  saddle_->analyze(*system_, at);
+  if (regularized_) block::share_orders(system, *regularized_);
+  saddle_->analyze(*system_, {});  // block takes none
 }
 
 bool MassWeightedLeastSquares::factorize(const Evaluation& at, const VectorXd& e) {
   meter_.add(system_->body_count());
   try {
     saddle_->factorize(at, e);
+  } catch (const SingularSystemError&) {
+    return false;
+  }
+  return true;
+}
+
+bool MassWeightedLeastSquares::factorize_and_solve(const Evaluation& at, const VectorXd& e, const ConstVector& a,
+                                                   const ConstVector& b, MutableVector x, MutableVector lambda) {
+  meter_.add(system_->body_count());
+  try {
+    saddle_->factorize_and_solve(at, e, a, b, x, lambda);
   } catch (const SingularSystemError&) {
     return false;
   }

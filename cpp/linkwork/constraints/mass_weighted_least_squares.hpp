@@ -24,6 +24,9 @@ class MassWeightedLeastSquares {
   /// False where the matrix is singular; `e` as in SaddleSolver.
   bool factorize(const Evaluation& at, const VectorXd& e);
   SaddleSolver& saddle() const { return *saddle_; }
+  /// Both in one.
+  bool factorize_and_solve(const Evaluation& at, const VectorXd& e, const ConstVector& a, const ConstVector& b,
+                           MutableVector x, MutableVector lambda);
   void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda);
 
  private:

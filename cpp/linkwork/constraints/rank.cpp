@@ -83,7 +83,7 @@ void find_redundancy(const System& given, const ClosedLoops& loops, double toler
   for (const int place : redundant) report.redundant_rows.push_back(row(place));
 
   const Places kept = complement(redundant, loops.row_count());
-  for (const int k : dependent_rows(select_rows(assembled.D, kept), tolerance))
+  for (const int k : dependent_rows(loops, select_rows(assembled.D, kept), tolerance))
     report.singular_rows.push_back(row(kept[k]));
   std::vector<char> members(loops.row_count(), 0);
   const auto kernel = make_kernel(solver, loops, perturbed.at, report);
@@ -103,7 +103,7 @@ PoseRank rank_of_constraints(const System& system, const Evaluation& at, double 
   const ClosedLoops loops(system, at, tolerance);
   PoseRank report;
   report.rows = system.row_count();
-  for (const int place : dependent_rows(loops.scaled_D(at), tolerance))
+  for (const int place : dependent_rows(loops, loops.scaled_D(at), tolerance))
     report.dependent_rows.push_back(loops.rows()[place]);
   report.rank = report.rows - static_cast<int>(report.dependent_rows.size());
   report.degrees_of_freedom = system.v_size() - report.rank;
@@ -111,17 +111,21 @@ PoseRank rank_of_constraints(const System& system, const Evaluation& at, double 
 }
 
 RankReport examine_rank(const System& given, double least_tolerance) {
+  Evaluation scratch = given.make_evaluation();
+  return examine_rank(given, scratch, least_tolerance);
+}
+
+RankReport examine_rank(const System& given, Evaluation& at, double least_tolerance) {
   RankReport report;
   report.rows = given.row_count();
   report.unique.assign(given.joint_count(), 1);
   report.q = given.model().initial_q();
   const double tolerance = std::max(least_tolerance, roundoff_of_positions(given, report.q));
-  Evaluation at = given.make_evaluation();
   given.evaluate_constraints(0.0, report.q, VectorXd::Zero(given.v_size()), given.initial_history(), at);
   const ClosedLoops loops(given, at, tolerance);
   const bool consistent =
       report.rows == 0 || at.Phi.cwiseQuotient(row_lengths(given, at)).cwiseAbs().maxCoeff() <= assembled;
-  if (loops.row_count() > 0 && !(consistent && dependent_rows(loops.scaled_D(at), tolerance).empty()))
+  if (loops.row_count() > 0 && !(consistent && dependent_rows(loops, loops.scaled_D(at), tolerance).empty()))
     find_redundancy(given, loops, tolerance, report);
   report.rank = report.rows - static_cast<int>(report.redundant_rows.size());
   report.degrees_of_freedom = given.v_size() - report.rank;
@@ -169,7 +173,8 @@ std::string describe(const Model& model, const DependentGroup& group) {
 std::vector<int> free_massless_bodies(const System& system, const Evaluation& at, double tolerance) {
   std::vector<int> owner;
   std::vector<Entry> entries;
-  const VectorXd lengths = characteristic_lengths(system), of_rows = row_lengths(system, at);
+  const VectorXd& lengths = characteristic_lengths(system);
+  const VectorXd of_rows = row_lengths(system, at);
   using Vec6 = Eigen::Matrix<double, 6, 1>;
   for (const int body : system.massless_bodies()) {
     const MatrixXd kernel = system.massless_directions(body);

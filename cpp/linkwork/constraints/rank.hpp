@@ -41,6 +41,8 @@ struct RankReport {
 /// `tolerance` becomes larger where the roundoff of positions or a residual that assembly leaves is of that size: what
 /// the given geometry does not say is not told from its rank.
 RankReport examine_rank(const System& system, double tolerance = rank_tolerance);
+/// The same with an evaluation of the system's, whatever it holds, as scratch memory.
+RankReport examine_rank(const System& system, Evaluation& scratch, double tolerance = rank_tolerance);
 
 /// A redundant row with those that imply it; without any one of these it would not be.
 struct DependentGroup {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linkwork/linear/block/kept_orders.hpp"
+
 namespace linkwork {
 namespace {
 
@@ -147,6 +149,7 @@ RegularizedInertia::RegularizedInertia(const System& system, const Evaluation& t
   if (bodies.empty()) return;
   regularized_ = std::make_unique<System>(system.model().with_masses(bodies));
   regularized_->use(system.shared_threads());
+  block::share_orders(system, *regularized_);
 }
 
 bool RegularizedInertia::shows(double accuracy) const { return smallest_ < small || smallest_ * accuracy < roundoff; }

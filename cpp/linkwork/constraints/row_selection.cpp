@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "linkwork/constraints/constraint_kernel.hpp"
+#include "linkwork/linear/block/kept_orders.hpp"
 #include "linkwork/linear/column_rank.hpp"
 #include "linkwork/math/interruption.hpp"
 
@@ -154,6 +155,7 @@ class Selection {
       most = std::max(most, order[c].size());
       out[c].kernel.resize(static_cast<Eigen::Index>(rows_[c].size()), static_cast<Eigen::Index>(order[c].size()));
     }
+    if (most == 0) return out;
     ConstraintKernel kernel(solver_, loops_, pose.at, rows_at(pose.dependent));
     for (std::size_t k = 0; k < most && kernel.regular(); ++k) {
       VectorXd n_d = VectorXd::Zero(kernel.size());
@@ -202,7 +204,8 @@ class Selection {
     Places kept;
     for (const int place : rows_[c])
       if (!std::binary_search(redundant.begin(), redundant.end(), place)) kept.push_back(place);
-    for (const int k : dependent_rows(select_rows(perturbed_.D, kept), tolerance_)) redundant.push_back(kept[k]);
+    for (const int k : dependent_rows(loops_, select_rows(perturbed_.D, kept), tolerance_))
+      redundant.push_back(kept[k]);
     std::sort(redundant.begin(), redundant.end());
     for (int& place : redundant)
       place = static_cast<int>(std::lower_bound(rows_[c].begin(), rows_[c].end(), place) - rows_[c].begin());
@@ -245,8 +248,8 @@ class Selection {
             it.value();
     Eigen::ColPivHouseholderQR<MatrixXd> qr(A);
     qr.setThreshold(tolerance_);
-    const MatrixXd Q = qr.householderQ() * MatrixXd::Identity(count, count);
-    return Q.rightCols(count - qr.rank());
+    const Eigen::Index dependent = count - qr.rank();
+    return qr.householderQ() * MatrixXd::Identity(count, count).rightCols(dependent);
   }
 
   std::vector<int> rows_at(Places places) const {
@@ -293,10 +296,10 @@ std::vector<int> neighbors_on_same_bodies(const SparseRows& A) {
 
 }  // namespace
 
-Places dependent_rows(const SparseRows& A, double tolerance) {
+Places dependent_rows(const ClosedLoops& loops, const SparseRows& A, double tolerance) {
   const Eigen::Map<const Eigen::SparseMatrix<double>> transposed(A.cols(), A.rows(), A.nonZeros(), A.outerIndexPtr(),
                                                                  A.innerIndexPtr(), A.valuePtr());
-  return dependent_columns(transposed, tolerance, neighbors_on_same_bodies(A));
+  return dependent_columns(transposed, tolerance, neighbors_on_same_bodies(A), block::kept_orders(loops.system()));
 }
 
 LoopPose::LoopPose(const System& system, const ClosedLoops& loops, const TimedPose& pose, double tolerance)
@@ -305,7 +308,7 @@ LoopPose::LoopPose(const System& system, const ClosedLoops& loops, const TimedPo
   look_for_interruption();
   D = loops.scaled_D(at);
   look_for_interruption();
-  dependent = dependent_rows(D, tolerance);
+  dependent = dependent_rows(loops, D, tolerance);
 }
 
 Places redundant_rows(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const LoopPose& assembled,

@@ -11,8 +11,8 @@ namespace linkwork {
 /// Rows of the loops as places in their list.
 using Places = std::vector<int>;
 
-/// Rows of A that depend on the others, ascending.
-Places dependent_rows(const SparseRows& A, double tolerance);
+/// Rows of A, some of the loops' rows, that depend on the others, ascending.
+Places dependent_rows(const ClosedLoops& loops, const SparseRows& A, double tolerance);
 
 /// The loops at one pose: D, and the rows that depend on the others.
 struct LoopPose {

@@ -70,11 +70,12 @@ Dynamics::Dynamics(const Model& model, const Options& options, const OnePath&)
       at_(system_.make_evaluation()) {
   use_threads();
   const FormulationInfo& info = formulation_info(options_.formulation);
-  rank_ = examine_rank(system_);
+  rank_ = examine_rank(system_, at_);
+  if (rank_.redundant_rows.empty()) rank_.q.resize(0);  // for their groups
   options_.matrix_form = choose_form(info, options_, !rank_.redundant_rows.empty());
   options_.linear_solver = choose_solver(options_.matrix_form, info, options_, system_);
   for (VectorXd* rows : {&b_, &lambda_}) rows->setZero(system_.row_count());
-  for (VectorXd* velocities : {&x_, &v_dot_}) velocities->setZero(system_.v_size());
+  v_dot_.setZero(system_.v_size());
   now_.y = initial_y();
   now_.history = system_.initial_history();
   system_.evaluate(0.0, now_.y.head(system_.q_size()), now_.y.segment(system_.q_size(), system_.v_size()), now_.history,
@@ -341,6 +342,7 @@ void Dynamics::add_correction(double h, MutableVector y) {
   if (!sampled() || unconnected()) return;
   const Gains gains = gains_or({0.5 / h, 1.0 / h});
   const VectorXd none = VectorXd::Zero(system_.v_size());
+  x_.resize(system_.v_size());
   b_ = -2.0 * gains.alpha * h * at_.Phi_dot;
   solve(none, b_, x_, lambda_);
   y.segment(system_.q_size(), system_.v_size()) += x_;

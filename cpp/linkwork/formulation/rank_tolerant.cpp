@@ -29,7 +29,7 @@ bool RankTolerant::factorize(const Evaluation& at, double tolerance) {
   const System& system = solver_.system();
   const ClosedLoops loops(system, at, tolerance);
   std::vector<int> rows;
-  for (const int place : dependent_rows(loops.scaled_D(at), tolerance)) rows.push_back(loops.rows()[place]);
+  for (const int place : dependent_rows(loops, loops.scaled_D(at), tolerance)) rows.push_back(loops.rows()[place]);
   left_out_ = DroppedRows(system, rows);
   at_ = at;
   left_out_.take_out(at_);

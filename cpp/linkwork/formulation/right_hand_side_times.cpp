@@ -2,6 +2,7 @@
 
 #include "linkwork/constraints/redundancy_watch.hpp"
 #include "linkwork/formulation/watched_formulation.hpp"
+#include "linkwork/linear/block/kept_orders.hpp"
 #include "linkwork/math/stopwatch.hpp"
 
 namespace linkwork {
@@ -96,6 +97,7 @@ double time_analysis(const Dynamics& dynamics) {
   const Options& chosen = dynamics.options();
   const auto solver =
       make_saddle_solver(chosen.matrix_form, linear_solver_info(chosen.linear_solver), dynamics.system());
+  block::kept_orders(dynamics.system()).forget();
   timed(time, [&] { solver->analyze(dynamics.formulation().inertia().system(), dynamics.evaluation()); });
   return time;
 }

@@ -33,7 +33,7 @@ std::vector<int> near_rows(const ClosedLoops& loops, const SparseRows& D, const 
                            double near) {
   const Places kept = kept_places(loops, redundant);
   std::vector<int> out;
-  for (const int k : dependent_rows(select_rows(D, kept), near)) out.push_back(loops.rows()[kept[k]]);
+  for (const int k : dependent_rows(loops, select_rows(D, kept), near)) out.push_back(loops.rows()[kept[k]]);
   return out;
 }
 
@@ -95,7 +95,7 @@ PoseExamination examine_pose(const System& given, const TimedPose& here, const s
   out.rows = near_rows(loops, pose.D, redundant, near);
   if (out.rows.empty()) return out;
   out.joints = involved_joints(solver, loops, pose.at, redundant, out.rows);
-  out.singular = dependent_rows(pose.D, near).size() + kept_places(loops, redundant).size() >
+  out.singular = dependent_rows(loops, pose.D, near).size() + kept_places(loops, redundant).size() >
                  static_cast<std::size_t>(loops.row_count());
   out.better_choice = choose_here(solver, loops, pose, redundant);
   if (!near_rows(loops, pose.D, out.better_choice, near).empty()) out.better_choice.clear();

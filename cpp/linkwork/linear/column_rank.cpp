@@ -44,7 +44,7 @@ class SingletonElimination {
   const std::vector<int>& dead() const { return dead_; }
 
   /// The rest, and the columns of A that it has.
-  RowMatrix rest(std::vector<int>& columns) const {
+  RowMatrix rest(std::vector<int>& columns) && {
     std::vector<int> number(column_left_.size(), -1);
     for (std::size_t column = 0; column < number.size(); ++column)
       if (column_left_[column]) {
@@ -52,6 +52,7 @@ class SingletonElimination {
         columns.push_back(static_cast<int>(column));
       }
     const auto rows = static_cast<Eigen::Index>(std::count(row_left_.begin(), row_left_.end(), 1));
+    if (rows == A_.rows() && std::ssize(columns) == A_.cols()) return std::move(by_rows_);
     RowMatrix out(rows, static_cast<Eigen::Index>(columns.size()));
     out.reserve(A_.nonZeros());
     int place = 0;
@@ -85,7 +86,7 @@ class SingletonElimination {
 
   const ColumnMatrix& A_;
   const double tolerance_;
-  const RowMatrix by_rows_;
+  RowMatrix by_rows_;
   std::vector<char> row_left_, column_left_;
   std::vector<int> count_;  ///< of each column that is left: entries in rows that are left
   std::vector<int> next_, dead_;
@@ -126,9 +127,10 @@ MatrixXd take_out(const std::vector<int>& rows, RowMatrix& A) {
 /// Dense rows would fill R. Of A = [S; F], F the dense rows, the sparse ones decide first: of the columns of S the
 /// candidates S_c depend on the others, S_c = S_o L. Those are independent in A where F_c - F_o L is, which is what
 /// eliminating F by the rows of R leaves of it. Rows of R with a weak pivot are taken for dense ones.
-std::vector<int> dead_columns(RowMatrix& A, const std::vector<int>& groups, qr::Pivots pivots) {
+std::vector<int> dead_columns(RowMatrix& A, const std::vector<int>& groups, qr::Pivots pivots,
+                              block::KeptOrders& orders) {
   MatrixXd F = take_out(dense_rows(A), A);
-  std::vector<int> candidates = qr::dependent_columns(A, groups, pivots, F);
+  std::vector<int> candidates = qr::dependent_columns(A, groups, pivots, F, orders);
   if (candidates.empty() || F.rows() == 0) return candidates;
   std::sort(candidates.begin(), candidates.end());
   MatrixXd rest(F.rows(), static_cast<Eigen::Index>(candidates.size()));
@@ -154,16 +156,22 @@ std::vector<int> groups_of(const std::vector<int>& columns, const std::vector<in
 }  // namespace
 
 std::vector<int> dependent_columns(const Eigen::Ref<const Eigen::SparseMatrix<double>>& A, double tolerance,
-                                   const std::vector<int>& groups) {
+                                   const std::vector<int>& groups, block::KeptOrders& orders) {
   const double largest = largest_column(A), least = tolerance * largest;
-  const SingletonElimination singletons(A, least);
+  SingletonElimination singletons(A, least);
   std::vector<int> dead = singletons.dead(), columns;
-  RowMatrix rest = singletons.rest(columns);
+  RowMatrix rest = std::move(singletons).rest(columns);
   if (!columns.empty())
-    for (const int k : dead_columns(rest, groups_of(columns, groups), {least, std::max(weak * largest, least)}))
+    for (const int k : dead_columns(rest, groups_of(columns, groups), {least, std::max(weak * largest, least)}, orders))
       dead.push_back(columns[k]);
   std::sort(dead.begin(), dead.end());
   return dead;
+}
+
+std::vector<int> dependent_columns(const Eigen::Ref<const Eigen::SparseMatrix<double>>& A, double tolerance,
+                                   const std::vector<int>& groups) {
+  block::KeptOrders orders;
+  return dependent_columns(A, tolerance, groups, orders);
 }
 
 std::vector<int> dependent_columns(int rows, int columns, const std::vector<Entry>& entries, double tolerance) {

@@ -3,6 +3,8 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
+#include "linkwork/linear/block/kept_orders.hpp"
+
 namespace linkwork {
 
 struct Entry {
@@ -12,7 +14,9 @@ struct Entry {
 
 /// Columns of A (compressed) that depend on the others, ascending, found by a rank-revealing sparse QR: their number is
 /// columns - rank. `tolerance` is relative to the largest column. `groups`, where given, ascend from 0: equal numbers
-/// for columns that have much the same rows, which takes less time to order.
+/// for columns that have much the same rows, which takes less time to order. `orders`: where their order is kept.
+std::vector<int> dependent_columns(const Eigen::Ref<const Eigen::SparseMatrix<double>>& A, double tolerance,
+                                   const std::vector<int>& groups, block::KeptOrders& orders);
 std::vector<int> dependent_columns(const Eigen::Ref<const Eigen::SparseMatrix<double>>& A, double tolerance,
                                    const std::vector<int>& groups = {});
 /// The same of entries, which add up where they have the same place.

@@ -60,18 +60,22 @@ struct JointLanes {
 struct JointBatch {
   std::vector<int> body_i, body_j, row;
   std::vector<std::ptrdiff_t> D;
-  std::vector<Attachment<double>> attachment;  ///< until it is packed
-  std::vector<double> packed;
+  std::vector<double> attachments;  ///< as in JointArrays
   std::vector<Parameter> parameters;
   bool time_dependent = false;
 
   /// For `count` joints, evaluated `width` at a time.
   void reserve(std::size_t count, std::size_t parameters_each, int width);
-  /// Lays the attachments out for evaluation, `width` joints at a time.
-  void pack(int width);
+  /// Of the joint with this number.
+  void attach(std::size_t joint, const Attachment<double>& at);
+  /// When all are there.
+  void fill_up();
   JointArrays arrays() const { return arrays(0, static_cast<int>(row.size())); }
   /// Of a part of the joints; `first` is a multiple of the width.
   JointArrays arrays(int first, int last) const;
+
+ private:
+  std::size_t width_ = 1;
 };
 
 }  // namespace linkwork

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <limits>
+#include <utility>
 
 #include "linkwork/math/error.hpp"
 
@@ -29,24 +31,27 @@ std::string text(const Eigen::MatrixBase<Derived>& values) {
   return out + ")";
 }
 
+/// Made where a message wants it: most of a million bodies are as they should be.
+using NameWhereWanted = std::function<std::string()>;
+
 /// The body's field is wrong.
-[[noreturn]] void refuse(const char* code, const char* field, const std::string& why, const std::string& body) {
+[[noreturn]] void refuse(const char* code, const char* field, const std::string& why, const NameWhereWanted& body) {
   ErrorDetails details;
-  details.bodies = {body};
-  details.subject = "body '" + body + "'";
+  details.bodies = {body()};
+  details.subject = "body '" + details.bodies.front() + "'";
   details.field = field;
   throw ModelError(code, details.subject + ": " + why, details);
 }
 
 template <class Derived>
-void check_finite(const Eigen::MatrixBase<Derived>& values, const char* quantity, const std::string& name) {
+void check_finite(const Eigen::MatrixBase<Derived>& values, const char* quantity, const NameWhereWanted& name) {
   if (!values.allFinite())
     refuse("not_finite", quantity, std::string(quantity) + " " + text(values) + " is not finite", name);
 }
 
 /// Principal moments of a real body satisfy J_1 + J_2 >= J_3 for every order, and none is negative. `as_is`: only the
 /// latter is asked for.
-void check_inertia(const Mat3<double>& J, bool as_is, const std::string& name) {
+void check_inertia(const Mat3<double>& J, bool as_is, const NameWhereWanted& name) {
   const double scale = J.cwiseAbs().maxCoeff();
   if (const double gap = (J - J.transpose()).cwiseAbs().maxCoeff(); gap > tolerance * scale)
     refuse("inertia_not_symmetric", "inertia",
@@ -65,7 +70,7 @@ void check_inertia(const Mat3<double>& J, bool as_is, const std::string& name) {
            name);
 }
 
-void check_body(const Body& body, const std::string& name) {
+void check_body(const Body& body, const NameWhereWanted& name) {
   if (!std::isfinite(body.mass) || body.mass < 0)
     refuse("mass", "mass", "mass " + text(body.mass) + " kg must be finite and not negative", name);
   check_finite(body.inertia, "inertia", name);
@@ -124,6 +129,13 @@ Fault fault_of_function(const ParameterInfo& it, const TimeFunction& function) {
   return {};
 }
 
+/// Many at once are taken as they are.
+template <class T>
+void append(std::vector<T>&& added, std::vector<T>& list) {
+  if (list.empty()) list = std::move(added);
+  else list.insert(list.end(), added.begin(), added.end());
+}
+
 }  // namespace
 
 Model::Model(const Vec3<double>& gravity) : gravity_(gravity) {
@@ -132,27 +144,28 @@ Model::Model(const Vec3<double>& gravity) : gravity_(gravity) {
 
 int Model::add_body(const std::string& name, const Body& body) { return add_bodies(std::vector{name}, {body}); }
 
-int Model::add_bodies(const Names& names, const std::vector<Body>& bodies) {
+int Model::add_bodies(const Names& names, std::vector<Body> bodies) {
   if (!names.are(bodies.size())) throw ModelError("names", "as many names as bodies are needed");
   for (std::size_t k = 0; k < bodies.size(); ++k) {
-    check_body(bodies[k], names[k]);
+    check_body(bodies[k], [&] { return names[k]; });
     if (!names.group() && names[k] == "ground")
       throw ModelError("duplicate_name", "body 'ground': the name belongs to the ground; choose another");
   }
   body_names_.own().add(names, static_cast<int>(bodies.size()));
+  for (Body& body : bodies) body.orientation.normalize();
   std::vector<Body>& list = bodies_.own();
   const int first = static_cast<int>(list.size());
-  list.insert(list.end(), bodies.begin(), bodies.end());
-  for (int k = first; k < std::ssize(list); ++k) list[k].orientation.normalize();
+  append(std::move(bodies), list);
   return first;
 }
 
-void Model::check_element(Role role, const KindInfo& info, const std::string& name, const Element& element,
+void Model::check_element(Role role, const KindInfo& info, const Names& names, std::size_t k, const Element& element,
                           const Parameter* parameters) const {
-  ErrorDetails details;
-  details.subject = info.name + " '" + name + "'";
-  details.joints = {name};
-  const auto refuse_element = [&](const char* code, const std::string& why) {
+  const auto refuse_element = [&](const char* code, const std::string& why, const std::string& field = "") {
+    ErrorDetails details;
+    details.joints = {names[k]};
+    details.subject = info.name + " '" + details.joints.front() + "'";
+    details.field = field;
     throw ModelError(code, details.subject + ": " + why, details);
   };
   const int count = static_cast<int>(bodies_->size());
@@ -169,14 +182,14 @@ void Model::check_element(Role role, const KindInfo& info, const std::string& na
     refuse_element("frame", "its axes are not orthonormal and right-handed");
   for (std::size_t p = 0; p < info.parameters.size(); ++p) {
     const ParameterInfo& parameter = info.parameters[p];
-    details.field = parameter.name;
     const int signal = parameters[p].signal;
     if (signal >= static_cast<int>(signals_.size()))
       refuse_element("unknown_signal",
-                     parameter.name + ": function of time " + std::to_string(signal) + " does not exist");
+                     parameter.name + ": function of time " + std::to_string(signal) + " does not exist",
+                     parameter.name);
     const auto [code, why] = signal < 0 ? fault_of_number(info, parameter, parameters[p].constant, parameters)
                                         : fault_of_function(parameter, *signals_[signal]);
-    if (!why.empty()) refuse_element(code, parameter.name + why);
+    if (!why.empty()) refuse_element(code, parameter.name + why, parameter.name);
   }
 }
 
@@ -194,8 +207,8 @@ void Model::limit(const KindInfo& info, const std::string& name, const Parameter
   }
 }
 
-int Model::add_elements(Role role, int index, const KindInfo& info, const Names& names,
-                        const std::vector<Element>& elements, const std::vector<Parameter>& parameters) {
+int Model::add_elements(Role role, int index, const KindInfo& info, const Names& names, std::vector<Element> elements,
+                        const std::vector<Parameter>& parameters) {
   const bool joint = role == Role::joint;
   const std::size_t count = info.parameters.size();
   if (parameters.size() != count * elements.size())
@@ -204,7 +217,7 @@ int Model::add_elements(Role role, int index, const KindInfo& info, const Names&
                                        std::to_string(parameters.size() / std::max<std::size_t>(1, elements.size())));
   if (!names.are(elements.size())) throw ModelError("names", info.name + ": as many names as elements are needed");
   for (std::size_t k = 0; k < elements.size(); ++k)
-    check_element(role, info, names[k], elements[k], parameters.data() + k * count);
+    check_element(role, info, names, k, elements[k], parameters.data() + k * count);
   if (static_cast<double>(row_count()) + static_cast<double>(info.rows) * static_cast<double>(elements.size()) >
       std::numeric_limits<int>::max())
     throw ModelError("too_large", "the model would have more constraint rows than 2^31 - 1");
@@ -218,12 +231,12 @@ int Model::add_elements(Role role, int index, const KindInfo& info, const Names&
     return it.value.bounds.any() || !it.value.not_above.empty();
   });
   for (std::size_t k = 0; k < elements.size(); ++k) {
-    list.push_back(elements[k]);
-    list.back().kind = index;
-    list.back().first_parameter = all_parameters.size() + k * count;
+    elements[k].kind = index;
+    elements[k].first_parameter = all_parameters.size() + k * count;
     if (bounded) limit(info, names[k], parameters.data() + k * count);
     if (joint) rows.push_back(rows.back() + info.rows);
   }
+  append(std::move(elements), list);
   all_parameters.insert(all_parameters.end(), parameters.begin(), parameters.end());
   return first;
 }
@@ -240,16 +253,16 @@ int Model::add_force(const std::string& kind, const std::string& name, int i, in
   return add_elements(Role::force, index, force_info(index), std::vector{name}, {Element{0, i, j, at, 0}}, parameters);
 }
 
-int Model::add_joints(const std::string& kind, const Names& names, const std::vector<Element>& elements,
+int Model::add_joints(const std::string& kind, const Names& names, std::vector<Element> elements,
                       const std::vector<Parameter>& parameters) {
   const int index = joint_kind_index(kind);
-  return add_elements(Role::joint, index, joint_info(index), names, elements, parameters);
+  return add_elements(Role::joint, index, joint_info(index), names, std::move(elements), parameters);
 }
 
-int Model::add_forces(const std::string& kind, const Names& names, const std::vector<Element>& elements,
+int Model::add_forces(const std::string& kind, const Names& names, std::vector<Element> elements,
                       const std::vector<Parameter>& parameters) {
   const int index = force_kind_index(kind);
-  return add_elements(Role::force, index, force_info(index), names, elements, parameters);
+  return add_elements(Role::force, index, force_info(index), names, std::move(elements), parameters);
 }
 
 int Model::add_special_joint(const std::string& kind, const std::string& name, int i, int j,
@@ -344,7 +357,7 @@ Model Model::with_initial_state(const ConstVector& q, const ConstVector& v, std:
     body.orientation = q.segment<4>(position_size * b + 3);
     body.velocity = v.segment<3>(velocity_size * b);
     body.omega = v.segment<3>(velocity_size * b + 3);
-    check_body(body, body_name(static_cast<int>(b)));
+    check_body(body, [&] { return body_name(static_cast<int>(b)); });
     body.orientation.normalize();
   }
   return out;
@@ -382,7 +395,7 @@ Model Model::with_weights(const Vec3<double>& gravity, const std::vector<int>& b
     Body& body = list.at(static_cast<std::size_t>(bodies[k]));
     body.mass = masses.at(k);
     body.inertia = inertias.at(k);
-    check_body(body, body_name(bodies[k]));
+    check_body(body, [&] { return body_name(bodies[k]); });
   }
   return out;
 }

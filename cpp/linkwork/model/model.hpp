@@ -83,10 +83,10 @@ class Model {
   void add_joint_force(const std::string& name, int joint, const std::string& coordinate, CoordinateLawPtr law);
 
   /// Many at once under one prefix; linear in time and memory. `parameters` holds the kind's number for each element.
-  int add_bodies(const Names& names, const std::vector<Body>& bodies);
-  int add_joints(const std::string& kind, const Names& names, const std::vector<Element>& elements,
+  int add_bodies(const Names& names, std::vector<Body> bodies);
+  int add_joints(const std::string& kind, const Names& names, std::vector<Element> elements,
                  const std::vector<Parameter>& parameters);
-  int add_forces(const std::string& kind, const Names& names, const std::vector<Element>& elements,
+  int add_forces(const std::string& kind, const Names& names, std::vector<Element> elements,
                  const std::vector<Parameter>& parameters);
 
   const Vec3<double>& gravity() const { return gravity_; }
@@ -136,9 +136,9 @@ class Model {
 
  private:
   enum class Role { joint, force };
-  int add_elements(Role role, int index, const KindInfo& info, const Names& names, const std::vector<Element>& elements,
+  int add_elements(Role role, int index, const KindInfo& info, const Names& names, std::vector<Element> elements,
                    const std::vector<Parameter>& parameters);
-  void check_element(Role role, const KindInfo& info, const std::string& name, const Element& element,
+  void check_element(Role role, const KindInfo& info, const Names& names, std::size_t k, const Element& element,
                      const Parameter* parameters) const;
   void limit(const KindInfo& info, const std::string& name, const Parameter* parameters);
 

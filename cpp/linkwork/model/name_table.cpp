@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <string_view>
 #include <unordered_set>
 
 #include "linkwork/math/error.hpp"
@@ -24,6 +25,7 @@ int number_in(const std::string& name, const std::string& prefix) {
 
 void NameTable::check_free(const std::string& name) const {
   if (name.empty()) throw ModelError("empty_name", std::string(what_) + ": the name is empty; give it one");
+  if (index_.empty()) return;
   if (find(name) >= 0 || index_.count(name)) throw_taken(name);
 }
 
@@ -33,6 +35,10 @@ void NameTable::throw_taken(const std::string& name) const {
 
 void NameTable::add(const std::string& name) {
   check_free(name);
+  add_free(name);
+}
+
+void NameTable::add_free(const std::string& name) {
   index_.emplace(name, static_cast<int>(groups_.size()));
   groups_.push_back({.prefix = name, .first = size_, .count = 1, .single = true});
   if (name.back() == ']') bracketed_.push_back(name);
@@ -50,12 +56,13 @@ void NameTable::add_group(const std::string& prefix, int count) {
 
 void NameTable::add(const Names& names, int count) {
   if (names.group()) return add_group(names.prefix(), count);
-  std::unordered_set<std::string> seen;
+  std::unordered_set<std::string_view> seen;
+  if (count > 1) seen.reserve(names.each().size());
   for (const std::string& name : names.each()) {
     check_free(name);
     if (!seen.insert(name).second) throw_taken(name);
   }
-  for (const std::string& name : names.each()) add(name);
+  for (const std::string& name : names.each()) add_free(name);
 }
 
 std::string NameTable::name(int index) const {

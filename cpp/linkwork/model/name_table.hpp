@@ -51,6 +51,7 @@ class NameTable {
     bool single;  ///< one name, not a prefix
   };
   void check_free(const std::string& name) const;
+  void add_free(const std::string& name);
   [[noreturn]] void throw_taken(const std::string& name) const;
 
   const char* what_;

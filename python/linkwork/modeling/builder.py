@@ -607,8 +607,10 @@ def _names_of_all(who: str, names: Sequence[str], count: int) -> list[str]:
     each = list(names)
     if len(each) != count:
         raise ModelError(f"{who}: {len(each)} names for {count}", code="names")
-    for name in each:
-        _check_name(name, who)
+    texts = set(map(type, each)) <= {str} and all(map(str.isprintable, each))
+    if not texts or max(map(len, each), default=0) > LONGEST:
+        for name in each:
+            _check_name(name, who)
     return each
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import rotation
-from linkwork.arrays import Floats
+from linkwork.arrays import Floats, pieces
 from linkwork.errors import ModelError
 
 Pair = tuple[Floats, Floats]
@@ -128,6 +128,9 @@ class Poses:
         """r + A s"""
         return self.r + turn(self.A, s)
 
+    def __getitem__(self, piece: slice) -> Poses:
+        return Poses(self.r[piece], self.A[piece])
+
     def body_point(self, p: Floats) -> Floats:
         """A^T (p - r)"""
         return turn(np.swapaxes(self.A, 1, 2), p - self.r)
@@ -162,7 +165,10 @@ class Place:
 
     def common_direction(self, axis: Any, what: str) -> Pair:
         """The same direction, as seen by both bodies, in space."""
-        return self.directions(axis if self.in_bodies else (axis, axis), what)
+        if self.in_bodies:
+            return self.directions(axis, what)
+        z = self.subject.directions(axis, what)
+        return z, z
 
     def directions(self, axes: Any, what: str) -> Pair:
         """A direction fixed in a and one fixed in b, in space."""
@@ -171,9 +177,16 @@ class Place:
 
     def attachment(self, points: Pair, frames: Pair) -> Attachment:
         """From points in body coordinates and frames (k, 3, 3) in space."""
-        C_a, C_b = (np.swapaxes(body.A, 1, 2) @ F for body, F in zip((self.a, self.b), frames, strict=True))
-        distance = np.linalg.norm(self.separation(*points), axis=1)
-        return Attachment(np.stack(points, axis=1), np.stack([C_a, C_b], axis=1), distance)
+        k = self.subject.count
+        out = Attachment(np.empty((k, 2, 3)), np.empty((k, 2, 3, 3)), np.empty(k))
+        for piece in pieces(k):
+            part = Place(self.subject, self.a[piece], self.b[piece], self.in_bodies)
+            for end, body in enumerate((part.a, part.b)):
+                out.origin[piece, end] = points[end][piece]
+                out.frame[piece, end] = np.swapaxes(body.A, 1, 2) @ frames[end][piece]
+            between = part.separation(points[0][piece], points[1][piece])
+            out.distance[piece] = np.linalg.norm(between, axis=1)
+        return out
 
     def separation(self, s_a: Floats, s_b: Floats) -> Floats:
         """From the point of a to that of b (k, 3), in space at the initial pose; zero where only rounding."""
@@ -199,8 +212,9 @@ def _axis(place: Place, points: Pair, axis: Any, x_axis: Any) -> Attachment:
         x_a = x_b = rotation.perpendicular(z_a)
     else:
         x_a, x_b = place.common_direction(x_axis, "x_axis")
-    frames = _frame(place, z_a, x_a, "x_axis"), _frame(place, z_b, x_b, "x_axis")
-    return place.attachment(points, frames)
+    frame = _frame(place, z_a, x_a, "x_axis")
+    same = z_b is z_a and x_b is x_a
+    return place.attachment(points, (frame, frame if same else _frame(place, z_b, x_b, "x_axis")))
 
 
 def two_axes(place: Place, at: Any, axes: Any) -> Attachment:

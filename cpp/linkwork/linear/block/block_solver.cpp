@@ -82,7 +82,8 @@ class BlockSolver final : public SaddleSolver {
       rest_a_ = a - change_x_;
       system_->add_D_transposed(*at_, lambda, rest_a_);
       system_->multiply_D(*at_, x, change_lambda_);
-      rest_b_ = b - change_lambda_ - e_.cwiseProduct(lambda);
+      rest_b_ = b - change_lambda_;
+      if (e_.size() > 0) rest_b_ -= e_.cwiseProduct(lambda);
       substitute_forward(rest_a_, rest_b_);
       substitute_backward(rest_a_, change_x_, change_lambda_);
       x += change_x_;
@@ -243,11 +244,7 @@ class BlockSolver final : public SaddleSolver {
   }
 
   void factorize(const Evaluation& at, const VectorXd& e, const ConstVector& a, const ConstVector& b) {
-    if (e_.size() != e.size() || (e.size() > 0 && std::memcmp(e_.data(), e.data(), sizeof(double) * e.size()) != 0)) {
-      e_ = e;
-      data_.e = e_.data();
-      data_.compliant = compliant();
-    }
+    take_compliance(e);
     at_ = &at;
     data_.D = at.D.data();
     meter_.add(system_->body_count());
@@ -257,6 +254,16 @@ class BlockSolver final : public SaddleSolver {
       return factorize(at, e, a, b);
     if (!(smallest_pivot_.ratio > singular_pivot))
       detail::throw_singular(*system_, "block", smallest_pivot_, smallest_pivot_.row, e);
+  }
+
+  /// A copy, which later substitutions read; none of zeros, as they are where constraints do not yield.
+  void take_compliance(const VectorXd& e) {
+    const bool kept = e_.size() == e.size();
+    if (kept && (e.size() == 0 || std::memcmp(e_.data(), e.data(), sizeof(double) * e.size()) == 0)) return;
+    if ((e.array() != 0.0).any()) e_ = e;
+    else e_.resize(0);
+    data_.e = e_.size() > 0 ? e_.data() : nullptr;
+    data_.compliant = compliant();
   }
 
   SmallestPivot sweep(const ConstVector& a, const ConstVector& b) {
@@ -286,7 +293,7 @@ class BlockSolver final : public SaddleSolver {
              .mass = system_->mass_blocks().data(),
              .mass_factors = mass_factors_.data(),
              .D = data_.D,
-             .e = e_.data(),
+             .e = e_.size() > 0 ? e_.data() : nullptr,
              .compliant = data_.compliant,
              .factors = factors_.data(),
              .articulated_inertias = articulated_inertias_.data(),
@@ -302,6 +309,7 @@ class BlockSolver final : public SaddleSolver {
 
   /// Whether rows that are not dropped have a compliance.
   bool compliant() const {
+    if (e_.size() == 0) return false;
     const auto nonzero = [&](int row) { return e_[row] != 0.0; };
     return (e_.array() != 0.0).count() > std::count_if(dropped_.begin(), dropped_.end(), nonzero);
   }

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <utility>
 
-#include "linkwork/linear/block/joint_order.hpp"
+#include "linkwork/linear/block/kept_orders.hpp"
 #include "linkwork/math/interruption.hpp"
 
 namespace linkwork::block {
@@ -77,7 +78,7 @@ class CoreBuilder {
   struct Order {
     std::vector<int> hubs;      ///< bodies
     std::vector<int> hub_node;  ///< per body, or none
-    Elimination elimination;
+    std::shared_ptr<const Elimination> elimination;
     double cost = 0.0;
   };
 
@@ -86,7 +87,7 @@ class CoreBuilder {
   bool is_hub(int node) const { return node >= joint_count(); }
   int hub_body(int node) const { return order_.hubs[node - joint_count()]; }
   int rows_of(int node) const { return is_hub(node) ? 6 : rows_.count(joints_[node]); }
-  int node_at(int position) const { return order_.elimination.order[position]; }
+  int node_at(int position) const { return order_.elimination->order[position]; }
   int rows_at(int position) const { return rows_of(node_at(position)); }
   int position_of(int node) const { return position_[node]; }
 
@@ -106,7 +107,7 @@ class CoreBuilder {
       if (most > joints_of_a_large_hub || !delayed_.empty() || mixed.cost < 0.7 * order_.cost)
         order_ = std::move(mixed);
     }
-    const std::vector<int>& order = order_.elimination.order;
+    const std::vector<int>& order = order_.elimination->order;
     position_.resize(order.size());
     for (std::size_t k = 0; k < order.size(); ++k) position_[order[k]] = static_cast<int>(k);
   }
@@ -139,8 +140,8 @@ class CoreBuilder {
     }
     for (const SymbolicFactorization::DelayedPivot& it : delayed_)
       graph.hub[core_index_[rows_.host(it.joint)]] = out.hub_node[it.hub];
-    out.elimination = order_joint_graph(graph);
-    out.cost += out.elimination.cost;
+    out.elimination = kept_orders(system_).order(graph);
+    out.cost += out.elimination->cost;
     return out;
   }
 
@@ -163,7 +164,7 @@ class CoreBuilder {
 
   /// Each body but hubs stands before the supernode of its first joint.
   void place_bodies() {
-    bodies_of_.resize(order_.elimination.supernodes.size());
+    bodies_of_.resize(order_.elimination->supernodes.size());
     for (int body = 0; body < system_.body_count(); ++body) {
       if (order_.hub_node[body] != none) continue;
       int first = none;
@@ -173,11 +174,11 @@ class CoreBuilder {
     }
   }
 
-  int supernode_of(int position) const { return order_.elimination.supernode_of[position]; }
+  int supernode_of(int position) const { return order_.elimination->supernode_of[position]; }
 
   void append_fronts() {
-    const std::size_t count = order_.elimination.supernodes.size();
-    place_.resize(order_.elimination.order.size());
+    const std::size_t count = order_.elimination->supernodes.size();
+    place_.resize(order_.elimination->order.size());
     for (std::size_t s = 0; s < count; ++s) {
       constexpr double handling = 1000.0;  // as in joint_order
       const double before = out_.flops;
@@ -248,7 +249,7 @@ class CoreBuilder {
   }
 
   void append_joints(int s) {
-    const Supernode& supernode = order_.elimination.supernodes[s];
+    const Supernode& supernode = order_.elimination->supernodes[s];
     Front front{};
     front.unknown = static_cast<std::ptrdiff_t>(out_.unknowns.size());
     for (int k = supernode.first; k < supernode.last; ++k) front.width += append_unknowns(k, 0, front.width);
@@ -335,14 +336,14 @@ class CoreBuilder {
     for (std::size_t f = 0; f < out_.fronts.size(); ++f) {
       Front& front = out_.fronts[f];
       front.childless = !begun[f];
-      const Supernode& supernode = order_.elimination.supernodes[f];
+      const Supernode& supernode = order_.elimination->supernodes[f];
       front.parent = supernode.parent;
       parents_.push_back(front.parent);
       front.first_relative_indices = static_cast<int>(out_.relative_indices.size());
       if (const int p = front.parent; p != none) {
         front.begins_parent = !begun[p];
         begun[p] = 1;
-        append_relative_indices(supernode.below, order_.elimination.supernodes[p], out_.fronts[p]);
+        append_relative_indices(supernode.below, order_.elimination->supernodes[p], out_.fronts[p]);
       }
       front.relative_indices = static_cast<int>(out_.relative_indices.size()) - front.first_relative_indices;
     }

@@ -33,14 +33,17 @@ Numbers minimum_degree(const NumberLists& graph) {
   std::iota(order.begin(), order.end(), 0);
   if (graph.numbers().empty()) return order;  // which AMD does not take
   const int n = static_cast<int>(graph.size());
-  std::vector<Eigen::Triplet<double, int>> entries;
-  entries.reserve(graph.numbers().size() + graph.size());
-  for (int node = 0; node < n; ++node) {
-    entries.emplace_back(node, node, 1.0);  // without it Eigen takes a node for a dense one, and puts it last
-    for (const int neighbor : graph[node]) entries.emplace_back(neighbor, node, 1.0);
-  }
   Eigen::SparseMatrix<double, Eigen::ColMajor, int> A(n, n);
-  A.setFromTriplets(entries.begin(), entries.end());
+  A.reserve(static_cast<Eigen::Index>(graph.numbers().size() + graph.size()));
+  for (int node = 0; node < n; ++node) {
+    const auto neighbors = graph[node];
+    const auto itself = std::ranges::lower_bound(neighbors, node);
+    A.startVec(node);
+    for (auto it = neighbors.begin(); it != itself; ++it) A.insertBack(*it, node) = 1.0;
+    A.insertBack(node, node) = 1.0;  // without it Eigen takes a node for a dense one, and puts it last
+    for (auto it = itself; it != neighbors.end(); ++it) A.insertBack(*it, node) = 1.0;
+  }
+  A.finalize();
   Eigen::AMDOrdering<int>::PermutationType found;
   Eigen::AMDOrdering<int>()(A.selfadjointView<Eigen::Lower>(), found);
   std::copy_n(found.indices().data(), n, order.begin());

@@ -176,11 +176,16 @@ Elimination eliminate(const NumberLists& adjacency, const std::vector<int>& weig
 
 }  // namespace
 
-Elimination order_joint_graph(const JointGraph& graph) {
-  constexpr double little_less = 0.99, little_more = 1.01;
+NumberLists neighbors_in(const JointGraph& graph) {
   std::vector<int> itself(graph.weight.size());
   std::iota(itself.begin(), itself.end(), 0);
-  const NumberLists adjacency = adjacency_of(graph.cliques, itself.size(), itself);
+  return adjacency_of(graph.cliques, itself.size(), itself);
+}
+
+Elimination order_joint_graph(const JointGraph& graph) { return order_joint_graph(graph, neighbors_in(graph)); }
+
+Elimination order_joint_graph(const JointGraph& graph, const NumberLists& adjacency) {
+  constexpr double little_less = 0.99, little_more = 1.01;
   if (std::any_of(graph.hub.begin(), graph.hub.end(), [](int hub) { return hub != none; }))
     return eliminate(adjacency, graph.weight, order_with_hubs(graph));
   Elimination out = eliminate(adjacency, graph.weight, fill_reducing_order(adjacency, graph.weight));

@@ -33,5 +33,10 @@ struct Elimination {
 /// A fill-reducing order of the nodes (minimum degree or nested dissection, whichever predicts fewer operations), and
 /// its supernodes, small ones amalgamated.
 Elimination order_joint_graph(const JointGraph& graph);
+/// The same; `neighbors` are those in the graph.
+Elimination order_joint_graph(const JointGraph& graph, const NumberLists& neighbors);
+
+/// Of each node, ascending, without itself.
+NumberLists neighbors_in(const JointGraph& graph);
 
 }  // namespace linkwork::block

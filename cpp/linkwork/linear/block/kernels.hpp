@@ -161,7 +161,7 @@ struct Data {
   const MassBlock* mass;
   const MassFactor* mass_factors;  ///< of the bodies that name one
   const double* D;
-  const double* e;  ///< compliance of each row
+  const double* e;  ///< compliance of each row; none where it is zero in all
   bool compliant;   ///< e is not zero in all rows that are not dropped
   double* factors;
   double* articulated_inertias;

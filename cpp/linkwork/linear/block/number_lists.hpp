@@ -16,6 +16,7 @@ class NumberLists {
   std::span<const int> back() const { return (*this)[size() - 1]; }
   const std::vector<int>& begins() const { return begin_; }  ///< of the lists in all numbers, and their end
   const std::vector<int>& numbers() const { return numbers_; }
+  bool operator==(const NumberLists&) const = default;
 
   void reserve(std::size_t lists, std::size_t numbers) {
     begin_.reserve(lists + 1);

@@ -131,7 +131,7 @@ LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const d
   if constexpr (rows > 0) {
     Vector S[rows], V[rows], T[rows];
     LINKWORK_UNROLL for (int c = 0; c < rows; ++c) {
-      S[c] = unit(c) * splat(data.e[of.row(c)]);
+      S[c] = unit(c) * splat(data.e ? data.e[of.row(c)] : 0.0);
       LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
         S[c] += W[k] * lane(G[k], c);
       V[c] = unit(right_hand_side) * (splat(b[of.row(c)]) - S[c]);

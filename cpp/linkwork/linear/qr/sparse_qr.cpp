@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <numeric>
 #include <span>
 #include <utility>
 
-#include "linkwork/linear/block/joint_order.hpp"
 #include "linkwork/linear/qr/front.hpp"
 #include "linkwork/math/aligned.hpp"
 #include "linkwork/math/interruption.hpp"
@@ -48,14 +48,15 @@ struct Contribution {
 
 class Elimination {
  public:
-  Elimination(const RowMatrix& A, const Numbers& groups, Pivots pivots, MatrixXd& dense)
+  Elimination(const RowMatrix& A, const Numbers& groups, Pivots pivots, MatrixXd& dense, block::KeptOrders& orders)
       : A_(A),
         tolerance_(pivots.none),
         weak_(pivots.weak),
         dense_(dense),
         dense_rows_(dense.rows()),
         most_rows_(dense.rows() + std::min(spare_rows, spare / (A.cols() + 1))),
-        tree_(block::order_joint_graph(group_graph(A, groups))) {
+        order_(orders.order(group_graph(A, groups))),
+        tree_(*order_) {
     look_for_interruption();
     order_columns(groups);
     sort_rows();
@@ -240,7 +241,8 @@ class Elimination {
   MatrixXd& dense_;
   Eigen::Index dense_rows_;  ///< those that are used
   const Eigen::Index most_rows_;
-  const block::Elimination tree_;
+  const std::shared_ptr<const block::Elimination> order_;
+  const block::Elimination& tree_;
   const FactorFront factor_ = front_factorization();
   Numbers first_;                            ///< position of the first column at each place of the order
   Numbers column_, supernode_;               ///< at each position
@@ -263,8 +265,9 @@ class Elimination {
 
 }  // namespace
 
-std::vector<int> dependent_columns(const RowMatrix& A, const std::vector<int>& groups, Pivots pivots, MatrixXd& dense) {
-  return Elimination(A, groups, pivots, dense).run();
+std::vector<int> dependent_columns(const RowMatrix& A, const std::vector<int>& groups, Pivots pivots, MatrixXd& dense,
+                                   block::KeptOrders& orders) {
+  return Elimination(A, groups, pivots, dense, orders).run();
 }
 
 extern const FactorFront factor_front_v2;

@@ -3,6 +3,7 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
+#include "linkwork/linear/block/kept_orders.hpp"
 #include "linkwork/math/types.hpp"
 
 namespace linkwork::qr {
@@ -24,7 +25,9 @@ struct Pivots {
 /// depend on the others.
 ///
 /// Multifrontal Householder QR on the elimination tree of A^T A (J. W. H. Liu, On general row merging schemes for
-/// sparse Givens transformations, SIAM J. Sci. Stat. Comput. 7, 1986), dense fronts, neither Q nor R kept.
-std::vector<int> dependent_columns(const RowMatrix& A, const std::vector<int>& groups, Pivots pivots, MatrixXd& dense);
+/// sparse Givens transformations, SIAM J. Sci. Stat. Comput. 7, 1986), dense fronts, neither Q nor R kept. The order of
+/// the groups is one of `orders`.
+std::vector<int> dependent_columns(const RowMatrix& A, const std::vector<int>& groups, Pivots pivots, MatrixXd& dense,
+                                   block::KeptOrders& orders);
 
 }  // namespace linkwork::qr
