@@ -49,9 +49,9 @@ LARGE_MODELS: dict[str, LargeModel] = {
         ),
         LargeModel("lattice", "lattice", {"n": 3}, [{"n": 10}, {"n": 20}], 0.2, 4e-2),
         LargeModel("hexagonal net", "hexagonal_net", {"rings": 5}, [{"rings": 14}], 0.4, 2e-2),
-        LargeModel("net capture", "capture_net", {"n": 9}, [{"n": 100}], 0.1, 2e-3),
+        LargeModel("net capture", "capture_net", {"n": 9}, [{"n": 100}], 0.1, 1e-3),
         LargeModel(
-            "scissors", "scissors", {"arms": 6, "units": 10}, [{"arms": 100, "units": 50}], 1.0, 0.1
+            "scissors", "scissors", {"arms": 6, "units": 10}, [{"arms": 100, "units": 50}], 0.5, 0.1
         ),
         LargeModel("tracked vehicle", "tracked_vehicle", {"shoes": 60}, [{"shoes": 90}], 0.1, 2e-4),
         LargeModel("rope", "rope", {"links": 300}, [{"links": 100_000}], 0.2, 4e-3),

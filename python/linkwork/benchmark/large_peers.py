@@ -202,5 +202,5 @@ def _poses(model: Model) -> tuple[Floats, Floats]:
 PEERS: Sequence[Peer] = (
     Peer("MuJoCo implicit, joint coordinates", "mujoco", 3000, _mujoco_chain, only_chains=True),
     Peer("MuJoCo implicit, soft constraints", "mujoco", 3000, _mujoco_free),
-    Peer("Exudyn generalized alpha", "exudyn", 30_000, _exudyn),
+    Peer("Exudyn generalized alpha", "exudyn", 10_000, _exudyn),
 )

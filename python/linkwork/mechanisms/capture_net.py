@@ -25,12 +25,12 @@ def capture_net(n: int = 10) -> Model:
     """Net that flies at a ball in space and wraps itself around it.
 
     The knots and rods of "hub_net", free, with no gravity: 12 n (n - 1) equations, none of them redundant.
-    The net, a shallow bowl, flies along +z with 5 m/s; in the bowl, 2 cm before its middle knot, floats a
+    The net, a shallow bowl, flies along +z with 5 m/s; in the bowl, 2 cm before a knot in its middle, floats a
     ball whose radius is 0.15 of the width of the net. Every knot presses on it by contact without friction
     (Hertz's exponent, with the hysteresis of a restitution of 0.5); between knots rods pass through the ball.
     Momentum stays, and what contacts take is counted as work.
 
-    n  knots on a side, three or more and odd: one is in the middle
+    n  knots on a side, three or more
 
         model = lw.mechanisms.capture_net(5)
     """
@@ -53,5 +53,5 @@ def capture_net(n: int = 10) -> Model:
 
 
 CAPTURE_NET = Mechanism(
-    capture_net, size=Size("n", lambda n: n * n + 2 * n * (n - 1) + 1), t_end=0.2, step=2e-4
+    capture_net, size=Size("n", lambda n: n * n + 2 * n * (n - 1) + 1), t_end=0.2, step=1e-4
 )

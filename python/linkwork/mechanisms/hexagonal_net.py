@@ -14,23 +14,23 @@ DIP = 0.3
 
 
 def hexagonal_net(rings: int = 14) -> Model:
-    """Hexagonal net of 631 nodes that hangs slack from its six corners.
+    """Hexagonal net of 631 nodes that hangs slack from three of its corners.
 
     A node in the middle and 14 hexagons around it, ring k with 6 k nodes, 1 m apart in plan: 1 + 3 k (k + 1)
     nodes in all. Rods of 1 kg/m and square section of 5 cm follow the rings, and one leads from each node to
     the ring inside: 6 k (k + 1) in all, 1260 of them here, which meet in spherical joints. The nodes lie on a
-    paraboloid: so every side of a ring is bent, and no equation is redundant. Gravity along -z.
+    paraboloid: so every side of a ring is bent, and every other corner is held: no equation is redundant. Gravity along -z.
 
     rings  hexagons around the middle
 
         model = lw.mechanisms.hexagonal_net(3)
     """
-    at_least(2, rings, "hexagonal_net: rings")
+    at_least(1, rings, "hexagonal_net: rings")
     model = Model(gravity=(0, 0, -9.81), name="hexagonal_net")
     nodes, ends = _nodes(rings), _ends(rings)
     rods = add_rods(model, nodes[ends[:, 0]], nodes[ends[:, 1]])
     hub = join_at_nodes(model, rods, ends, nodes)
-    corners = _first(rings) + rings * np.arange(6)
+    corners = _first(rings) + 2 * rings * np.arange(3)
     model.joints("spherical", model.ground, hub[corners], at=nodes[corners], name="corner")
     return model
 

@@ -13,18 +13,18 @@ SLOPE = 0.4
 
 
 def lattice(n: int = 3) -> Model:
-    """Cubic lattice of rods that hangs slack from its four upper corners.
+    """Cubic lattice of rods that hangs slack from two of its upper corners.
 
     n x n x n cells: (n + 1)^3 nodes, joined along the three directions by 3 n (n + 1)^2 rods of 1 m and 1 kg
     with square section of 5 cm, which meet in spherical joints. The nodes lie on P(i, j, k) = c(i) + d(j) +
-    e(k), with polygons on arcs of a circle: so all rods have the same length, and because every line is bent,
-    no equation is redundant. Nothing braces the cells: they fold as those of a net do. Gravity along -z.
+    e(k), with polygons on arcs of a circle: so all rods have the same length, and because every line is bent
+    and opposite corners are held, no equation is redundant. Nothing braces the cells: they fold as those of a net do. Gravity along -z.
 
     n  cells along an edge
 
         model = lw.mechanisms.lattice(2)
     """
-    at_least(2, n, "lattice: n")
+    at_least(1, n, "lattice: n")
     model = Model(gravity=(0, 0, -9.81), name="lattice")
     side = n + 1
     across, up = bent(side, SLOPE)
@@ -37,7 +37,7 @@ def lattice(n: int = 3) -> Model:
     ends = _ends(side)
     rods = add_rods(model, nodes[ends[:, 0]], nodes[ends[:, 1]])
     hub = join_at_nodes(model, rods, ends, nodes)
-    corners = np.array([0, n, n * side, n * side + n]) * side
+    corners = np.array([0, n * side + n]) * side
     model.joints("spherical", model.ground, hub[corners], at=nodes[corners], name="corner")
     return model
 

@@ -80,4 +80,4 @@ def _stand(frame: Frame, track: Range[Body], points: Floats) -> None:
     )  # fmt: skip
 
 
-TRACKED_VEHICLE = Mechanism(tracked_vehicle, t_end=1.0, step=2e-4)
+TRACKED_VEHICLE = Mechanism(tracked_vehicle, t_end=1.0, step=1e-4)
