@@ -27,6 +27,10 @@ Times = tuple[float, float]
 HARDEST = [0.9999, 0.9999, 1e-3, 0.5, 2.0]
 
 
+#: For one run of MuJoCo, whose Newton iterations may take very long [CPU s].
+MOST_SECONDS = 30.0
+
+
 @dataclass(frozen=True)
 class Peer:
     """A method of another code."""
@@ -125,7 +129,10 @@ def _mujoco_run(own: Any, data: Any, steps: int) -> tuple[Times, Floats]:
     import mujoco
 
     cpu, clock = time.process_time(), time.perf_counter()
-    mujoco.mj_step(own, data, steps)
+    for _ in range(steps):
+        mujoco.mj_step(own, data)
+        if time.process_time() - cpu > MOST_SECONDS:
+            raise RuntimeError(f"not done after {MOST_SECONDS:g} s")
     times = time.process_time() - cpu, time.perf_counter() - clock
     mujoco.mj_kinematics(own, data)
     if data.warning[mujoco.mjtWarning.mjWARN_BADQACC].number:

@@ -13,12 +13,12 @@ from linkwork.mechanisms.truss import Indices, add_rods, join_at_nodes
 DIP = 0.3
 
 
-def hexagonal_net(rings: int = 14) -> Model:
-    """Hexagonal net of 631 nodes that hangs slack from three of its corners.
+def hexagonal_net(rings: int = 5) -> Model:
+    """Hexagonal net that hangs slack from three of its corners.
 
-    A node in the middle and 14 hexagons around it, ring k with 6 k nodes, 1 m apart in plan: 1 + 3 k (k + 1)
-    nodes in all. Rods of 1 kg/m and square section of 5 cm follow the rings, and one leads from each node to
-    the ring inside: 6 k (k + 1) in all, 1260 of them here, which meet in spherical joints. The nodes lie on a
+    A node in the middle and hexagons around it, ring k with 6 k nodes, 1 m apart in plan: 1 + 3 k (k + 1)
+    nodes with k rings, 631 with 14. Rods of 1 kg/m and square section of 5 cm follow the rings, and one leads
+    from each node to the ring inside, 6 k (k + 1) in all, which meet in spherical joints. The nodes lie on a
     paraboloid: so every side of a ring is bent, and every other corner is held: no equation is redundant. Gravity along -z.
 
     rings  hexagons around the middle
