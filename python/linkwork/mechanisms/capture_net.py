@@ -35,7 +35,7 @@ def capture_net(n: int = 10) -> Model:
         model = lw.mechanisms.capture_net(5)
     """
     at_least(3, n, "capture_net: n")
-    model = Model(name="capture_net")
+    model = Model(gravity=(0, 0, 0), name="capture_net")
     nodes = net_nodes(n)
     middle = nodes[(n // 2) * n + n // 2]
     knots = add_knotted_net(model, nodes, net_rods(n), velocity=np.array([0.0, 0.0, SPEED]))

@@ -44,7 +44,7 @@ def scissors(arms: int = 6, units: int = 10) -> Model:
     """
     at_least(1, arms, "scissors: arms")
     at_least(2, units, "scissors: units")
-    model = Model(name="scissors")
+    model = Model(gravity=(0, 0, 0), name="scissors")
     radius = ROOM * max(4.0, arms / (2 * np.pi))
     mass = HUB * arms
     hub = model.body(
