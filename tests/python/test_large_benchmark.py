@@ -1,4 +1,4 @@
-"""`bench large`: errors fall with the order of the method, and what is no motion of the mechanism has no time."""
+"""`bench large`: errors fall with the order of the method; what is no motion of the mechanism has no time."""
 
 from __future__ import annotations
 
@@ -133,7 +133,8 @@ def test_least_cost_is_the_shortest_run_that_is_right_enough_and_known_to_be() -
         return LargeRun("rk4", 0.1, 1, cpu, cpu, error, 0.0, 0.0)
 
     one = measured("chain", links=5)
-    some = replace(one, reference_error=1e-4, runs=[of(1e-2, 1.0), of(1e-3, 3.0), of(1e-5, 2.0), of(1e-9, None)])
+    runs = [of(1e-2, 1.0), of(1e-3, 3.0), of(1e-5, 2.0), of(1e-9, None)]
+    some = replace(one, reference_error=1e-4, runs=runs)
     assert least_cost(some, 1e-2)["rk4"].cpu_seconds == 1.0
     assert least_cost(some, 1e-3)["rk4"].cpu_seconds == 2.0
     assert least_cost(some, 1e-4) == {}  # the reference is not known so well

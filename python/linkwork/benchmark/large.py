@@ -130,9 +130,9 @@ def measure_large(
                 measure_model, model, subject, tuple(methods), halvings, repeats, threads, peers, limit,
                 seconds=10 * limit, beat=beat,
             )  # fmt: skip
-            if isinstance(answer, Failure):
-                answer = Left(model.name, answer.reason, answer.code)
-            found.append(answer)
+            found.append(
+                Left(model.name, answer.reason, answer.code) if isinstance(answer, Failure) else answer
+            )
     return found
 
 
@@ -180,8 +180,8 @@ def measure_model(
 
 
 def least_cost(found: Large, error: float) -> dict[str, LargeRun]:
-    """Of each method the run with the least time whose error is no more; none where the reference is not known
-    to half of it.
+    """Of each method the run with the least time whose error is no more; none where the reference is not
+    known to half of it.
     """
     least: dict[str, LargeRun] = {}
     if found.reference_error is None or found.reference_error > error / 2:
@@ -213,7 +213,6 @@ class _Budget:
             return False
         self.left -= needed
         return True
-
 
     def allows_peer(self, name: str, step: float) -> bool:
         """By what its run with twice the step took."""
@@ -296,9 +295,7 @@ def _peer_runs(
     budget.left_out += [f"{'; '.join(names)}: {refusal}" for refusal, names in refusals.items()]
 
 
-def _peer_run(
-    peer: Peer, model: Model, t_end: float, step: float, repeats: int, true: Motion
-) -> LargeRun:
+def _peer_run(peer: Peer, model: Model, t_end: float, step: float, repeats: int, true: Motion) -> LargeRun:
     """Of a peer joints and energy are not known; it must be finite and as wide as the true motion."""
     count = round(t_end / step)
     try:

@@ -30,7 +30,7 @@ class LargeModel:
     always: Parameters | None = None  #: parameters in any size
 
     def subjects(self, size: str, links: int | None) -> list[Subject]:
-        """In one of the SIZES, or the largest with no more than so many bodies. OptionError: none so small."""
+        """In one of the SIZES, or the largest with no more bodies than that. OptionError: none so small."""
         always = dict(self.always or {})
         if links is not None and Subject.of(self.mechanism).record.size is not None:
             return [Subject.of(self.mechanism, links, always)]

@@ -143,8 +143,9 @@ def _mujoco_run(own: Any, data: Any, steps: int) -> tuple[Times, Floats]:
 def _exudyn(model: Model, steps: int, step: float) -> tuple[Times, Floats]:
     """Bodies with Euler parameters, Lagrange multipliers; the times are with the initialization."""
     import exudyn as exu
-    from exudyn import itemInterface as items
+    from exudyn import itemInterface
 
+    items: Any = itemInterface  # without types
     container = exu.SystemContainer()
     system, core = container.AddSystem(), model.compiled()
     ground, p = system.AddObject(items.ObjectGround()), np.reshape(core.q0, (-1, 7))
@@ -177,9 +178,7 @@ def _exudyn_body(system: Any, items: Any, core: Any, k: int, pose: Floats) -> in
         items.NodeRigidBodyEP(referenceCoordinates=list(pose), initialVelocities=[*v[:3], *e_dot])
     )
     moments = [J[0, 0], J[1, 1], J[2, 2], J[1, 2], J[0, 2], J[0, 1]]
-    number: int = system.AddObject(
-        items.ObjectRigidBody(mass=core.mass[k], inertia=moments, nodeNumber=node)
-    )
+    number: int = system.AddObject(items.ObjectRigidBody(mass=core.mass[k], inertia=moments, nodeNumber=node))
     weight = system.AddMarker(items.MarkerBodyMass(bodyNumber=number))
     system.AddLoad(items.LoadMassProportional(markerNumber=weight, loadVector=core.gravity))
     return number

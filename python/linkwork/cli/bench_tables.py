@@ -31,7 +31,16 @@ STEPS = ("mechanism", "method", "bodies", "us per step", "ns per body, rhs")
 SHARES = ("evaluate", "factorize", "solve", "rest")
 VERDICT = ("steps", "watching", "verdict")
 RUNS = ("mechanism", "method", "bodies", "step [s]", "time [s]", "setup [s]", "compiled", "energy error [J]")
-LARGE = ("bodies", "equations", "rank", "redundant", "freedoms", "setup", "CPU s per step of RK4", "bytes per body")
+LARGE = (
+    "bodies",
+    "equations",
+    "rank",
+    "redundant",
+    "freedoms",
+    "setup",
+    "CPU s per step of RK4",
+    "bytes per body",
+)
 LARGE_RUNS = ("method", "step [s]", "CPU [s]", "error", "violation", "energy", "why it does not count")
 
 
@@ -122,13 +131,16 @@ def show_large(found: Sequence[Large | Left]) -> None:
             (it.model, f"{it.bodies:,}", *(_least(it, error) for error in benchmark.ERRORS))
             for it in measured
         ]
-        title = "Least CPU seconds of a run with no larger error, by linkwork and, where it takes less, a peer"
+        title = (
+            "Least CPU seconds of a run with no larger error, by linkwork and, where it takes less, a peer"
+        )
         out.print_table(columns, rows, title=title, left=1)
     _show_machine()
 
 
 def _show_one_large(it: Large) -> None:
-    print(f"\n{it.model}: {it.mechanism}{_shown(it.parameters)}, {it.t_end:g} s, {counted(it.threads, 'thread')}")
+    what = f"{it.mechanism}{_shown(it.parameters)}"
+    print(f"\n{it.model}: {what}, {it.t_end:g} s, {counted(it.threads, 'thread')}")
     cells = (f"{n:,}" for n in (it.bodies, it.equations, it.rank, it.redundant, it.degrees_of_freedom))
     each = f"{it.setup_seconds:.3g} s", f"{it.cpu_seconds_per_step:.3g}", _count(it.bytes_per_body)
     out.print_table(LARGE, [(*cells, *each)], left=0)

@@ -25,8 +25,8 @@ def capture_net(n: int = 10) -> Model:
     """Net that flies at a ball in space and wraps itself around it.
 
     The knots and rods of "hub_net", free, with no gravity: 12 n (n - 1) equations, none of them redundant.
-    The net, a shallow bowl, flies along +z with 5 m/s; in the bowl, 2 cm before a knot in its middle, floats a
-    ball whose radius is 0.15 of the width of the net. Every knot presses on it by contact without friction
+    The net, a shallow bowl, flies along +z with 5 m/s; in the bowl, 2 cm before a knot in its middle, floats
+    a ball whose radius is 0.15 of the width of the net. Every knot presses on it by contact without friction
     (Hertz's exponent, with the hysteresis of a restitution of 0.5); between knots rods pass through the ball.
     Momentum stays, and what contacts take is counted as work.
 
@@ -42,7 +42,7 @@ def capture_net(n: int = 10) -> Model:
     radius = BALL * float(np.ptp(nodes[:, 0]))
     mass = DENSITY * 4 / 3 * np.pi * radius**3
     moment = 0.4 * mass * radius**2
-    center = middle + (0.0, 0.0, radius + RADIUS + GAP)
+    center = middle + np.array([0.0, 0.0, radius + RADIUS + GAP])
     ball = model.body("ball", mass=mass, inertia=(moment, moment, moment), position=center)
     ball.shape(Sphere(radius))
     model.forces(

@@ -19,7 +19,8 @@ def hexagonal_net(rings: int = 5) -> Model:
     A node in the middle and hexagons around it, ring k with 6 k nodes, 1 m apart in plan: 1 + 3 k (k + 1)
     nodes with k rings, 631 with 14. Rods of 1 kg/m and square section of 5 cm follow the rings, and one leads
     from each node to the ring inside, 6 k (k + 1) in all, which meet in spherical joints. The nodes lie on a
-    paraboloid: so every side of a ring is bent, and every other corner is held: no equation is redundant. Gravity along -z.
+    paraboloid, so that every side of a ring is bent, and every other corner is held: no equation is
+    redundant. Gravity along -z.
 
     rings  hexagons around the middle
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from linkwork import Model
@@ -37,11 +39,13 @@ def hub_net(n: int = 10) -> Model:
     return model
 
 
-def add_knotted_net(model: Model, nodes: Floats, ends: Indices, velocity: Floats | None = None) -> Range[Body]:
+def add_knotted_net(
+    model: Model, nodes: Floats, ends: Indices, velocity: Floats | None = None
+) -> Range[Body]:
     """The knots at nodes (n, 3), with rods between them by the numbers of their ends (rods, 2), all with one
     velocity (3,).
     """
-    moving = {} if velocity is None else {"velocity": velocity}
+    moving: dict[str, Any] = {} if velocity is None else {"velocity": velocity}
     moment = 0.4 * KNOT * RADIUS**2
     knots = model.bodies("knot", mass=KNOT, inertia=(moment, moment, moment), position=nodes, **moving)
     start, end = nodes[ends[:, 0]], nodes[ends[:, 1]]

@@ -18,7 +18,8 @@ def lattice(n: int = 3) -> Model:
     n x n x n cells: (n + 1)^3 nodes, joined along the three directions by 3 n (n + 1)^2 rods of 1 m and 1 kg
     with square section of 5 cm, which meet in spherical joints. The nodes lie on P(i, j, k) = c(i) + d(j) +
     e(k), with polygons on arcs of a circle: so all rods have the same length, and because every line is bent
-    and opposite corners are held, no equation is redundant. Nothing braces the cells: they fold as those of a net do. Gravity along -z.
+    and opposite corners are held, no equation is redundant. Nothing braces the cells: they fold as those of a
+    net do. Gravity along -z.
 
     n  cells along an edge
 

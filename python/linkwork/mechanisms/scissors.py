@@ -75,6 +75,11 @@ class _Arms:
         axes[:, 2, 2] = 1.0
         return axes
 
+    @property
+    def middles(self) -> Floats:
+        """Of the pairs of an arm, from the rim (units,)."""
+        return np.asarray(WIDE * (np.arange(self.units) + 0.5), dtype=np.float64)
+
     def inertial(self, outward: Floats, upward: Floats | float) -> Floats:
         """Of one vector in each unit of an arm (k,) the same in all arms (arms k, 3)."""
         local = np.stack([outward, np.zeros(len(outward)), upward + np.zeros(len(outward))], axis=1)
@@ -91,7 +96,7 @@ class _Arms:
 
 def _bars(model: Model, place: _Arms, turn: float, sign: float) -> Range[Body]:
     """Those that rise outward (sign 1) or fall."""
-    outward = WIDE * (np.arange(place.units) + 0.5)
+    outward = place.middles
     position = place.points(outward, HIGH / 2)
     unfolding = place.inertial(outward / WIDE * HIGH * turn, -WIDE * turn / 2)
     along = place.inertial(np.full(place.units, WIDE), sign * HIGH)
@@ -103,22 +108,23 @@ def _bars(model: Model, place: _Arms, turn: float, sign: float) -> Range[Body]:
         position=position,
         orientation=from_axes(along, place.pins(place.units)),
         velocity=unfolding + np.cross((0.0, 0.0, SPIN), position),
-        omega=spin + (0.0, sign * turn, 0.0),
+        omega=spin + np.array([0.0, sign * turn, 0.0]),
     )
 
 
 def _join(model: Model, hub: Body, place: _Arms, rising: Range[Body], falling: Range[Body]) -> None:
-    first, inner = np.zeros(1), WIDE * np.arange(1, place.units)
+    first, inner = np.zeros(1), place.middles[1:] - WIDE / 2
     up, down = (it.indices.reshape(place.arms, place.units) for it in (rising, falling))
     pin, rail = place.points(first, 0.0), place.points(first, HIGH)
-    middle = place.points(WIDE * (np.arange(place.units) + 0.5), HIGH / 2)
+    middle = place.points(place.middles, HIGH / 2)
     model.joints("revolute", hub, up[:, 0], at=pin, axis=place.pins(1), name="pin")
     model.joints("point_on_plane", hub, down[:, 0], at=rail, axis=place.turned[:, 0], name="rail")
     model.joints("revolute", rising, falling, at=middle, axis=place.pins(place.units), name="cross")
     lower, upper = place.points(inner, 0.0), place.points(inner, HIGH)
-    between = {"axis": place.pins(place.units - 1), "name": "upper end"}
+    axis = place.pins(place.units - 1)
     model.joints("spherical", down[:, :-1].ravel(), up[:, 1:].ravel(), at=lower, name="lower end")
-    model.joints("cylindrical", up[:, :-1].ravel(), down[:, 1:].ravel(), at=upper, **between)
+    ends = up[:, :-1].ravel(), down[:, 1:].ravel()
+    model.joints("cylindrical", *ends, at=upper, axis=axis, name="upper end")
 
 
 SCISSORS = Mechanism(scissors, size=Size("arms", lambda arms: 1 + 20 * arms), t_end=0.5, step=1e-3)

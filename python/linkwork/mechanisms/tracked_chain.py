@@ -118,7 +118,9 @@ def _show(frame: Frame, track: Range[Body]) -> None:
     for name, mark in (("wheel", "#d9b36c"), ("idler", "#b9c4d0")):
         spoke = Box((1.6 * WHEEL_RADIUS, 0.12, 0.5 * WIDTH + 0.02), color="#5b6570")
         model.find(frame.name + name).shape(Cylinder(WHEEL_RADIUS, 0.5 * WIDTH, axis=AXIS, color=mark), spoke)
-    model.find(frame.name + "slide").shape(Box((0.5, 0.12, 0.6 * WIDTH), position=(0.1, 0, 0), color="#7a828c"))
+    model.find(frame.name + "slide").shape(
+        Box((0.5, 0.12, 0.6 * WIDTH), position=(0.1, 0, 0), color="#7a828c")
+    )
 
 
 def _shoes(frame: Frame, points: Floats, idler_center: Floats, turn: float) -> Range[Body]:

@@ -8,8 +8,18 @@ from linkwork import Model
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError
 from linkwork.mechanisms.mechanism import Mechanism
-from linkwork.mechanisms.tracked_chain import CONTACT, PIN, PITCH_RADIUS, ROLLER_RADIUS, ROUND, WIDTH
-from linkwork.mechanisms.tracked_chain import Frame, add_roller, add_track, pins
+from linkwork.mechanisms.tracked_chain import (
+    CONTACT,
+    PIN,
+    PITCH_RADIUS,
+    ROLLER_RADIUS,
+    ROUND,
+    WIDTH,
+    Frame,
+    add_roller,
+    add_track,
+    pins,
+)
 from linkwork.modeling.handles import Body, Range
 from linkwork.modeling.shapes import Box
 
@@ -42,7 +52,9 @@ def tracked_vehicle(shoes: int = 90, speed: float = 1.0) -> Model:
         model = lw.mechanisms.tracked_vehicle(shoes=60)
     """
     if shoes < 3 * ROUND or shoes % 2:
-        raise ModelError(f"tracked_vehicle: shoes {shoes} is not an even number from {3 * ROUND}", code="count")
+        raise ModelError(
+            f"tracked_vehicle: shoes {shoes} is not an even number from {3 * ROUND}", code="count"
+        )
     model = Model(gravity=(0, -9.81, 0), name="tracked_vehicle")
     points, idler_center = pins(shoes)
     velocity = np.array([-speed, 0.0, 0.0])

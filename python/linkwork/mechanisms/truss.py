@@ -53,7 +53,7 @@ def join_at_nodes(model: Model, rods: Range[Body], ends: Indices, nodes: Floats)
     hub = rod[first]
     pairs = rods.indices[hub[node[other]]], rods.indices[rod[other]]
     model.joints("spherical", *pairs, at=nodes[node[other]], name="node")
-    return rods.indices[hub]
+    return np.asarray(rods.indices[hub], dtype=np.int64)
 
 
 def bent(count: int, slope: float) -> tuple[Floats, Floats]:
