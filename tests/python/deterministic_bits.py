@@ -20,7 +20,11 @@ from linkwork import integrators, mechanisms
 FORMULATIONS = ("standard", "penalty", "augmented_lagrangian")
 ONE_STEP = [name for name in integrators.METHODS if not name.startswith("ab")]
 STEPS = 5
-SMALLER = {"tracked_chain": {"shoes": 40}, "net": {"n": 5}}
+SMALLER = {
+    "tracked_chain": {"shoes": 40}, "net": {"n": 5}, "hub_net": {"n": 3}, "capture_net": {"n": 3},
+    "hexagonal_net": {"rings": 2}, "lattice": {"n": 2}, "rope": {"links": 20},
+    "scissors": {"arms": 2, "units": 3}, "tracked_vehicle": {"shoes": 60},
+}  # fmt: skip
 
 #: Numbers of a model are rounded to so many digits, and to zero below this.
 DIGITS, NOTHING = 11, 1e-13

@@ -37,7 +37,7 @@ def test_a_mechanism_starts_on_its_constraints(mechanism: Mechanism) -> None:
 
 
 #: Relative energy error where it is not 1e-8: contacts begin within steps.
-ENERGY = {"tracked_chain": 2e-6}
+ENERGY = {"tracked_chain": 2e-6, "tracked_vehicle": 2e-6, "capture_net": 2e-6}
 
 
 @pytest.mark.parametrize("mechanism", MECHANISMS.values(), ids=MECHANISMS)
@@ -80,6 +80,13 @@ FREEDOM: dict[str, tuple[dict[str, Any], int, int]] = {
     "watt_six_bar": ({}, 1, 6),
     "stephenson_six_bar": ({"mode": 3}, 1, 6),
     "strandbeest_leg": ({}, 0, 9),
+    "hub_net": ({"n": 4}, 6 * (16 + 24) - 12 * 12 - 12, 0),  # knots and rods; their ends; the corners
+    "hexagonal_net": ({"rings": 3}, 6 * 72 - 3 * (2 * 72 - 37) - 9, 0),  # rods; ends less nodes; corners
+    "capture_net": ({"n": 5}, 6 * (25 + 40 + 1) - 12 * 20, 0),  # a ball, too; nothing holds them
+    "lattice": ({"n": 2}, 6 * 54 - 3 * (2 * 54 - 27) - 6, 0),
+    "rope": ({"links": 12}, 3 * 12, 0),
+    "scissors": ({"arms": 3, "units": 4}, 3 + 1, 0),  # each arm one, however long; the hub
+    "tracked_vehicle": ({"shoes": 60}, 6 + 2 * (60 + 3 + 7), 6),  # hull; shoes, wheels and slide, rollers
 }
 
 
@@ -164,7 +171,10 @@ def python_calls(name: str, bodies: int) -> int:
     return calls
 
 
-@pytest.mark.parametrize("name", ["chain", "binary_tree", "hub", "net"])
+@pytest.mark.parametrize(
+    "name",
+    ["chain", "binary_tree", "hub", "net", "hub_net", "capture_net", "lattice", "rope", "scissors"],
+)
 def test_building_a_mechanism_takes_no_more_calls_for_more_bodies(name: str) -> None:
     """But for the levels of the tree: there is one in every doubling."""
     python_calls(name, 100)
@@ -201,6 +211,14 @@ def test_a_chain_can_have_several_joints(joint: str) -> None:
         ("rolling_disc", {"tilt": 1.5}, ["tilt 1.5", "1.3"]),
         ("tracked_chain", {"shoes": 41}, ["shoes 41", "even", "40"]),
         ("net", {"n": 2}, ["n 2", "3"]),
+        ("hub_net", {"n": 2}, ["n 2", "3"]),
+        ("capture_net", {"n": 2}, ["n 2", "3"]),
+        ("hexagonal_net", {"rings": 0}, ["rings 0", "1"]),
+        ("lattice", {"n": 0}, ["n 0", "1"]),
+        ("rope", {"links": 11}, ["links 11", "12"]),
+        ("scissors", {"arms": 0}, ["arms 0"]),
+        ("scissors", {"units": 1}, ["units 1", "2"]),
+        ("tracked_vehicle", {"shoes": 59}, ["shoes 59", "even", "60"]),
     ],
 )
 def test_a_parameter_that_makes_no_mechanism_is_refused(

@@ -12,6 +12,9 @@ thread (OMP_NUM_THREADS=1, OPENBLAS_NUM_THREADS=1, before Python starts), as `li
 from __future__ import annotations
 
 from linkwork.benchmark.ensembles import SUBJECTS, Lanes, measure_lanes
+from linkwork.benchmark.large import ERRORS, Large, LargeRun, Left, least_cost, measure_large
+from linkwork.benchmark.large import METHODS as LARGE_METHODS
+from linkwork.benchmark.large_models import LARGE_MODELS
 from linkwork.benchmark.machine import machine
 from linkwork.benchmark.right_hand_side import Comparison, Measured, Refused, compare_solvers
 from linkwork.benchmark.scaling import Growth, Missing, Size, growth
@@ -19,6 +22,8 @@ from linkwork.benchmark.stepping import LONG_RUNS, Run, Steps, long_run, time_st
 from linkwork.benchmark.subject import Subject
 
 __all__ = [
-    "LONG_RUNS", "SUBJECTS", "Comparison", "Growth", "Lanes", "Measured", "Missing", "Refused", "Run", "Size",
-    "Steps", "Subject", "compare_solvers", "growth", "long_run", "machine", "measure_lanes", "time_steps",
+    "ERRORS", "LARGE_METHODS", "LARGE_MODELS", "LONG_RUNS", "SUBJECTS", "Comparison", "Growth", "Lanes",
+    "Large", "LargeRun", "Left", "Measured", "Missing", "Refused", "Run", "Size", "Steps", "Subject",
+    "compare_solvers", "growth", "least_cost", "long_run", "machine", "measure_lanes", "measure_large",
+    "time_steps",
 ]  # fmt: skip

@@ -20,6 +20,7 @@ def bench() -> None:
     linkwork bench scaling --bodies 1000,10000,100000      time and memory against the size
     linkwork bench step                                    steps of every mechanism, runs of 10 s
     linkwork bench ensemble                                many mechanisms in the lanes of the processor
+    linkwork bench large                                   error against time of large models, beside peers
 
     Times are wall times, medians over rounds in which all take their turn; let nothing else run meanwhile.
     """
@@ -197,3 +198,52 @@ def ensemble(**values: Any) -> None:
     from linkwork.cli import benchmarking
 
     benchmarking.ensemble(**values)
+
+
+@bench.command()
+@_options(
+    click.option(
+        "--models", default="all", show_default=True, metavar="NAME,...",
+        help="net, chain, lattice, hexagonal net, net capture, scissors, tracked vehicle, rope, ladder.",
+    ),
+    click.option(
+        "--size", default="small", show_default=True, metavar="NAME",
+        help="small: some hundred bodies; full: as published, up to 1,076,748 of them.",
+    ),
+    click.option(
+        "--links", type=int, metavar="N", help="Instead: of each model the largest with no more bodies."
+    ),
+    click.option(
+        "--method", "methods", default="semi_implicit_euler,abm4,rk4,dop853", show_default=True,
+        metavar="NAME,...", help="Integrators.",
+    ),
+    click.option(
+        "--steps", "halvings", default=4, show_default=True, metavar="N",
+        help="How many are tried: the model's longest, half of it, and so on.",
+    ),
+    click.option(
+        "--repeats", default=3, show_default=True, metavar="N", help="Of each run; the least time counts."
+    ),
+    THREADS,
+    click.option(
+        "--peers/--no-peers", default=True, show_default=True,
+        help="MuJoCo and Exudyn beside, where they are installed.",
+    ),
+    _limit(300.0, "CPU time for the runs of one model; what would take longer is left out, and said."),
+    JSON,
+)  # fmt: skip
+def large(**values: Any) -> None:
+    """Measure the error of large models against the CPU time of their steps.
+
+    \b
+    linkwork bench large
+    linkwork bench large --models chain,net --links 10000 --repeats 1
+    linkwork bench large --models chain --size full --json
+
+    Methods run at several steps; the error is the largest distance of a body from its place in a run by
+    dop853 with the shortest step, over the farthest way of one. A time counts only where the run kept its
+    joints, its energy and its width. Beyond 100,000 bodies only the cost of a step is measured.
+    """
+    from linkwork.cli import benchmarking
+
+    benchmarking.large(**values)

@@ -5,8 +5,21 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from linkwork import benchmark
-from linkwork.benchmark import Comparison, Growth, Lanes, Measured, Missing, Refused, Run, Size, Steps
+from linkwork import benchmark, integrators
+from linkwork.benchmark import (
+    Comparison,
+    Growth,
+    Lanes,
+    Large,
+    LargeRun,
+    Left,
+    Measured,
+    Missing,
+    Refused,
+    Run,
+    Size,
+    Steps,
+)
 from linkwork.cli import output as out
 from linkwork.errors import counted
 
@@ -18,6 +31,17 @@ STEPS = ("mechanism", "method", "bodies", "us per step", "ns per body, rhs")
 SHARES = ("evaluate", "factorize", "solve", "rest")
 VERDICT = ("steps", "watching", "verdict")
 RUNS = ("mechanism", "method", "bodies", "step [s]", "time [s]", "setup [s]", "compiled", "energy error [J]")
+LARGE = (
+    "bodies",
+    "equations",
+    "rank",
+    "redundant",
+    "freedoms",
+    "setup",
+    "CPU s per step of RK4",
+    "bytes per body",
+)
+LARGE_RUNS = ("method", "step [s]", "CPU [s]", "error", "violation", "energy", "why it does not count")
 
 
 def show_comparison(found: Comparison) -> None:
@@ -91,6 +115,62 @@ def show_lanes(found: Sequence[Lanes]) -> None:
     )
     out.print_table(columns, rows, title=title, left=1)
     _show_machine()
+
+
+def show_large(found: Sequence[Large | Left]) -> None:
+    """A section for each model, then the least time for each error."""
+    for it in found:
+        if isinstance(it, Left):
+            print(f"\n{it.model}: not measured: {it.reason}")
+        else:
+            _show_one_large(it)
+    measured = [it for it in found if isinstance(it, Large) and it.runs]
+    if measured:
+        columns = ("model", "bodies", *(f"error {error:g}" for error in benchmark.ERRORS))
+        rows = [
+            (it.model, f"{it.bodies:,}", *(_least(it, error) for error in benchmark.ERRORS))
+            for it in measured
+        ]
+        title = (
+            "Least CPU seconds of a run with no larger error, by linkwork and, where it takes less, a peer"
+        )
+        out.print_table(columns, rows, title=title, left=1)
+    _show_machine()
+
+
+def _show_one_large(it: Large) -> None:
+    what = f"{it.mechanism}{_shown(it.parameters)}"
+    print(f"\n{it.model}: {what}, {it.t_end:g} s, {counted(it.threads, 'thread')}")
+    cells = (f"{n:,}" for n in (it.bodies, it.equations, it.rank, it.redundant, it.degrees_of_freedom))
+    each = f"{it.setup_seconds:.3g} s", f"{it.cpu_seconds_per_step:.3g}", _count(it.bytes_per_body)
+    out.print_table(LARGE, [(*cells, *each)], left=0)
+    if it.runs:
+        print(f"Reference: {it.reference}; it differs from twice the step by {it.reference_error:.0e}")
+        out.print_table(LARGE_RUNS, [_large_cells(run) for run in it.runs])
+    for reason in it.left_out:
+        print(f"left out: {reason}")
+
+
+def _large_cells(run: LargeRun) -> tuple[str, ...]:
+    sizes = (run.error, run.violation, run.energy_error)
+    cells = ("" if size is None else f"{size:.0e}" for size in sizes)
+    return (
+        run.method, f"{run.step:g}", "" if run.cpu_seconds is None else f"{run.cpu_seconds:.3g}", *cells,
+        run.reason,
+    )  # fmt: skip
+
+
+def _least(it: Large, error: float) -> str:
+    """In CPU seconds, with its method: ours, and a peer's where that is less."""
+    runs = benchmark.least_cost(it, error).values()
+    ours = [run for run in runs if run.method in integrators.METHODS]
+    best = [min(some, key=_cpu) for some in (ours, [*runs]) if some]
+    shown = dict.fromkeys(f"{_cpu(run):.3g} ({run.method}, {run.step:g} s)" for run in best)
+    return "; ".join(shown) or "-"
+
+
+def _cpu(run: LargeRun) -> float:
+    return float("inf") if run.cpu_seconds is None else run.cpu_seconds
 
 
 def _factor_cells(solver: Measured) -> tuple[str, ...]:

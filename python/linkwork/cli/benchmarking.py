@@ -82,6 +82,30 @@ def ensemble(mechanisms: str, repeats: int, threads: str, as_json: bool) -> None
         bench_tables.show_lanes(found)
 
 
+def large(
+    models: str,
+    size: str,
+    links: int | None,
+    methods: str,
+    halvings: int,
+    repeats: int,
+    threads: int,
+    peers: bool,
+    limit: float,
+    as_json: bool,
+) -> None:
+    """`linkwork bench large`."""
+    found = benchmark.measure_large(
+        () if models == "all" else models.split(","), size=size, links=links, methods=methods.split(","),
+        halvings=halvings, repeats=repeats, threads=threads, peers=peers, limit=limit,
+    )  # fmt: skip
+    if as_json:
+        named_found = [it._asdict() if isinstance(it, benchmark.Left) else asdict(it) for it in found]
+        _print_json("large", {"models": named_found})
+    else:
+        bench_tables.show_large(found)
+
+
 def step(mechanisms: str, repeats: int, runs: bool, as_json: bool) -> None:
     """`linkwork bench step`."""
     names = list(MECHANISMS) if mechanisms == "all" else mechanisms.split(",")

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from linkwork.arrays import Number
+import numpy as np
+
+from linkwork.arrays import Floats, Number
 
 __all__ = ["square_rod", "thin_rod"]
 
@@ -26,3 +28,9 @@ def thin_rod(mass: Number, length: Number) -> tuple[float, float, float]:
     """
     across = float(mass * length**2 / 12)
     return across / 100, across, across
+
+
+def square_rods(mass: Floats, length: Floats, side: float) -> Floats:
+    """Of many rods (n, 3)."""
+    across = mass * (length**2 + side**2) / 12
+    return np.stack([mass * side**2 / 6, across, across], axis=1)

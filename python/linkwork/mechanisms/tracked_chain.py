@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -82,25 +83,49 @@ def tracked_chain(shoes: int = 200, speed: float = 1.0) -> Model:
         raise ModelError(f"tracked_chain: shoes {shoes} is not an even number from {2 * ROUND}", code="count")
     model = Model(gravity=(0, -9.81, 0), name="tracked_chain")
     points, idler_center = pins(shoes)
-    track = _shoes(model, points, idler_center, speed / PITCH_RADIUS)
-    _wheels(model, track, points, idler_center, speed / PITCH_RADIUS)
-    _rollers(model, track, points, idler_center[0], speed)
-    _show(model, track)
+    frame = Frame(model, model.ground)
+    track = add_track(frame, points, idler_center, speed)
+    _rollers(frame, track, points, idler_center[0], speed)
     return model
 
 
-def _show(model: Model, track: Range[Body]) -> None:
+@dataclass(frozen=True)
+class Frame:
+    """What carries a track and its wheels, the beginning of their names, where its driving wheel is and how
+    fast all of it goes at the start.
+    """
+
+    model: Model
+    carrier: Body
+    name: str = ""
+    origin: Floats = field(default_factory=lambda: np.zeros(3))
+    velocity: Floats = field(default_factory=lambda: np.zeros(3))
+
+
+def add_track(frame: Frame, points: Floats, idler_center: Floats, speed: float) -> Range[Body]:
+    """The shoes, by `pins`, that go around at this speed, with wheel, idler and motor."""
+    track = _shoes(frame, points, idler_center, speed / PITCH_RADIUS)
+    _wheels(frame, track, points, idler_center, speed / PITCH_RADIUS)
+    _show(frame, track)
+    return track
+
+
+def _show(frame: Frame, track: Range[Body]) -> None:
     """What the bodies look like: plates in front of and behind the pins, discs between them."""
+    model = frame.model
     plate = Box((0.92 * PITCH, 0.05, WIDTH), position=(0, -0.02, 0))
     model.shape(track, plate, Box((0.2 * PITCH, 0.05, 0.6 * WIDTH), position=(0, -0.07, 0)))
     for name, mark in (("wheel", "#d9b36c"), ("idler", "#b9c4d0")):
         spoke = Box((1.6 * WHEEL_RADIUS, 0.12, 0.5 * WIDTH + 0.02), color="#5b6570")
-        model.find(name).shape(Cylinder(WHEEL_RADIUS, 0.5 * WIDTH, axis=AXIS, color=mark), spoke)
-    model.find("slide").shape(Box((0.5, 0.12, 0.6 * WIDTH), position=(0.1, 0, 0), color="#7a828c"))
+        model.find(frame.name + name).shape(Cylinder(WHEEL_RADIUS, 0.5 * WIDTH, axis=AXIS, color=mark), spoke)
+    model.find(frame.name + "slide").shape(
+        Box((0.5, 0.12, 0.6 * WIDTH), position=(0.1, 0, 0), color="#7a828c")
+    )
 
 
-def _shoes(model: Model, points: Floats, idler_center: Floats, turn: float) -> Range[Body]:
+def _shoes(frame: Frame, points: Floats, idler_center: Floats, turn: float) -> Range[Body]:
     """The chain: a shoe leads from each pin to the next; on a wheel they turn with it, others go straight."""
+    model, name, origin = frame.model, frame.name, frame.origin
     shoes, half = len(points), ROUND // 2
     straight = shoes // 2 - half
     following = np.roll(points, -1, axis=0)
@@ -114,58 +139,82 @@ def _shoes(model: Model, points: Floats, idler_center: Floats, turn: float) -> R
         omega[on_wheel, 2] = turn
         velocity[first + half : first + half + straight, 0] = way * turn * PITCH_RADIUS
     track = model.bodies(
-        "shoe",
+        name + "shoe",
         mass=SHOE,
         inertia=SHOE_INERTIA,
-        position=middle,
+        position=middle + origin,
         orientation=rotation.from_axes(along, np.cross(AXIS, along)),
-        velocity=velocity,
+        velocity=velocity + frame.velocity,
         omega=omega,
     )
     previous = track.indices[np.arange(shoes) - 1]
-    model.joints("revolute", previous, track, at=points, axis=AXIS, name="pin")
-    model.planar(model.ground, track[0], at=middle[0], axis=AXIS, name="plane of the track")
+    model.joints("revolute", previous, track, at=points + origin, axis=AXIS, name=name + "pin")
+    plane = name + "plane of the track"
+    model.planar(frame.carrier, track[0], at=middle[0] + origin, axis=AXIS, name=plane)
     return track
 
 
-def _wheels(model: Model, track: Range[Body], points: Floats, idler_center: Floats, turn: float) -> None:
+def _wheels(frame: Frame, track: Range[Body], points: Floats, idler_center: Floats, turn: float) -> None:
     """The wheel and its motor; the idler on a slide that a spring pushes away."""
-    center = np.zeros(3)
-    wheel = model.body("wheel", mass=WHEEL, inertia=WHEEL_INERTIA, omega=turn * AXIS)
-    slide = model.body("slide", mass=SLIDE, inertia=(5.0, 5.0, 5.0), position=idler_center)
-    idler = model.body("idler", mass=WHEEL, inertia=WHEEL_INERTIA, position=idler_center, omega=turn * AXIS)
-    model.revolute(model.ground, wheel, at=center, axis=AXIS, name="wheel bearing")
-    model.revolute(slide, idler, at=idler_center, axis=AXIS, name="idler bearing")
-    model.translational(model.ground, slide, at=idler_center, axis=(1, 0, 0), name="slide guide")
+    model, carrier, name, center = frame.model, frame.carrier, frame.name, frame.origin
+    idler_at = idler_center + center
+    moving: dict[str, Any] = {"velocity": frame.velocity, "omega": turn * AXIS}
+    wheel = model.body(name + "wheel", mass=WHEEL, inertia=WHEEL_INERTIA, position=center, **moving)
+    slide = model.body(
+        name + "slide", mass=SLIDE, inertia=(5.0, 5.0, 5.0), position=idler_at, velocity=frame.velocity
+    )
+    idler = model.body(name + "idler", mass=WHEEL, inertia=WHEEL_INERTIA, position=idler_at, **moving)
+    model.revolute(carrier, wheel, at=center, axis=AXIS, name=name + "wheel bearing")
+    model.revolute(slide, idler, at=idler_at, axis=AXIS, name=name + "idler bearing")
+    model.translational(carrier, slide, at=idler_at, axis=(1, 0, 0), name=name + "slide guide")
     model.spring_damper(
-        model.ground, slide, at=(idler_center - (1.0, 0, 0), idler_center), stiffness=TENSIONER,
-        damping=TENSIONER_DAMPING, free_length=1.0 + 2 * TENSION / TENSIONER, name="tensioner",
+        carrier, slide, at=(idler_at - (1.0, 0, 0), idler_at), stiffness=TENSIONER,
+        damping=TENSIONER_DAMPING, free_length=1.0 + 2 * TENSION / TENSIONER, name=name + "tensioner",
     )  # fmt: skip
     torque = polynomial(GOVERNOR * turn, -GOVERNOR)
-    model.motor(model.ground, wheel, at=center, axis=AXIS, curve=torque, name="motor")
-    _press_on(model, wheel, center, WHEEL_RADIUS + _press(), track, points)
-    _press_on(model, idler, idler_center, WHEEL_RADIUS + _press(), track, points)
+    model.motor(carrier, wheel, at=center, axis=AXIS, curve=torque, name=name + "motor")
+    press_on(frame, wheel, np.zeros(3), WHEEL_RADIUS + _press(), track, points)
+    press_on(frame, idler, idler_center, WHEEL_RADIUS + _press(), track, points)
 
 
-def _rollers(model: Model, track: Range[Body], points: Floats, length: float, speed: float) -> None:
+def _rollers(frame: Frame, track: Range[Body], points: Floats, length: float, speed: float) -> None:
     """Pairs of them below the upper and the lower run."""
     count = int(np.ceil(length / ROLLER_SPACING)) - 1
     for k, x in enumerate(length * np.arange(1, count + 1) / (count + 1), 1):
         for run, height, sense in (("upper", PITCH_RADIUS, 1.0), ("lower", -PITCH_RADIUS, -1.0)):
-            name, center = f"{run} roller {k}", np.array([x, height - PIN - ROLLER_RADIUS, 0.0])
-            spin = sense * speed / ROLLER_RADIUS * AXIS
-            roller = model.body(name, mass=ROLLER, inertia=ROLLER_INERTIA, position=center, omega=spin)
-            roller.shape(Cylinder(ROLLER_RADIUS, 0.5 * WIDTH, axis=AXIS, color="#8a8fa3"))
-            model.revolute(model.ground, roller, at=center, axis=AXIS, name=f"{name} bearing")
-            _press_on(model, roller, center, ROLLER_RADIUS, track, points)
+            center = np.array([x, height - PIN - ROLLER_RADIUS, 0.0])
+            add_roller(frame, f"{run} roller {k}", center, sense * speed, track, points)
 
 
-def _press_on(
-    model: Model, wheel: Body, center: Floats, radius: float, track: Range[Body], points: Floats
+def add_roller(
+    frame: Frame,
+    name: str,
+    center: Floats,
+    speed: float,
+    track: Range[Body],
+    points: Floats,
+    *,
+    radius: float = ROLLER_RADIUS,
+    mass: float = ROLLER,
+    inertia: tuple[float, float, float] = ROLLER_INERTIA,
+) -> None:
+    """A loose roller at this place in the frame, with this speed at its rim."""
+    model, name, at = frame.model, frame.name + name, center + frame.origin
+    roller = model.body(
+        name, mass=mass, inertia=inertia, position=at, velocity=frame.velocity, omega=speed / radius * AXIS
+    )
+    roller.shape(Cylinder(radius, 0.5 * WIDTH, axis=AXIS, color="#8a8fa3"))
+    model.revolute(frame.carrier, roller, at=at, axis=AXIS, name=f"{name} bearing")
+    press_on(frame, roller, center, radius, track, points)
+
+
+def press_on(
+    frame: Frame, wheel: Body, center: Floats, radius: float, track: Range[Body], points: Floats
 ) -> None:
     """Contact of a wheel with every pin."""
-    model.forces(
-        "sphere_sphere_contact", wheel, track, at=(center, points), radius_a=radius, radius_b=PIN,
+    at = (center + frame.origin, points + frame.origin)
+    frame.model.forces(
+        "sphere_sphere_contact", wheel, track, at=at, radius_a=radius, radius_b=PIN,
         name=f"pins on {wheel.name}", **CONTACT,
     )  # fmt: skip
 
