@@ -177,7 +177,9 @@ def _check_places(shard: Any, gather: Any, directory: Any, processes: Any) -> No
         good = good and all(isinstance(it, int) and not isinstance(it, bool) for it in shard)
         if not good or not shard[1] >= 1 or not 0 <= shard[0] <= shard[1]:
             raise OptionError(
-                f"shard {shard!r:.40}: give (k, n), k from 0 to n - 1 or from 1 to n", code="shard"
+                f"shard {shard!r:.40}: give (k, n), k from 0 to n - 1 or from 1 to n, where n is the number of "
+                "all shards, also where some of them are run again",
+                code="shard",
             )
     if directory is None and (shard is not None or gather):
         what = "shard" if shard is not None else "gather"
