@@ -1,4 +1,4 @@
-"""Shards of a study as jobs of an array of SLURM, which runs here on this machine alone: skipped without it."""
+"""Shards of a study as jobs of an array of SLURM, on a node of this machine alone; skipped without SLURM."""
 
 from __future__ import annotations
 

@@ -8,7 +8,7 @@ from typing import Any
 import linkwork as lw
 import numpy as np
 import pytest
-from linkwork.studies.pictures import KINDS
+from linkwork.studies.pictures import KINDS, MOST_BINS
 
 RUN: dict[str, Any] = {"t_end": 0.05, "step": 5e-3, "processes": 1, "progress": False}
 
@@ -46,6 +46,20 @@ def test_swings_of_what_is_linear_are_exact(study: lw.Study) -> None:
     assert (first.parameter, second.parameter) == ("mass", "length")
     assert first.change == pytest.approx(9.81 * (high - low), rel=1e-9)
     assert abs(second.change) < 1e-9 and first.explained == pytest.approx(1.0, abs=1e-12)
+
+
+def test_outputs_that_differ_by_roundoff_are_constant_and_far_ones_leave_bins_that_can_be_seen() -> None:
+    rows = [{"mass": 1.0 + 1e-3 * k} for k in range(40)]
+    outputs = {
+        "noise": lambda result: 1e9 * (1.0 + 1e-15 * float(result.header.mass[0])),
+        "far": lambda result: 1e12 if result.header.mass[0] == 1.0 else float(result.header.mass[0]),
+    }
+    study = lw.sweep(rod, rows, outputs, **RUN)
+    with pytest.raises(lw.OptionError, match="needs 1 outputs"):
+        study.plot("histogram", outputs="noise")
+    (ax,) = study.plot("histogram", outputs="far").axes
+    assert len(ax.patches) == MOST_BINS
+    assert len(study.plot("scatter").axes) == 4  # of mass and the far one
 
 
 def test_the_fit_says_how_much_of_what_is_not_linear_it_explains() -> None:

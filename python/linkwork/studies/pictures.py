@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -28,6 +29,9 @@ COLUMNS, PANELS = 6, 6
 LOW, HIGH = 5.0, 95.0
 
 FAILED = "#d55e00"
+
+#: Numbers are the same within this, relative to the largest. And bins of a histogram.
+SAME, MOST_BINS = 1e-12, 60
 
 
 @dataclass(frozen=True)
@@ -109,9 +113,18 @@ def numbers_of(study: Study) -> list[Column]:
 
 
 def _moving(columns: Sequence[Column]) -> list[Column]:
-    """Those that are not the same in every case."""
+    """Those that are not the same in every case, but for roundoff."""
     finite = [(it, it.values[np.isfinite(it.values)]) for it in columns]
-    return [it for it, values in finite if len(values) and np.ptp(values) > 0]
+    return [it for it, values in finite if len(values) and np.ptp(values) > SAME * np.abs(values).max()]
+
+
+def _bins(values: Floats) -> int:
+    """As many as show how the middle half is spread (Freedman and Diaconis), but no more than can be seen."""
+    low, high = map(float, np.percentile(values, [25, 75]))
+    wide = 2 * (high - low) / math.cbrt(len(values))
+    fewest = math.ceil(math.log2(len(values)) + 1)
+    span = float(np.ptp(values))
+    return MOST_BINS if wide * MOST_BINS < span else max(fewest, math.ceil(span / wide))
 
 
 def _needed(columns: list[Column], what: str, count: int = 1) -> list[Column]:
@@ -159,7 +172,8 @@ def _scatter(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
         for place, flat in enumerate(columns):
             ax = axes[row, place]
             if row == place:
-                ax.hist(flat.values[np.isfinite(flat.values)], bins="auto", color=COLORS[0])
+                values = flat.values[np.isfinite(flat.values)]
+                ax.hist(values, bins=_bins(values), color=COLORS[0])
             else:
                 ax.plot(flat.values[~failed], upright.values[~failed], ".", ms=3, color=COLORS[0])
                 ax.plot(flat.values[failed], upright.values[failed], "x", ms=4, color=FAILED)
@@ -181,7 +195,7 @@ def _histogram(study: Study, outputs: list[str], parameters: list[str]) -> Figur
         values = column.values[np.isfinite(column.values)]
         low, middle, high = np.percentile(values, [LOW, 50, HIGH])
         style(ax, "cases")
-        ax.hist(values, bins="auto", color=COLORS[0], alpha=0.8)
+        ax.hist(values, bins=_bins(values), color=COLORS[0], alpha=0.8)
         for at, dash in ((low, "--"), (middle, "-"), (high, "--")):
             ax.axvline(at, color="black", ls=dash, lw=1)
         ax.set_xlabel(column.label, fontsize=9)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import os
+import warnings
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -285,13 +286,17 @@ class Study:
 
         overwrite  whether it may replace a file
 
+        A parameter with a space in its name comes back as a variable: netCDF has no such coordinates.
+
         OptionError: xarray is not installed. FileError: there is a file, it has another suffix, or cannot be
         written.
         """
         target = check_new(path, "data set", overwrite)
         data = self.to_xarray()
         try:
-            data.to_netcdf(target)
+            with warnings.catch_warnings():
+                warnings.filterwarnings("ignore", "coordinate .* has a space in its name")
+                data.to_netcdf(target)
         except (OSError, ValueError) as error:
             raise unwritable("data set", target, error) from error
 
