@@ -137,6 +137,16 @@ def test_arrays_are_at_the_times_that_are_given(how: dict[str, float]) -> None:
     assert study.outputs["body('rod').position"][0] == pytest.approx(result.body("rod").position, abs=1e-7)
 
 
+def test_a_last_time_that_is_the_end_but_for_roundoff_is_the_end() -> None:
+    times = [0.1 * k for k in range(4)]
+    assert times[-1] > 0.3
+    run = {**FEW, "t_end": 0.3}
+    study = lw.sweep(rod(), {"rod.mass": [1]}, {"h": "body('rod').position.z"}, times=times, **run)
+    last = lw.sweep(rod(), {"rod.mass": [1]}, {"h": "body('rod').position.z.final"}, **run).outputs["h"]
+    assert study.times is not None and study.times[-1] == 0.3
+    assert_array_equal(study.outputs["h"][:, -1], last)
+
+
 def test_paths_lead_to_points_and_parts() -> None:
     model = rod()
     model.spring_damper(

@@ -131,7 +131,7 @@ class Study:
         kind        "scatter": every parameter and output over every other; failed cases are crosses
                     "histogram": outputs, with median, 5th and 95th percentile
                     "bands": outputs that are arrays over time: median, half and nine tenths of the cases
-                    "surface": outputs over the first two parameters
+                    "surface": outputs over the first two parameters; at one point the mean of its cases
                     "tornado": the change of outputs with each parameter, see `swings`
         outputs, parameters   which; None: all that are numbers and not the same in every case
 
