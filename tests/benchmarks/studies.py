@@ -2,7 +2,7 @@
 
 python tests/benchmarks/studies.py throughput [--cases 100000] [--alone 400] [--rounds 3]
 python tests/benchmarks/studies.py workers [--cases 10000] [--every 3] [--shards 8]
-python tests/benchmarks/studies.py bookkeeping [--cases 20000]
+python tests/benchmarks/studies.py bookkeeping [--cases 20000] [--answered SECONDS]
 each with [--processes 2] [--minutes 120] [--folder DIR] [--json FILE]
 
 throughput   a crank-rocker for 1000 steps of rk4, by `sweep` and by a pool of processes that call `simulate`,
@@ -10,7 +10,8 @@ throughput   a crank-rocker for 1000 steps of rk4, by `sweep` and by a pool of p
 workers      the same study on a cluster of Dask on loopback whose workers are killed by turns, in shards of
              which three are killed, and on a cluster whose scheduler is killed: every case is in the store
              once, with the bits of a study without a cluster
-bookkeeping  a pendulum for two steps: what a case costs beside its simulation
+bookkeeping  a pendulum for two steps: what a case costs beside its simulation; or not simulated at all, but
+             answered at once by an executor that says each took so many seconds, for a million of cases
 
 Memory is resident, of the process that calls `sweep` and of the largest of its children. A figure with a
 limit says whether it holds; where one does not, the script ends with 1.
@@ -33,7 +34,7 @@ import threading
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -41,8 +42,10 @@ from typing import Any
 import linkwork as lw
 import numpy as np
 import psutil  # type: ignore[import-untyped]
+import xarray as xr
 from linkwork.arrays import Floats
 from linkwork.mechanisms import thin_rod
+from linkwork.studies.cases import Answer, Run, machine
 
 sys.path.append(str(Path(__file__).parents[1] / "python"))
 
@@ -128,6 +131,7 @@ class Watched:
     counts: Mapping[str, int] = field(default_factory=dict)
     seconds: float = math.nan
     first: float = math.nan  # until something was in the store
+    saving: float = math.nan  # of the file
     memory: list[tuple[float, float]] = field(default_factory=list)
 
     def note(self, report: Report, name: str, cases: int) -> None:
@@ -143,16 +147,20 @@ class Watched:
         report.note(f"{name}: memory of the parent [bytes a case]", 1e6 * grown / cases)
 
 
-def _sweep(connection: Any, arguments: Mapping[str, Any]) -> None:
+def _sweep(connection: Any, arguments: Mapping[str, Any], file: Path | None) -> None:
+    """Times at the begin and the end, how cases ended, and the time that `file` took with all of them."""
     connection.send(time.monotonic())
     study = lw.sweep(**arguments)
-    connection.send((time.monotonic(), Counter(study.status.tolist())))
+    ended, counts = time.monotonic(), Counter(study.status.tolist())
+    if file is not None:
+        study.save(file)
+    connection.send((ended, counts, time.monotonic() - ended))
 
 
-def watched(**arguments: Any) -> Watched:
-    """A study in a process of its own. EOFError: that died."""
+def watched(file: Path | None = None, **arguments: Any) -> Watched:
+    """A study in a process of its own, saved to a file. EOFError: that died."""
     ours, theirs = multiprocessing.Pipe()
-    process = multiprocessing.get_context("spawn").Process(target=_sweep, args=(theirs, arguments))
+    process = multiprocessing.get_context("spawn").Process(target=_sweep, args=(theirs, arguments, file))
     process.start()
     theirs.close()
     found, store = Watched(), Path(arguments["directory"], "cases")
@@ -162,7 +170,7 @@ def watched(**arguments: Any) -> Watched:
             if not found.first > 0 and any(store.glob("*.jsonl")):
                 found.first = time.monotonic() - began
             found.memory.append((_memory(known), max(map(_memory, known.children()), default=0.0)))
-        ended, found.counts = ours.recv()
+        ended, found.counts, found.saving = ours.recv()
     finally:
         end(process.pid)
         process.join()
@@ -397,9 +405,42 @@ def bookkeeping(given: argparse.Namespace, folder: Path, report: Report) -> None
     study = {**study_of(given.cases, 1), "model": pendulum(), "t_end": 2 * STEP,
              "parameters": {"rod.mass": (0.5, 2.0), "gravity[2]": (-10.0, -9.6)},
              "directory": folder / "store"}  # fmt: skip
-    watched(**study, processes=given.processes).note(report, "sweep", given.cases)
-    watched(**study, gather=True).note(report, "gather", given.cases)
+    if given.answered:
+        workers: dict[str, Any] = {"executor": Answering(given.answered)}
+    else:
+        workers = {"processes": given.processes}
+    watched(**study, **workers).note(report, "sweep", given.cases)
     note_store(report, "store", folder / "store", given.cases)
+    again = watched(**study, **workers)
+    report.note("again: time until nothing is missing [s]", again.seconds)
+    gathered = watched(**study, gather=True)
+    gathered.note(report, "gather", given.cases)
+    report.note("gather: time [s]", gathered.seconds)
+    saved = watched(folder / "all.nc", **study, gather=True)
+    report.note("netCDF: time to write [s]", saved.saving)
+    report.note("netCDF: memory of who writes it [MB]", max(parent for parent, _ in saved.memory))
+    report.note("netCDF: bytes a case", (folder / "all.nc").stat().st_size / given.cases)
+    began = time.monotonic()
+    cases = xr.load_dataset(folder / "all.nc").sizes["case"]
+    report.note("netCDF: time to read [s]", time.monotonic() - began, cases == given.cases)
+
+
+class Answering(Executor):
+    """Gives at once an answer as long as that of a simulation, whose cases say that they took so long [s]."""
+
+    def __init__(self, seconds: float) -> None:
+        self._seconds = seconds
+
+    def submit(self, runner: Any, cases: Any, /) -> Future[Any]:  # type: ignore[override]
+        numbers = np.random.default_rng(cases[0].number)
+        verdict = {"level": "good", "error": 3.905559376283024e-11, "sentence": "accurate to about 4e-11"}
+        runs = [Run(it.key, "finished",
+                    {"final.q": [numbers.random(7).tolist()], "final.v": [numbers.random(6).tolist()]},
+                    verdict=verdict, seconds=self._seconds, values=dict(it.values))
+                for it in cases]  # fmt: skip
+        found: Future[Any] = Future()
+        found.set_result(Answer(machine(), runs))
+        return found
 
 
 #: With the usual number of cases.
@@ -423,6 +464,7 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=3, help="throughput: sweep and pool, in turn")
     parser.add_argument("--every", type=float, default=3.0, help="workers: between two kills [s]")
     parser.add_argument("--shards", type=int, default=8, help="workers: of which three are killed")
+    parser.add_argument("--answered", type=float, metavar="SECONDS", help="bookkeeping: no simulation")
     parser.add_argument("--processes", type=int, default=2)
     parser.add_argument("--minutes", type=float, default=120.0, help="after which it is given up")
     parser.add_argument("--folder", type=Path, help="where stores are written, and removed")

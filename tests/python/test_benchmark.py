@@ -5,14 +5,18 @@ from __future__ import annotations
 import json
 import math
 import os
+import sys
 import time
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
 import linkwork as lw
+import numpy as np
 import pytest
 from linkwork import benchmark
 from linkwork.benchmark import Measured, Missing, Refused, Size, Subject
+from linkwork.benchmark.articulated import _Tree, articulated
 from linkwork.benchmark.isolated import Failure, isolated
 from linkwork.benchmark.residuals import residuals
 from linkwork.benchmark.scaling import fitted_exponent
@@ -321,3 +325,53 @@ def test_command_prints_lanes(capsys: pytest.CaptureFixture[str]) -> None:
     arguments = ["--mechanism", "chain", "--repeats", "1", "--threads", "1"]
     assert run(["bench", "ensemble", *arguments], debug=False) == 0
     assert "lanes, 1 thread" in capsys.readouterr().out
+
+
+# --- Pinocchio beside lanes ---
+
+SOLVED: dict[str, tuple[Callable[[], lw.Model], str]] = {
+    "chain": (lambda: lw.mechanisms.chain(4), "aba"),
+    "ball joints": (lambda: lw.mechanisms.chain(3, joint="spherical"), "aba"),
+    "ladder": (lambda: lw.mechanisms.four_bar(2), "constraintDynamics, 6 equations"),
+    "bricard": (lw.mechanisms.bricard, "constraintDynamics, 6 equations"),
+    "slider-crank": (lw.mechanisms.spatial_slider_crank, "constraintDynamics, 3 equations"),
+    "free platform": (
+        lambda: lw.mechanisms.stewart_platform(driven=False),
+        "constraintDynamics, 15 equations",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", SOLVED)
+def test_pinocchio_has_the_accelerations_of_every_mechanism_that_it_is_timed_on(name: str) -> None:
+    pytest.importorskip("pinocchio")
+    build, algorithm = SOLVED[name]
+    found = articulated(build(), [1, 2])
+    assert found.solves.startswith(algorithm)
+    assert list(found.seconds) == ([1, 2] if algorithm == "aba" else [1])
+    assert all(measure() > 0 for measure in found.seconds.values())
+
+
+@pytest.mark.parametrize("name", ["chain", "slider-crank"])
+def test_pinocchio_that_moves_otherwise_is_not_timed(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("pinocchio")
+    monkeypatch.setattr(_Tree, "_moving", lambda *_: np.zeros((2, 3)))  # velocities that are not there
+    found = articulated(SOLVED[name][0](), [1])
+    assert not found.seconds
+    assert "accelerations" in found.solves and found.solves.endswith("off")
+
+
+def test_what_pinocchio_is_not_given_is_named() -> None:
+    pytest.importorskip("pinocchio")
+    found = articulated(lw.mechanisms.stewart_platform(), [1])
+    assert (found.solves, found.seconds) == ("not translated: displacement_driver", {})
+
+
+def test_lanes_are_timed_without_the_peers_and_it_is_said_which_are_missing(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for package in ("pinocchio", "mujoco"):
+        monkeypatch.setitem(sys.modules, package, None)
+    assert run(["bench", "ensemble", "--mechanism", "chain", "--repeats", "1"], debug=False) == 0
+    out = capsys.readouterr().out
+    assert "MuJoCo is not installed" in out and "Pinocchio is not installed" in out

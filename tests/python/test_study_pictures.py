@@ -8,7 +8,7 @@ from typing import Any
 import linkwork as lw
 import numpy as np
 import pytest
-from linkwork.studies.pictures import KINDS
+from linkwork.studies.pictures import KINDS, MOST_BINS, _at_points
 
 RUN: dict[str, Any] = {"t_end": 0.05, "step": 5e-3, "processes": 1, "progress": False}
 
@@ -46,6 +46,54 @@ def test_swings_of_what_is_linear_are_exact(study: lw.Study) -> None:
     assert (first.parameter, second.parameter) == ("mass", "length")
     assert first.change == pytest.approx(9.81 * (high - low), rel=1e-9)
     assert abs(second.change) < 1e-9 and first.explained == pytest.approx(1.0, abs=1e-12)
+
+
+def test_outputs_that_differ_by_roundoff_are_constant_and_far_ones_leave_bins_that_can_be_seen() -> None:
+    rows = [{"mass": 1.0 + 1e-3 * k} for k in range(40)]
+    outputs = {
+        "noise": lambda result: 1e9 * (1.0 + 1e-15 * float(result.header.mass[0])),
+        "far": lambda result: 1e12 if result.header.mass[0] == 1.0 else float(result.header.mass[0]),
+    }
+    study = lw.sweep(rod, rows, outputs, **RUN)
+    with pytest.raises(lw.OptionError, match="needs 1 outputs"):
+        study.plot("histogram", outputs="noise")
+    (ax,) = study.plot("histogram", outputs="far").axes
+    assert len(ax.patches) == MOST_BINS
+    assert len(study.plot("scatter").axes) == 4  # of mass and the far one
+
+
+def test_a_surface_shows_the_mean_over_what_else_varies_and_says_so() -> None:
+    turning = {"light": 0.125, "heavy": 0.375}
+
+    def design(mass: float, length: float, kind: str) -> lw.Model:
+        return rod(mass, length).replaced("rod", inertia=(turning[kind], 1.0, 1.0))
+
+    def load(result: lw.Result) -> float:
+        return 8.0 * float(result.header.mass[0]) * float(np.ravel(result.header.inertia)[0])
+
+    parameters = {"mass": [1.0, 2.0, 4.0], "length": [0.5, 1.0], "kind": ["light", "heavy"]}
+    study = lw.sweep(design, parameters, {"load": load}, **RUN)
+    points, means = _at_points(
+        *(study.parameters[name] for name in ("mass", "length")), study.outputs["load"]
+    )
+    np.testing.assert_allclose(means, 2.0 * points[:, 0], rtol=1e-15)
+    assert len(points) == 6
+    title = study.plot("surface").get_suptitle()
+    assert "1 other parameter varies" in title and "without kind, no number" in title
+    assert "without kind" in study.plot("tornado").get_suptitle()
+
+
+def test_panels_say_how_many_cases_have_no_number() -> None:
+    rows = [{"mass": 1.0 + k} for k in range(8)]
+
+    def heavy(result: lw.Result) -> float:
+        mass = float(result.header.mass[0])
+        return mass if mass > 3.5 else float("nan")
+
+    study = lw.sweep(rod, rows, {"heavy": heavy}, **RUN)
+    for kind in ("histogram", "tornado"):
+        (ax,) = study.plot(kind).axes
+        assert ax.get_title().endswith("3 cases without a number")
 
 
 def test_the_fit_says_how_much_of_what_is_not_linear_it_explains() -> None:

@@ -137,6 +137,16 @@ def test_arrays_are_at_the_times_that_are_given(how: dict[str, float]) -> None:
     assert study.outputs["body('rod').position"][0] == pytest.approx(result.body("rod").position, abs=1e-7)
 
 
+def test_a_last_time_that_is_the_end_but_for_roundoff_is_the_end() -> None:
+    times = [0.1 * k for k in range(4)]
+    assert times[-1] > 0.3
+    run = {**FEW, "t_end": 0.3}
+    study = lw.sweep(rod(), {"rod.mass": [1]}, {"h": "body('rod').position.z"}, times=times, **run)
+    last = lw.sweep(rod(), {"rod.mass": [1]}, {"h": "body('rod').position.z.final"}, **run).outputs["h"]
+    assert study.times is not None and study.times[-1] == 0.3
+    assert_array_equal(study.outputs["h"][:, -1], last)
+
+
 def test_paths_lead_to_points_and_parts() -> None:
     model = rod()
     model.spring_damper(
@@ -438,6 +448,8 @@ def test_an_inaccurate_case_has_its_verdict() -> None:
         ({"executor": 3, "processes": None}, lw.OptionError, "executor"),
         ({"model": rod}, lw.OptionError, "function rod does not take"),
         ({"model": 3}, lw.ModelError, "linkwork.Model"),
+        ({"parameters": {"rod.mass": [1.0, np.nan]}}, lw.OptionError, "nan of case 1 is not made of finite"),
+        ({"parameters": {"gravity[2]": [np.inf]}}, lw.OptionError, "inf of case 0 is not made of finite"),
     ],
 )  # fmt: skip
 def test_wrong_input_is_refused_before_the_first_case(
@@ -478,6 +490,37 @@ def test_a_function_that_builds_something_else_now_is_refused(tmp_path: Path) ->
 
 
 LENGTH = [1.0]
+
+
+def test_a_function_is_asked_once_for_a_model_before_the_cases_and_once_by_a_directory(
+    tmp_path: Path,
+) -> None:
+    asked: list[float] = []
+
+    def build(length: float) -> lw.Model:
+        asked.append(length)
+        return rod(length)
+
+    workers = {"executor": concurrent.futures.ThreadPoolExecutor(1)}  # of this process
+    lw.sweep(build, {"length": [1.0, 2.0, 3.0]}, "final", **RUN, **workers)
+    assert sorted(asked) == [1.0, 1.0, 2.0, 3.0]
+    asked.clear()
+    lw.sweep(build, {"length": [1.0, 2.0, 3.0]}, "final", **RUN, **workers, directory=tmp_path)
+    assert sorted(asked) == [1.0, 1.0, 1.0, 2.0, 3.0]  # is it the model that the directory was begun with?
+
+
+def test_a_function_that_builds_at_random_is_no_study_that_can_be_kept(tmp_path: Path) -> None:
+    def build(mass: float) -> lw.Model:
+        return rod().replaced("rod", mass=mass * (1.0 + np.random.default_rng().random()))
+
+    with pytest.raises(lw.FileError, match=r"build built another model of .* or is random"):
+        lw.sweep(build, {"mass": [1.0]}, "final", **FEW, directory=tmp_path)
+
+
+@pytest.mark.parametrize("value", [2.0, np.float64(2.0), np.array(2.0)])
+def test_a_single_value_is_a_list_of_one(value: Any) -> None:
+    study = lw.sweep(rod(), {"rod.mass": value}, "energy.final", **FEW)
+    assert study.parameters["rod.mass"].tolist() == [2.0] and study.status.tolist() == ["finished"]
 
 
 def test_machines_of_other_instruction_sets_are_told(tmp_path: Path) -> None:
@@ -581,6 +624,8 @@ def test_chunks_take_seconds_whatever_cases_cost_and_files_are_bounded() -> None
         assert len(chunks) <= FILES
         assert len(chunks[0]) * seconds <= max(3.0, seconds * len(cases) / FILES)
     assert len(chunked(range(8), 1e-3, 2)) == 8  # type: ignore[arg-type]
+    shards: list[Any] = [range(k, 1_000_000, 100) for k in range(100)]
+    assert sum(len(chunked(it, 1000.0, 2, total=1_000_000)) for it in shards) <= FILES
 
 
 def test_digests_tell_functions_apart_by_what_they_do() -> None:
@@ -652,6 +697,18 @@ def test_command_runs_shards_and_gathers_them(folder: Path, capsys: pytest.Captu
             "rod.mass: [1.0, 2.0, -3.0]",
             "rod.mass: {norm: {loc: 1}}\ncases: 4",
             "'rod.mass': is a distribution: give a seed",
+        ),
+        *(
+            (
+                "simulation: {",
+                f"simulation: {{{option}, ",
+                rf"study.yaml:4: simulation.{option.split(':')[0]}: is none of simulate, but {of}",
+            )
+            for option, of in (
+                ("t_end: 9.0", "of the study: write it outside"),
+                ("processes: 2", "of the command"),
+                ("progress: false", "of linkwork.sweep in Python"),
+            )
         ),
     ],
 )

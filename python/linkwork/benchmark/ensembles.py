@@ -11,6 +11,7 @@ import numpy as np
 
 from linkwork import _core
 from linkwork.arguments import whole
+from linkwork.benchmark.articulated import articulated
 from linkwork.benchmark.rollout import rollout_seconds
 from linkwork.benchmark.subject import Subject
 from linkwork.benchmark.timing import WINDOW_SECONDS, Timing
@@ -43,6 +44,8 @@ class Lanes:
     packed: dict[int, float]  #: in lanes, of all of them, by threads
     difference: float  #: of accelerations from those by itself, relative to the largest
     mujoco: dict[int, float]  #: of one step of MuJoCo's rollout, of the chain, by threads; none without it
+    pinocchio: dict[int, float]  #: of one evaluation by Pinocchio, by threads; none without it
+    pinocchio_solves: str  #: its algorithm, or why there is none
 
 
 def measure_lanes(
@@ -79,17 +82,22 @@ def _measured(name: str, model: Model, threads: Sequence[int], rounds: int) -> L
     once = _core.time_lanes(packs[threads[0]], 3, threads[0])[0]
     repetitions = max(1, round(WINDOW_SECONDS / max(once, 1e-7)))
     samples: dict[int, list[float]] = {count: [] for count in threads}
+    peer = articulated(model, threads)
+    evaluations: dict[int, list[float]] = {count: [] for count in peer.seconds}
     for _ in range(rounds):
         for timing in timings:
             timing.measure()
         for count, pack in packs.items():
             seconds, _found = _core.time_lanes(pack, repetitions, count)
             samples[count].append(1e9 * seconds / (count * lanes))
+        for count, evaluation in peer.seconds.items():
+            evaluations[count].append(1e9 * evaluation())
     alone, deterministic = (1e9 * it.seconds["whole"] for it in timings)
     return Lanes(
         name, model.body_count, lanes, alone, deterministic,
         {count: statistics.median(times) for count, times in samples.items()}, difference,
         {count: 1e9 * seconds for count, seconds in rollouts.items() if seconds is not None},
+        {count: statistics.median(times) for count, times in evaluations.items()}, peer.solves,
     )  # fmt: skip
 
 

@@ -192,8 +192,9 @@ def ensemble(**values: Any) -> None:
     linkwork bench ensemble
     linkwork bench ensemble --mechanism chain,bricard --threads 1,4 --json
 
-    Beside that of one mechanism by itself, and beside MuJoCo's rollout of the chain where MuJoCo is
-    installed. Accelerations are compared first: other ones are an error.
+    Beside that of one mechanism by itself, and where they are installed beside MuJoCo's rollout of the
+    chain and Pinocchio: aba of trees, constrained dynamics of loops. Accelerations are compared first: other
+    ones are an error, and of Pinocchio have no time.
     """
     from linkwork.cli import benchmarking
 

@@ -20,6 +20,7 @@ from linkwork.benchmark import (
     Size,
     Steps,
 )
+from linkwork.benchmark.articulated import NOT_INSTALLED
 from linkwork.cli import output as out
 from linkwork.errors import counted
 
@@ -101,19 +102,21 @@ def show_lanes(found: Sequence[Lanes]) -> None:
     threads = list(found[0].packed)
     columns: tuple[str, ...] = ("mechanism", "bodies", "by itself", "deterministic")
     columns += tuple(f"lanes, {counted(it, 'thread')}" for it in threads)
-    columns += ("times", "whole [us]", "MuJoCo rollout", "difference")
+    columns += ("times", "whole [us]", "MuJoCo rollout", "Pinocchio", "difference")
     rows = []
     for it in found:
         packed = [it.packed[count] for count in threads]
         each = [f"{ns / it.bodies:,.0f}" for ns in (it.single, it.deterministic, *packed)]
-        steps = ", ".join(f"{ns / it.bodies:,.0f}" for ns in it.mujoco.values())
+        peers = [", ".join(f"{ns / it.bodies:,.0f}" for ns in times.values())
+                 for times in (it.mujoco, it.pinocchio)]  # fmt: skip
         rows.append((it.mechanism, f"{it.bodies}", *each, f"{it.single / packed[0]:.1f}",
-                     f"{packed[0] / 1e3:.2f}", steps, f"{it.difference:.0e}"))  # fmt: skip
+                     f"{packed[0] / 1e3:.2f}", *peers, f"{it.difference:.0e}"))  # fmt: skip
     title = (
         f"One right-hand side with reactions, ns per body of all {found[0].lanes} lanes (times: as fast as "
-        "by itself, on one thread; MuJoCo: a step of Euler's method)"
+        "by itself, on one thread; MuJoCo: a step of Euler's method; Pinocchio: accelerations alone)"
     )
     out.print_table(columns, rows, title=title, left=1)
+    _show_peers(found)
     _show_machine()
 
 
@@ -171,6 +174,18 @@ def _least(it: Large, error: float) -> str:
 
 def _cpu(run: LargeRun) -> float:
     return float("inf") if run.cpu_seconds is None else run.cpu_seconds
+
+
+def _show_peers(found: Sequence[Lanes]) -> None:
+    """What they solve, and which are not there."""
+    missing = [] if all(it.mujoco for it in found if it.mechanism == "chain") else ["MuJoCo"]
+    solved = [(it.mechanism, it.pinocchio_solves) for it in found if it.pinocchio_solves != NOT_INSTALLED]
+    if solved:
+        out.print_table(("mechanism", "what Pinocchio solves"), solved, title="", left=2)
+    else:
+        missing.append("Pinocchio")
+    for name in missing:
+        print(f"\n{name} {NOT_INSTALLED}: pip install 'linkwork[bench]'")
 
 
 def _factor_cells(solver: Measured) -> tuple[str, ...]:

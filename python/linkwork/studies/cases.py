@@ -22,6 +22,9 @@ from linkwork.studies.variants import Source
 
 __all__ = ["Answer", "Case", "Run", "Runner", "machine"]
 
+#: A time that differs from the end by no more than this, relative, is the end: 3 * 0.1 is not 0.3.
+ROUNDED = 1e-12
+
 #: Characters of remarks that are kept of a case.
 REMARKS = 300
 
@@ -132,6 +135,7 @@ def check_times(times: Any, t_end: float, options: Mapping[str, Any]) -> tuple[F
     except (TypeError, ValueError) as error:
         raise OptionError(f"times {times!r:.80} are no numbers", code="times") from error
     good = wanted.ndim == 1 and len(wanted) and np.isfinite(wanted).all()
+    wanted = np.where(np.abs(wanted - t_end) <= ROUNDED * t_end, t_end, wanted)
     if not good or (np.diff(wanted) <= 0).any() or wanted[0] < 0 or wanted[-1] > t_end:
         raise OptionError(f"times {times!r:.80} are not ascending, from 0 to {t_end:g} s", code="times")
     if options.get("rtol") is not None or options.get("atol") is not None:

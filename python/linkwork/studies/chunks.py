@@ -26,7 +26,7 @@ TASK_SECONDS = 3.0
 #: Tasks for each process where there are few cases, so that all end together.
 TASKS_EACH = 4
 
-#: No more than so many files for a study, each with the cases of a task.
+#: No more than so many files for a study, each with the cases of a task, in all of its shards together.
 FILES = 50_000
 
 #: Tasks that an executor holds for each of its workers.
@@ -42,9 +42,10 @@ Pool = Callable[[Runner, Sequence[Chunk]], Iterator[Found]]
 
 def run_cases(
     runner: Runner, cases: Sequence[Case], executor: Any, processes: int | None,
-    beat: Callable[[], object] = lambda: None, case_seconds: float | None = None,
+    beat: Callable[[], object] = lambda: None, case_seconds: float | None = None, total: int = 0,
 ) -> Generator[Found, None, None]:  # fmt: skip
     """(cases, what became of them) as they come. What takes longer than `case_seconds`, alone, is lost.
+    `total`: cases of the whole study, of which these may be a shard.
 
     LinkworkError: the executor works no more. Closing the iterator gives up what is under way.
     """
@@ -57,7 +58,7 @@ def run_cases(
         if turn == 0:
             chunks: list[Chunk] = [[case] for case in rest[:workers]]
         else:
-            chunks = chunked(rest, mean, workers, PACK if runner.lanes else 1)
+            chunks = chunked(rest, mean, workers, PACK if runner.lanes else 1, total)
         if turn == 1 and runner.lanes:  # full packs take less for a case than one that is alone
             chunks = chunks[:workers]
         rest = rest[sum(map(len, chunks)) :]
@@ -91,10 +92,13 @@ def _parts(chunk: Chunk, lost: Lost) -> list[Chunk]:
     return [chunk[:middle], chunk[middle:]]
 
 
-def chunked(cases: Sequence[Case], seconds: float, workers: int, pack: int = 1) -> list[Chunk]:
-    """Of so many that a task takes TASK_SECONDS where a case takes `seconds`; of whole packs if it can."""
+def chunked(
+    cases: Sequence[Case], seconds: float, workers: int, pack: int = 1, total: int = 0
+) -> list[Chunk]:
+    """Of so many that a task takes TASK_SECONDS where a case takes `seconds`; of whole packs if it can; and
+    of so many that a study of `total` cases has no more than FILES of them."""
     size = max(1, min(int(TASK_SECONDS / max(seconds, 1e-6)), math.ceil(len(cases) / (TASKS_EACH * workers))))
-    size = max(size, math.ceil(len(cases) / FILES))
+    size = max(size, math.ceil(max(len(cases), total) / FILES))
     size = math.ceil(size / pack) * pack if size >= pack / 2 else size
     return [cases[start : start + size] for start in range(0, len(cases), size)]
 

@@ -36,6 +36,15 @@ __all__ = ["VERSION", "read_study"]
 VERSION = 1
 
 
+#: Arguments of `sweep` that are no option of a run, and so not under `simulation`.
+OF_STUDIES = {
+    **dict.fromkeys(("model", "parameters", "outputs", "t_end", "times", "sampler", "cases", "seed",
+                     "directory"), "of the study: write it outside"),
+    **dict.fromkeys(("shard", "gather", "processes", "case_seconds"), "of the command: give it there"),
+    **dict.fromkeys(("executor", "progress"), "of linkwork.sweep in Python"),
+}  # fmt: skip
+
+
 class _Document(Record):
     linkwork_study: Literal[1]
     model: Word
@@ -81,6 +90,12 @@ def _checked(path: str | os.PathLike[str], syntax: Syntax) -> _Document:
     known = list(_Document.model_fields)
     for name in data.keys() - set(known):
         faults.add(Fault(_line(syntax, (name,)), name, f"is not known here{nearest(name, known)}"))
+    settings = data.get("simulation")
+    for name in settings if isinstance(settings, dict) else ():
+        if name in OF_STUDIES:
+            place: Where = ("simulation", name)
+            message = f"is none of simulate, but {OF_STUDIES[name]}"
+            faults.add(Fault(_line(syntax, place), field(place), message))
     try:
         document = _Document.model_validate({name: it for name, it in data.items() if name in known})
     except ValidationError as error:

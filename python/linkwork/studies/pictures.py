@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -13,7 +14,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from linkwork.arrays import Floats
-from linkwork.errors import OptionError, nearest
+from linkwork.errors import OptionError, counted, nearest
 from linkwork.plots.figures import COLORS, check_format, new_figure, style, written
 
 if TYPE_CHECKING:
@@ -28,6 +29,12 @@ COLUMNS, PANELS = 6, 6
 LOW, HIGH = 5.0, 95.0
 
 FAILED = "#d55e00"
+
+#: Numbers are the same within this, relative to the largest. And bins of a histogram.
+SAME, MOST_BINS = 1e-12, 60
+
+#: Intervals between the ticks of an axis, and bars that a tornado has room for.
+TICKS, FEWEST_BARS = 5, 4
 
 
 @dataclass(frozen=True)
@@ -109,9 +116,18 @@ def numbers_of(study: Study) -> list[Column]:
 
 
 def _moving(columns: Sequence[Column]) -> list[Column]:
-    """Those that are not the same in every case."""
+    """Those that are not the same in every case, but for roundoff."""
     finite = [(it, it.values[np.isfinite(it.values)]) for it in columns]
-    return [it for it, values in finite if len(values) and np.ptp(values) > 0]
+    return [it for it, values in finite if len(values) and np.ptp(values) > SAME * np.abs(values).max()]
+
+
+def _bins(values: Floats) -> int:
+    """As many as show how the middle half is spread (Freedman and Diaconis), but no more than can be seen."""
+    low, high = map(float, np.percentile(values, [25, 75]))
+    wide = 2 * (high - low) / math.cbrt(len(values))
+    fewest = math.ceil(math.log2(len(values)) + 1)
+    span = float(np.ptp(values))
+    return MOST_BINS if wide * MOST_BINS < span else max(fewest, math.ceil(span / wide))
 
 
 def _needed(columns: list[Column], what: str, count: int = 1) -> list[Column]:
@@ -130,7 +146,23 @@ def _title(study: Study, what: str, shown: int, total: int) -> str:
     parts = [what, f"{int((study.status == 'finished').sum())} cases"]
     parts += [f"{failed} failed"] if failed else []
     parts += [f"the first {shown} of {total} shown"] if shown < total else []
+    words = _words(study)
+    parts += (
+        [f"without {' and '.join(words)}, no {'number' if len(words) == 1 else 'numbers'}"] if words else []
+    )
     return ", ".join(parts)
+
+
+def _words(study: Study) -> list[str]:
+    """Parameters that are no numbers, and not the same in all cases: no picture shows them."""
+    return [name for name, values in study.parameters.items()
+            if values.dtype.kind not in "biuf" and len(set(values.tolist())) > 1]  # fmt: skip
+
+
+def _missing(study: Study, column: Column) -> str:
+    """How many of the finished cases a panel cannot show, on a line of its own."""
+    count = int(((study.status == "finished") & ~np.isfinite(column.values)).sum())
+    return f"\n{counted(count, 'case')} without a number" if count else ""
 
 
 def _panels(count: int) -> tuple[Figure, list[Axes]]:
@@ -159,7 +191,8 @@ def _scatter(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
         for place, flat in enumerate(columns):
             ax = axes[row, place]
             if row == place:
-                ax.hist(flat.values[np.isfinite(flat.values)], bins="auto", color=COLORS[0])
+                values = flat.values[np.isfinite(flat.values)]
+                ax.hist(values, bins=_bins(values), color=COLORS[0])
             else:
                 ax.plot(flat.values[~failed], upright.values[~failed], ".", ms=3, color=COLORS[0])
                 ax.plot(flat.values[failed], upright.values[failed], "x", ms=4, color=FAILED)
@@ -181,13 +214,13 @@ def _histogram(study: Study, outputs: list[str], parameters: list[str]) -> Figur
         values = column.values[np.isfinite(column.values)]
         low, middle, high = np.percentile(values, [LOW, 50, HIGH])
         style(ax, "cases")
-        ax.hist(values, bins="auto", color=COLORS[0], alpha=0.8)
+        ax.hist(values, bins=_bins(values), color=COLORS[0], alpha=0.8)
         for at, dash in ((low, "--"), (middle, "-"), (high, "--")):
             ax.axvline(at, color="black", ls=dash, lw=1)
         ax.set_xlabel(column.label, fontsize=9)
-        ax.set_title(
-            f"median {middle:.4g}; {LOW:g} % below {low:.4g}, {LOW:g} % above {high:.4g}", fontsize=8
-        )
+        ax.locator_params(axis="x", nbins=TICKS)
+        told = f"median {middle:.4g}; {LOW:g} % below {low:.4g}, {LOW:g} % above {high:.4g}"
+        ax.set_title(told + _missing(study, column), fontsize=8)
     figure.suptitle(_title(study, "distribution", len(axes), len(found)), fontsize=10)
     return figure
 
@@ -221,7 +254,7 @@ def _bands(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
 
 
 def _surface(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
-    """Outputs over two parameters, between the cases by triangles."""
+    """Outputs over two parameters, between the cases by triangles; the mean of cases at one point."""
     from matplotlib.tri import Triangulation
 
     over = _needed(_moving(_columns(study, study.parameters, parameters)), "parameters", 2)
@@ -231,8 +264,8 @@ def _surface(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
     for ax, column in zip(axes, found, strict=False):
         known = np.isfinite(column.values)
         try:
-            net = Triangulation(x.values[known], y.values[known])
-            filled = ax.tricontourf(net, column.values[known], levels=14, cmap="viridis")
+            points, means = _at_points(x.values[known], y.values[known], column.values[known])
+            filled = ax.tricontourf(Triangulation(*points.T), means, levels=14, cmap="viridis")
         except (ValueError, RuntimeError) as error:
             raise OptionError(
                 f"plot 'surface': the {int(known.sum())} cases do not span '{x.name}' and '{y.name}'",
@@ -241,13 +274,25 @@ def _surface(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
         figure.colorbar(filled, ax=ax).ax.tick_params(labelsize=7)
         ax.plot(x.values[known], y.values[known], ".", ms=2, color="black", alpha=0.5)
         ax.plot(x.values[~known], y.values[~known], "x", ms=4, color=FAILED)
-        ax.set_title(column.label, fontsize=9)
+        ax.set_title(column.label + _missing(study, column), fontsize=9)
         ax.set_xlabel(x.label, fontsize=8)
         ax.set_ylabel(y.label, fontsize=8)
         ax.tick_params(labelsize=7)
-    others = f", over {len(over) - 2} others" if len(over) > 2 else ""
+    count = len(over) - 2 + len(_words(study))
+    others = (
+        f", in which {counted(count, 'other parameter')} {'varies' if count == 1 else 'vary'}"
+        if count
+        else ""
+    )
     figure.suptitle(_title(study, f"response surface{others}", len(axes), len(found)), fontsize=10)
     return figure
+
+
+def _at_points(x: Floats, y: Floats, values: Floats) -> tuple[Floats, Floats]:
+    """(m, 2) points that differ and the means (m,) of the values there."""
+    points, place = np.unique(np.column_stack([x, y]), axis=0, return_inverse=True)
+    place = place.ravel()
+    return points, np.bincount(place, weights=values) / np.bincount(place)
 
 
 def _tornado(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
@@ -260,9 +305,13 @@ def _tornado(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
         for place, bar in enumerate(bars):
             ax.barh(place, bar.change, color=COLORS[0] if bar.change >= 0 else COLORS[1])
         ax.axvline(0.0, color="black", lw=0.8)
+        middle, half = (len(bars) - 1) / 2, max(len(bars), FEWEST_BARS) / 2
         ax.set_yticks(range(len(bars)), [bar.parameter for bar in bars], fontsize=7)
+        ax.set_ylim(middle - half, middle + half)
+        ax.locator_params(axis="x", nbins=TICKS)
         ax.set_xlabel(f"change of {column.label}", fontsize=8)
-        ax.set_title(f"a linear fit explains {100 * bars[0].explained:.3g} % of the variance", fontsize=8)
+        told = f"a linear fit explains {100 * bars[0].explained:.3g} % of the variance"
+        ax.set_title(told + _missing(study, column), fontsize=8)
         ax.tick_params(labelsize=7)
         ax.spines[["top", "right"]].set_visible(False)
     what = f"parameters from their {LOW:g}th to their {HIGH:g}th percentile"

@@ -125,7 +125,8 @@ def _kind(parameters: Any, columns: Mapping[str, Any], sampler: Any) -> str:
 
 def _values(name: str, given: Any, *, single: bool) -> list[Any]:
     """OptionError: none. A single value is a list of one where `single`."""
-    if isinstance(given, str | bytes | Mapping) or not isinstance(given, Iterable):
+    alone = np.ndim(given) == 0 if isinstance(given, np.ndarray) else not isinstance(given, Iterable)
+    if alone or isinstance(given, str | bytes | Mapping):
         if not single:
             raise OptionError(f"parameter '{name}': {given!r:.60} is no list of values", code="parameters")
         given = [given]

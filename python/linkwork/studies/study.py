@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import os
+import warnings
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -130,7 +131,7 @@ class Study:
         kind        "scatter": every parameter and output over every other; failed cases are crosses
                     "histogram": outputs, with median, 5th and 95th percentile
                     "bands": outputs that are arrays over time: median, half and nine tenths of the cases
-                    "surface": outputs over the first two parameters
+                    "surface": outputs over the first two parameters; at one point the mean of its cases
                     "tornado": the change of outputs with each parameter, see `swings`
         outputs, parameters   which; None: all that are numbers and not the same in every case
 
@@ -285,13 +286,17 @@ class Study:
 
         overwrite  whether it may replace a file
 
+        A parameter with a space in its name comes back as a variable: netCDF has no such coordinates.
+
         OptionError: xarray is not installed. FileError: there is a file, it has another suffix, or cannot be
         written.
         """
         target = check_new(path, "data set", overwrite)
         data = self.to_xarray()
         try:
-            data.to_netcdf(target)
+            with warnings.catch_warnings():
+                warnings.filterwarnings("ignore", "coordinate .* has a space in its name")
+                data.to_netcdf(target)
         except (OSError, ValueError) as error:
             raise unwritable("data set", target, error) from error
 

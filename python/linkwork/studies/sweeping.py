@@ -137,8 +137,9 @@ def sweep(
     wanted_times, run_options = check_times(times, float(t_end), options)
     asked = wanted.outputs_of(outputs)
     _check_names(drawn, asked)
-    example = _example(model, source, drawn)
-    _check_run(source, drawn, float(t_end), run_options)
+    number, example = _example(model, source, drawn)
+    first = example if number == 0 else None
+    _check_run(source, drawn, first, float(t_end), run_options)
     checked = [wanted.checked(it, probe(example, run_options), wanted_times) for it in asked]
     _check_reductions(checked, run_options)
     _check_times(checked, wanted_times, run_options)
@@ -150,14 +151,15 @@ def sweep(
     identity = _identity(runner, drawn)
     head = digest(identity, _version())
     keys = digests(head, drawn.columns)
-    about = _about(runner, drawn, seed)
+    about = _about(runner, drawn, first, seed)
     store = None if directory is None else Store(directory, identity, about, new=not gather)
     if store is not None and isinstance(source, Built):
         _check_example(source, store)
     known = Collected(keys)
     machines = [] if store is None else store.find(known)
     todo: Sequence[Case] = [] if gather else Todo.of(drawn, keys, known, shard)
-    found, workers = _Found(known, machines, store), _Workers(executor, processes, case_seconds)
+    found = _Found(known, machines, store)
+    workers = _Workers(executor, processes, case_seconds, len(drawn))
     lost = _carried_out(runner, todo, found, progress, workers)
     _tell_machines(machines)
     return assembled(drawn, keys, known, lost, runner, {**about, "identity": identity, "machines": machines})
@@ -177,7 +179,9 @@ def _check_places(shard: Any, gather: Any, directory: Any, processes: Any) -> No
         good = good and all(isinstance(it, int) and not isinstance(it, bool) for it in shard)
         if not good or not shard[1] >= 1 or not 0 <= shard[0] <= shard[1]:
             raise OptionError(
-                f"shard {shard!r:.40}: give (k, n), k from 0 to n - 1 or from 1 to n", code="shard"
+                f"shard {shard!r:.40}: give (k, n), k from 0 to n - 1 or from 1 to n, where n is the number "
+                "of all shards, also where some of them are run again",
+                code="shard",
             )
     if directory is None and (shard is not None or gather):
         what = "shard" if shard is not None else "gather"
@@ -229,27 +233,30 @@ def _check_options(options: Mapping[str, Any]) -> None:
         check_option(name, known)
 
 
-def _example(model: Any, source: Source, cases: Cases) -> Model:
-    """The model of the first case that has one. What its building raises where none of many has one."""
+def _example(model: Any, source: Source, cases: Cases) -> tuple[int, Model]:
+    """The first case that has a model, and that. What its building raises where none of many has one."""
     first: Exception | None = None
     for k in range(min(len(cases), LOOKED_AT)):
         try:
-            return source.model(cases.case(k))
+            return k, source.model(cases.case(k))
         except Exception as error:
             first = first or error
     if isinstance(model, Model):
-        return model
+        return -1, model
     assert first is not None
     raise first
 
 
-def _check_run(source: Source, cases: Cases, t_end: float, options: Mapping[str, Any]) -> None:
+def _check_run(
+    source: Source, cases: Cases, first: Model | None, t_end: float, options: Mapping[str, Any]
+) -> None:
     """OptionError: a choice that does not exist, or that none of some cases can honor."""
     check_name("on_inaccurate", options["on_inaccurate"], option_names()["on_inaccurate"])
     refused: OptionError | None = None
     for k in sorted({0, len(cases) // 2, len(cases) - 1}):
         try:
-            _prepare(source.model(cases.case(k)), t_end, options)
+            model = source.model(cases.case(k)) if first is None or k > 0 else first
+            _prepare(model, t_end, options)
             return
         except OptionError as error:
             refused = refused or error
@@ -339,10 +346,10 @@ def _identity(runner: Runner, cases: Cases) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _hash_of(source: Source, values: Mapping[str, Any]) -> str:
-    """Of the model of a case; empty where there is none."""
+def _hash_of(source: Source, values: Mapping[str, Any], built: Model | None = None) -> str:
+    """Of the model of a case, where it is `built` or can be; empty where there is none."""
     try:
-        return source.model(values).hash()
+        return (built or source.model(values)).hash()
     except Exception:
         return ""
 
@@ -353,15 +360,16 @@ def _check_example(source: Built, store: Store) -> None:
     if example and _hash_of(source, example["values"]) != example["model"]:
         raise FileError(
             f"directory '{store.directory}': the function {source.name} built another model of "
-            f"{example['values']} then; give another directory",
+            f"{example['values']} then: what it uses has changed, or is random; give another directory, and "
+            "what changes as parameters",
             code="other_study",
         )
 
 
-def _about(runner: Runner, cases: Cases, seed: int | None) -> dict[str, Any]:
-    """For the manifest."""
+def _about(runner: Runner, cases: Cases, first: Model | None, seed: int | None) -> dict[str, Any]:
+    """For the manifest; `first` is the model of the first case, if it has one."""
     return {
-        "example": {"values": cases.case(0), "model": _hash_of(runner.source, cases.case(0))},
+        "example": {"values": cases.case(0), "model": _hash_of(runner.source, cases.case(0), first)},
         "sampler": cases.how, "cases": len(cases), "seed": seed, "lanes": runner.lanes,
         "outputs": [it.label for it in runner.outputs], **platform_facts(), "machine": machine(),
         "started": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
@@ -372,11 +380,12 @@ def _about(runner: Runner, cases: Cases, seed: int | None) -> dict[str, Any]:
 
 
 class _Workers(NamedTuple):
-    """Who runs the cases, and for how long at most each [s]."""
+    """Who runs the cases, for how long at most each [s], and how many the study has, also in other shards."""
 
     executor: Any
     processes: int | None
     case_seconds: float | None
+    total: int
 
 
 @dataclass(frozen=True)
@@ -410,14 +419,14 @@ def _carried_out(
     lost: dict[str, str] = {}
     if not todo:
         return lost
-    executor, processes, seconds = workers
+    executor, processes, seconds, total = workers
     done, counts, started = 0, Counter[str](), time.monotonic()
     with counting(progress, len(todo)) as report, _telling(todo, to):
 
         def beat() -> None:
             report(done, _line(done, len(todo), time.monotonic() - started, counts["failed"] + len(lost)))
 
-        with closing(run_cases(runner, todo, executor, processes, beat, seconds)) as found:
+        with closing(run_cases(runner, todo, executor, processes, beat, seconds, total)) as found:
             for chunk, answer in found:
                 done += len(chunk)
                 if isinstance(answer, Lost):
