@@ -1,4 +1,4 @@
-"""Forces that are functions of Python on the members of an ensemble: lane by lane, or of all lanes at once."""
+"""Functions of Python that apply forces to members of an ensemble: lane by lane, or to all at once."""
 
 from __future__ import annotations
 

@@ -18,6 +18,8 @@ constexpr double least_part = 0.1;  // of that, for leaps over a motion that var
 constexpr double near = 0.3;  // of the usual least singular value, or root of the smallest pivot: else none is due
 constexpr double near_at_start = 0.1;                         // that root, before there is a usual one
 constexpr double way_at_start = 0.03, change_at_start = 0.1;  // [rad], and of the root there, relative, toward a pose
+constexpr double passed_at_start = 2.0;  // the same, where that way leads over the pose
+constexpr double left_behind = 0.05;     // [rad] so far behind the start a pose does not matter
 constexpr double least_usual = 0.15;  // the usual value of both, for runs that begin near a pose
 constexpr double in_pose = 1e-5;      // at the start: rows that near each other, and only a leap leads out of it
 constexpr double looked_at = 0.2;     // of the usual root: nearer, pivots do not tell when a pose is passed
@@ -152,7 +154,7 @@ bool Crossing::pivot_changes(double t, const VectorXd& y, double root) {
   const System& system = dynamics_.system();
   const Unwatched unwatched(dynamics_);
   VectorXd way = y.segment(system.q_size(), system.v_size());
-  bool changes = false;
+  bool changes = false, away = true;
   try {
     if (!(largest_rate(way) > 0.0)) {
       VectorXd lambda(system.row_count());
@@ -164,14 +166,15 @@ bool Crossing::pivot_changes(double t, const VectorXd& y, double root) {
       displace(system, part * way, ahead);
       dynamics_.begin_elsewhere(t, ahead);  // no forces there: the motion does not go there
       dynamics_.factorize();
-      const double changed = dynamics_.formulation().root_of_pivot();
-      changes = changes || std::abs(changed - root) > change_at_start * std::max(changed, root);
+      const double rise = dynamics_.formulation().root_of_pivot() / root - 1.0;
+      away = away && rise > part * way_at_start / left_behind;
+      changes = changes || -rise > change_at_start || rise > passed_at_start;
     }
   } catch (const SingularSystemError&) {
     changes = true;
   }
   dynamics_.evaluate(t, y);
-  return changes;
+  return changes || away;
 }
 
 /// Of the components of all motions [rad/s].

@@ -40,14 +40,15 @@ class UserForceMethods:
             model.user_force(lambda t, q, v: [0, 0, -0.3 * abs(v[2]) * v[2], 0, 0, 0], body)   # drag
 
         bodies      without them all n of the model
-        function    of t [s], q (n, 7) and v (n, 6) of these bodies, which returns (n, 6): force [N], inertial,
-                    and torque [N m] about the center of mass, in body axes; of one body (7,), (6,) and (6,).
+        function    of t [s], q (n, 7) and v (n, 6) of these bodies, which returns (n, 6): force [N],
+                    inertial, and torque [N m] about the center of mass, in body axes; of one body (7,), (6,)
+                    and (6,).
                     Within a step the Euler parameters may be off unit length by little
-        vectorized  the function is one of k mechanisms at once, t (k,), q (k, n, 7) and v (k, n, 6), and returns
-                    (k, n, 6); of one body (k, 7), (k, 6) and (k, 6). An ensemble calls it once for all members
-                    that run side by side and have this same function, a run by itself with k = 1. What it
-                    returns of a mechanism must not depend on the others, to the last bit: operations on
-                    elements do not
+        vectorized  the function is one of k mechanisms at once, t (k,), q (k, n, 7) and v (k, n, 6), and
+                    returns (k, n, 6); of one body (k, 7), (k, 6) and (k, 6). An ensemble calls it once for
+                    all members that run side by side and have this same function, a run by itself with
+                    k = 1. What it returns of a mechanism must not depend on the others, to the last bit:
+                    operations on elements do not
         breaks      times [s] at which it is not smooth: steps that follow tolerances end there
 
         All its power counts as work. Python in the loop costs microseconds an evaluation and keeps other
