@@ -18,8 +18,8 @@ constexpr double least_part = 0.1;  // of that, for leaps over a motion that var
 constexpr double near = 0.3;  // of the usual least singular value, or root of the smallest pivot: else none is due
 constexpr double near_at_start = 0.1;                         // that root, before there is a usual one
 constexpr double way_at_start = 0.03, change_at_start = 0.1;  // [rad], and of the root there, relative, toward a pose
-constexpr double passed_at_start = 2.0;  // the same, where that way leads over the pose
-constexpr double left_behind = 0.05;     // [rad] so far behind the start a pose does not matter
+constexpr double passed_at_start = 2.0;                       // the same, where that way leads over the pose
+constexpr double left_behind = 0.05;                          // [rad] so far behind the start a pose does not matter
 constexpr double least_usual = 0.15;  // the usual value of both, for runs that begin near a pose
 constexpr double in_pose = 1e-5;      // at the start: rows that near each other, and only a leap leads out of it
 constexpr double looked_at = 0.2;     // of the usual root: nearer, pivots do not tell when a pose is passed
