@@ -121,3 +121,12 @@ def test_both_tracks_of_a_vehicle_move_alike() -> None:
     for k in (0, 15, 40):
         left, right = (result.body(f"{side} shoe[{k}]").position[-1, :2] for side in ("left", "right"))
         assert left == pytest.approx(right, abs=1e-7)
+
+
+def test_a_large_bent_net_begins_without_looking_for_a_singular_pose() -> None:
+    """Its pivots are small wherever it is: a leap was tried in vain for a thousand evaluations."""
+    model = lw.mechanisms.hub_net(45)
+    result = run(model, 1e-3, 1e-3)
+    assert result.statistics["smallest_pivot"] < 0.01
+    assert result.statistics["singular_poses"] == 0
+    assert result.statistics["evaluations"] < 40
