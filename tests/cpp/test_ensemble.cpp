@@ -7,7 +7,7 @@ using namespace support;
 
 namespace {
 
-Options deterministic(const char* stabilization = "auto") {
+Options deterministic(const char* stabilization = "sampled_baumgarte") {
   Options options;
   options.deterministic = true;
   options.stabilization = stabilization;
