@@ -75,7 +75,7 @@ TEST_CASE("a stop that is met in a step is found where its distance is zero") {
   const VectorXd y = dynamics.initial_y();
   const double h = 0.1;
   dynamics.evaluate(0.0, y);
-  dynamics.take_sides();
+  dynamics.take_sides(0.0);
   stepper.take(dynamics, {0.0, 0.2 * h}, y);
   SwitchWatch watch(dynamics, 1e-12);
   CHECK(!watch.first(stepper, 0.0, 0.2 * h));

@@ -68,9 +68,10 @@ class Dynamics {
   void begin_contact(int variable) { now_.history[variable] = std::numeric_limits<double>::quiet_NaN(); }
   void end_contact(int variable) { now_.history[variable] = at_.history[variable] = 0.0; }
   // Switches of force elements whose law is not smooth, see Wrenches: on which side of zero they are.
-  /// The sides of the state where this is evaluated are those of the step that begins there; what is zero keeps its
-  /// side.
-  void take_sides();
+  /// The sides of the state where this is evaluated are those of the step that begins there; what is zero, or no
+  /// larger than `least` [m or rad], keeps its side: of contacts that only just touch, roundoff would choose anew in
+  /// each state.
+  void take_sides(double least);
   void set_side(int which, bool positive) { sides_[which] = positive; }
   const std::vector<char>& sides() const { return sides_; }
   /// Whether an evaluation since the last call had one on another side.

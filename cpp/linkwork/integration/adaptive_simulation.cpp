@@ -257,7 +257,7 @@ void AdaptiveSimulation::settle_history() {
   }
   accept_history();
   if (contact >= 0 && !switch_->positive) dynamics_.end_contact(contact);
-  dynamics_.take_sides();
+  dynamics_.take_sides(switches_.least());
   if (switch_) dynamics_.set_side(switch_->which, switch_->positive);
   switch_.reset();
 }
@@ -401,7 +401,7 @@ bool AdaptiveSimulation::apply(const Event& event) {
   projection().velocities(t, y_);
   dynamics_.evaluate(t, y_);
   accept_history();
-  dynamics_.take_sides();
+  dynamics_.take_sides(switches_.least());
   y_[size] += energy() - before;
   of_step_.back().after = y_.head(size);
   return changed.ends;

@@ -72,21 +72,27 @@ double SwitchWatch::value(const PairStepper& stepper, int which, double t, doubl
   return at_.switches[which];
 }
 
-// The side at the start is known: the value may be roundoff there.
+// The side at the start is known: the value may be roundoff there. What is still on its old side where another is found
+// to change comes later, and need not be searched for.
 std::optional<SwitchWatch::Switch> SwitchWatch::first(const PairStepper& stepper, double t, double h) {
   double from = 0.0;
   for (const double to : places) {
     value(stepper, 0, t, h, to);
     const VectorXd values = at_.switches;
+    VectorXd at_first = values;
     std::optional<Switch> found;
     for (int k = 0; k < values.size(); ++k) {
       const bool positive = values[k] > 0.0;
       if (std::abs(values[k]) <= least_ || positive == (dynamics_.sides()[k] != 0)) continue;
+      if ((at_first[k] > 0.0) != positive) continue;
       const auto at = [&](double theta) { return value(stepper, k, t, h, theta); };
       const double before = at(from);
       const bool there = before == 0.0 || (before > 0.0) == positive;
       const double theta = there ? from : brent(at, from, before, to, values[k], exact);
-      if (!found || theta < found->theta) found = {k, theta, positive};
+      if (found && theta >= found->theta) continue;
+      found = {k, theta, positive};
+      value(stepper, k, t, h, theta);
+      at_first = at_.switches;
     }
     if (found) return found;
     from = to;

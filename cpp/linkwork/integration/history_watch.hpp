@@ -39,6 +39,7 @@ class SwitchWatch {
  public:
   /// Values up to `least` in size are as good as zero [m or rad].
   SwitchWatch(const Dynamics& dynamics, double least);
+  double least() const { return least_; }
 
   struct Switch {
     int which;
