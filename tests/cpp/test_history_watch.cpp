@@ -85,3 +85,22 @@ TEST_CASE("a stop that is met in a step is found where its distance is zero") {
   REQUIRE(found.has_value());
   CHECK(found->theta == doctest::Approx(0.03 / 0.0301).epsilon(1e-3));
 }
+
+TEST_CASE("what touches by no more than is as good as zero keeps its side") {
+  Dynamics dynamics(falling(1e-13), {});
+  const auto sides_at = [&](double above) {
+    VectorXd y = dynamics.initial_y();
+    y[2] = above;
+    dynamics.evaluate(0.0, y);
+    dynamics.take_sides(1e-12);
+    return dynamics.sides();
+  };
+  const auto outside = sides_at(1e-3), inside = sides_at(-1e-3);
+  CHECK(outside != inside);
+  for (const double least : {1e-13, -1e-13, 0.0}) {
+    CHECK(sides_at(least) == inside);
+    CHECK(sides_at(1e-3) == outside);
+    CHECK(sides_at(least) == outside);
+    CHECK(sides_at(-1e-3) == inside);
+  }
+}
