@@ -42,6 +42,28 @@ def test_a_lane_has_the_bits_of_its_run_by_itself(name: str, stabilization: str)
         assert bits(found.member(k)) == bits(alone(models[k], 40 * step, step, **options))
 
 
+@pytest.mark.parametrize("on_violation", ["record", "project", "stop"])
+@pytest.mark.parametrize("level", ["position", "velocity"])
+def test_who_stays_within_a_limit_of_violation_runs_in_lanes_and_the_others_as_by_themselves(
+    level: str, on_violation: str
+) -> None:
+    models = [mechanisms.spatial_slider_crank(speed) for speed in (0.1, 6.0, 0.2, 12.0, 1.0)]
+    step, t_end, row = 0.005, 0.2, ["position", "velocity"].index(level)
+    drift = [float(alone(it, t_end, step).recorded("violation")[:, row].max()) for it in models]
+    limit = float(np.sqrt(np.sort(drift)[2] * np.sort(drift)[3]))
+    options: dict[str, Any] = {"violation_limit": {level: limit}, "on_violation": on_violation}
+    found = many(models, t_end, step, **options)
+    beyond = {k for k, it in enumerate(drift) if it > limit}
+    assert set(found.alone) == beyond == {1, 3}
+    for k, model in enumerate(models):
+        if on_violation == "stop" and k in beyond:
+            assert found.status[k] == "failed" and found.errors[k]["type"] == "ViolationError"
+            continue
+        single = alone(model, t_end, step, **options)
+        assert bits(found.member(k)) == bits(single)
+        assert bool(single.violations) == (k in beyond)
+
+
 @pytest.mark.parametrize("stabilization", ["projection", "position_projection", "velocity_projection"])
 def test_projections_are_those_by_themselves_with_drivers_verdicts_and_thin_rods(stabilization: str) -> None:
     models = [with_functions(0.3 + 0.1 * k, 5.0 + k) for k in range(9)]
@@ -338,7 +360,7 @@ def test_a_variation_without_a_model_fails_and_the_others_run() -> None:
         ({"integrator": "ab2"}, "Runge-Kutta"),
         ({"formulation": "augmented_lagrangian"}, "standard"),
         ({"linear_solver": "dense"}, "block"),
-        ({"violation_limit": 1e-2}, "violation_limit"),
+        ({"violation_limit": {"acceleration": 1e-2}}, "violation_limit"),
     ],
 )
 def test_what_lanes_do_not_have_is_simulated_alone_and_says_so(options: dict[str, Any], reason: str) -> None:

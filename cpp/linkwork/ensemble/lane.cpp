@@ -39,6 +39,7 @@ Lane::Lane(Dynamics& dynamics, LaneRun* run)
       turns_(dynamics),
       divergence_(dynamics.system()),
       run_(run),
+      limits_(dynamics.options().violation_limit),
       stops_(dynamics.options().on_singular == "stop") {}
 
 void Lane::leave(double t, std::string reason) {
@@ -66,6 +67,12 @@ void Lane::watch_redundant_rows(double t, const VectorXd& y) {
   const auto v = y.segment(system.q_size(), system.v_size());
   if (redundancy_.suspicious(system, dynamics_.evaluation(), dynamics_.dropped(), v))
     leave(t, "redundant equations are violated more than the others");
+}
+
+void Lane::watch_limits(double t, const VectorXd& Phi, const VectorXd& Phi_dot) {
+  const auto beyond = [](const VectorXd& violation, double limit) { return violation.cwiseAbs().maxCoeff() > limit; };
+  if (beyond(Phi, limits_[0])) leave(t, "positions are violated by more than their violation_limit");
+  else if (beyond(Phi_dot, limits_[1])) leave(t, "velocities are violated by more than their violation_limit");
 }
 
 void Lane::record(double t, double frame_t, const VectorXd& y, bool last) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -100,6 +101,9 @@ class Lane {
   void accept(double t, double last_step);
   /// Of Phi and Phi_dot, where rows are redundant.
   void watch_redundant_rows(double t, const VectorXd& y);
+  /// Whether violations of positions or velocities have a limit; a run by itself does what is to be done beyond it.
+  bool limited() const { return std::isfinite(limits_[0]) || std::isfinite(limits_[1]); }
+  void watch_limits(double t, const VectorXd& Phi, const VectorXd& Phi_dot);
   /// A frame of a state from which a step goes on waits for what is found ahead of it.
   void record(double t, double frame_t, const VectorXd& y, bool last);
   void finish_record(double t);
@@ -135,6 +139,7 @@ class Lane {
   TurnGuard turns_;
   Divergence divergence_;
   LaneRun* run_;
+  std::array<double, 3> limits_;  ///< of violations, see Options
   bool alive_ = true, looked_ = false, stops_;
   bool leaping_ = false, leapt_ = false;  ///< as in Simulation
   bool recording_ = false;                ///< evaluated, with a frame that waits

@@ -29,10 +29,13 @@ LanePack::LanePack(const LaneStructure& structure, const InstructionSet& instruc
       whole_(stepper_.width(), 1.0),
       ends_(stepper_.width(), 0.0),
       state_(structure.y_size()),
-      new_state_(structure.y_size()) {
+      new_state_(structure.y_size()),
+      Phi_(structure.rows),
+      Phi_dot_(structure.rows) {
   for (const Lane* it : lanes_) {
     watches_ = watches_ || it->watches();
     judged_ = judged_ || it->judged();
+    limited_ = limited_ || it->limited();
   }
 }
 
@@ -85,7 +88,7 @@ void LanePack::begin_step(std::int64_t step) {
   for (int l = 0; l < stepper_.width(); ++l) spans_.set(l, t, h);
   stepper_.evaluate(spans_, *this);
   const bool records = steps_.records(step),
-             needs_state = records || watches_ || judged_ || !structure_.dropped.empty();
+             needs_state = records || watches_ || judged_ || limited_ || !structure_.dropped.empty();
   each_lane([&](int l, Lane& lane) {
     if (lane.waits() || lane.joins_at() == step) return;
     lane.accept(t, step > 0 ? steps_.size(step - 1) : 0.0);
@@ -117,6 +120,10 @@ void LanePack::begin_lane(int l, std::int64_t step) {
     Evaluation& at = lane.begin(t, state_);
     stepper_.violations(l, at.Phi, at.Phi_dot);
     lane.watch_redundant_rows(t, state_);
+  }
+  if (lane.limited() && !lane.leaping()) {
+    stepper_.violations(l, Phi_, Phi_dot_);
+    lane.watch_limits(t, Phi_, Phi_dot_);
   }
   if (lane.alive() && steps_.records(step)) lane.record(t, steps_.frame_time(step), state_, last);
   const double potential = stepper_.potential(l);

@@ -52,8 +52,8 @@ class LanePack final : private LaneGuard {
   LaneSpans spans_;
   AlignedDoubles whole_;  ///< the shares of steps that are not parts
   AlignedDoubles ends_;   ///< of the step
-  bool watches_ = false, judged_ = false;
-  VectorXd state_, new_state_;
+  bool watches_ = false, judged_ = false, limited_ = false;
+  VectorXd state_, new_state_, Phi_, Phi_dot_;
 };
 
 }  // namespace linkwork

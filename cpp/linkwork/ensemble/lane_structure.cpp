@@ -91,8 +91,7 @@ std::string LaneStructure::refusal_of_numbers(const Dynamics& dynamics) {
   if (!options.deterministic) return "lanes have the bits of deterministic runs only";
   if (!formulation_info(options.formulation).lanes || !linear_solver_info(options.linear_solver).lanes)
     return "lanes have formulation 'standard' by linear solver 'block' only";
-  for (const double limit : options.violation_limit)
-    if (std::isfinite(limit)) return "lanes do not watch a violation_limit";
+  if (std::isfinite(options.violation_limit[2])) return "lanes do not watch a violation_limit of accelerations";
   if (system.row_count() == 0) return "it has no joints";
   if (!system.inerters().empty()) return "it has inerters";
   return "";
