@@ -108,6 +108,23 @@ def test_a_force_that_depends_on_the_others_is_taken_by_itself(steps: dict[str, 
 
 
 @STEPS
+def test_a_force_that_mixes_late_and_for_a_while_only_is_taken_by_itself(steps: dict[str, float]) -> None:
+    """By all members, also by those that ended before it did."""
+
+    def gust(t: Any, q: Any, v: Any) -> Any:
+        force = np.zeros_like(v)
+        share = np.where((t > 0.066) & (t < 0.1), 1.0, 0.0)[:, None]
+        force[..., 0] = -3.0 * share * v[..., 0] * np.abs(v[..., 0]).mean()
+        return force
+
+    pulls = np.linspace(0.5, 1.5, 19)
+    found = many([bricard(it, gust) for it in pulls], 0.11, threads=1, **steps)
+    assert set(found.alone) == set(range(19)) and "beside" in found.alone[0]
+    for k in (0, 9, 18):
+        assert bits(found.member(k)) == bits(alone(bricard(pulls[k], gust), 0.11, **steps))
+
+
+@STEPS
 def test_a_force_that_fails_for_one_disturbs_no_other(steps: dict[str, float]) -> None:
     def burst(t: Any, q: Any, v: Any) -> Any:
         if np.abs(v).max() > 1.0:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import copy
+import functools
 import inspect
 import pickle
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -426,6 +428,48 @@ def wind_on(bodies: Any) -> lw.Model:
         model.body(name, **BODY)
     model.user_force(no_force, bodies)
     return model
+
+
+GAIN = 2.0
+
+
+def braked(t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+    return -GAIN * v
+
+
+def law_of(gain: float, calls: list[float]) -> Any:
+    def law(t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        calls.append(t)
+        return -gain * v
+
+    return law
+
+
+def hash_with(law: Any) -> str:
+    model = lw.Model()
+    model.user_force(law, model.body("x", **BODY))
+    return model.hash()
+
+
+def test_the_hash_depends_on_what_a_force_of_python_computes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its code and the constants that it reads; not on what it keeps of its calls."""
+    before = hash_with(braked)
+    monkeypatch.setattr(sys.modules[__name__], "GAIN", 3.0)
+    assert hash_with(braked) != before
+    monkeypatch.undo()
+    assert hash_with(braked) == before
+    calls: list[float] = []
+    law = law_of(1.0, calls)
+    alike = hash_with(law)
+    calls.append(0.5)
+    assert hash_with(law) == alike == hash_with(law_of(1.0, [])) != hash_with(law_of(2.0, []))
+    halved, doubled = (functools.partial(scaled, factor) for factor in (0.5, 2.0))
+    assert hash_with(halved) != hash_with(doubled)
+    assert len({hash_with(it) for it in (lambda t, q, v: v, lambda t, q, v: 2 * v, no_force)}) == 3
+
+
+def scaled(factor: float, t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+    return factor * v
 
 
 def test_the_hash_depends_on_a_mass() -> None:

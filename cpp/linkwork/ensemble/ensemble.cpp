@@ -4,6 +4,7 @@
 
 #include "linkwork/ensemble/lane_retake.hpp"
 #include "linkwork/ensemble/lane_threads.hpp"
+#include "linkwork/ensemble/lane_user_forces.hpp"
 #include "linkwork/integration/runge_kutta.hpp"
 
 namespace linkwork {
@@ -97,6 +98,16 @@ void Ensemble::run(int threads) {
   for (const Task& task : tasks_)
     tasks.emplace_back([this, &task](const std::function<void()>& look) { run_task(task, look); });
   run_on_threads(tasks, threads);
+  refuse_distrusted();
+}
+
+/// Members that have ended before a force of theirs was found to be another one beside others.
+void Ensemble::refuse_distrusted() {
+  std::vector<const Model*> models;
+  for (const Dynamics* it : dynamics_) models.push_back(&it->system().model());
+  const std::vector<std::string> reasons = distrusted_forces(models);
+  for (std::size_t k = 0; k < members_.size(); ++k)
+    if (members_[k].reason.empty() && !reasons[k].empty()) members_[k] = {{}, reasons[k], NAN};
 }
 
 std::vector<Ensemble::Member> Ensemble::take() { return std::exchange(members_, {}); }

@@ -39,6 +39,7 @@ class Ensemble {
     std::vector<int> members;
   };
 
+  void refuse_distrusted();
   void run_task(const Task& task, const std::function<void()>& look);
   void run_pack(const LaneStructure& structure, const std::vector<Lane*>& lanes, const std::function<void()>& look);
   void judge(const LaneStructure& structure, const std::vector<Lane*>& lanes, const std::function<void()>& look);

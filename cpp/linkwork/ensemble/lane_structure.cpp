@@ -94,6 +94,10 @@ std::string LaneStructure::refusal_of_numbers(const Dynamics& dynamics) {
   if (std::isfinite(options.violation_limit[2])) return "lanes do not watch a violation_limit of accelerations";
   if (system.row_count() == 0) return "it has no joints";
   if (!system.inerters().empty()) return "it has inerters";
+  const auto trusted = [](const auto& force) { return force->trusted(); };
+  const auto& forces = system.model().user_forces();
+  if (!std::all_of(forces.begin(), forces.end(), trusted))
+    return "it has a user force that was found to be another one beside other mechanisms than by itself";
   return "";
 }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "linkwork/ensemble/lane_threads.hpp"
+#include "linkwork/ensemble/lane_user_forces.hpp"
 #include "linkwork/formulation/watched_formulation.hpp"
 
 namespace linkwork {
@@ -133,6 +134,19 @@ std::string refusal_of_trials(const Dynamics& dynamics) {
   return LaneStructure::refusal(dynamics);
 }
 
+namespace {
+
+/// Runs that have ended before a force of theirs was found to be another one beside others.
+void refuse_distrusted(const std::vector<AdaptiveSimulation*>& runs, std::vector<std::string>& reasons) {
+  std::vector<const Model*> models;
+  for (AdaptiveSimulation* it : runs) models.push_back(&it->mechanism().system().model());
+  const std::vector<std::string> found = distrusted_forces(models);
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    if (reasons[k].empty()) reasons[k] = found[k];
+}
+
+}  // namespace
+
 std::vector<std::string> run_trials(const std::vector<AdaptiveSimulation*>& runs, const InstructionSet& widest,
                                     int threads) {
   std::vector<std::string> reasons(runs.size());
@@ -160,6 +174,7 @@ std::vector<std::string> run_trials(const std::vector<AdaptiveSimulation*>& runs
     }
   }
   run_on_threads(tasks, threads);
+  refuse_distrusted(runs, reasons);
   return reasons;
 }
 

@@ -1,12 +1,17 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "linkwork/ensemble/lane_guard.hpp"
 #include "linkwork/formulation/dynamics.hpp"
 
 namespace linkwork {
+
+/// Of each mechanism why it cannot have been simulated beside others, in words: it has a force that was found to be
+/// another one there, or the same function; empty where it can.
+std::vector<std::string> distrusted_forces(const std::vector<const Model*>& models);
 
 /// Forces of the user's own on the mechanisms in lanes: those that can be asked for together are, others lane by lane.
 class LaneUserForces {
@@ -34,13 +39,16 @@ class LaneUserForces {
   void find_groups();
   void add(std::size_t k, const Group& group, LaneGuard& guard);
   bool ask_together(std::size_t k, const Group& lanes);
+  bool is_looked_at(int l) const;
+  bool is_same_alone(std::size_t k, int l, const double* g);
+  void distrust(std::size_t k, const Group& lanes, LaneGuard& guard);
   void ask(std::size_t k, int l, double* g);
   double* forces(std::size_t place) { return g_.data() + place * v_size_; }
 
   std::vector<const System*> systems_;
   std::vector<Place> places_;
   std::vector<std::vector<Group>> groups_;  ///< of the k-th force of each mechanism
-  std::vector<std::uint32_t> asked_;        ///< how often, of each lane
+  std::vector<std::uint32_t> asked_;        ///< how often, of each lane that steps
   std::size_t most_ = 0, q_size_, v_size_;
   std::vector<double> t_, q_, v_, g_, single_;
 };

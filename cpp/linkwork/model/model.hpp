@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
@@ -58,6 +59,12 @@ class UserForce {
     for (std::ptrdiff_t k = 0; k < count; ++k)
       add(t[k], bodies, q + k * position_size * bodies, v + k * velocity_size * bodies, g + k * velocity_size * bodies);
   }
+  /// Asked for together it was found to be another one than by itself: no mechanism that has it may be in an ensemble.
+  void distrust() const { trusted_ = false; }
+  bool trusted() const { return trusted_; }
+
+ private:
+  mutable std::atomic<bool> trusted_ = true;  // lanes are on several threads
 };
 
 /// The constant description of a mechanism, cheap to copy. Everything is checked when it is added: bad input is a

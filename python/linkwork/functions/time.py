@@ -16,6 +16,7 @@ from linkwork import _core
 from linkwork.arguments import UNREADABLE, array, number
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError
+from linkwork.fingerprints import law
 
 __all__ = [
     "Broken", "Callback", "Cycloidal", "Expression", "Harmonic", "Polynomial", "Sum", "Table",
@@ -60,7 +61,7 @@ class TimeFunction(ABC):
         return sorted({t for t, ends_step in self.compiled().breaks if ends_step})
 
     def fingerprint(self) -> bytes:
-        """Equal for equal functions; a Python function counts by its name."""
+        """Equal for equal functions; one of Python counts by its code and the constants that it reads."""
         return repr(self).encode()
 
     def evaluate(self, t: float) -> tuple[float, float, float]:
@@ -187,9 +188,7 @@ class Callback(TimeFunction):
         return _core.TimeFunction.callback(self.value, self.rate, self.acceleration, self.what)
 
     def fingerprint(self) -> bytes:
-        return " ".join(
-            getattr(f, "__qualname__", "") for f in (self.value, self.rate, self.acceleration)
-        ).encode()
+        return " ".join(map(law, (self.value, self.rate, self.acceleration))).encode()
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 from linkwork import _core, arguments
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError, counted
+from linkwork.fingerprints import law
 from linkwork.modeling.bodies import Bodies
 from linkwork.modeling.builder import ModelBuilder
 from linkwork.modeling.tables import COLUMNS, Table, tables
@@ -205,7 +206,10 @@ class Model(ModelBuilder):
 
     def hash(self) -> str:
         """
-        Equal for models of equal motion, whatever the names; a Python function counts by its name.
+        Equal for models of equal motion, whatever the names.
+
+        A function of Python counts by its code and the numbers, texts and arrays that it reads, as defaults, from
+        around it or as globals of its module; that of an object counts by its class, a compiled one not at all.
 
             assert lw.mechanisms.chain(2).hash() == lw.mechanisms.chain(2).hash()
         """
@@ -219,7 +223,7 @@ class Model(ModelBuilder):
         for function in (*(signal for _, signal in self._signals), *self._characteristics):
             digest.update(function.fingerprint())
         for _, own, place in self._user_forces:
-            digest.update(f"{getattr(own, '__qualname__', '')} {place}".encode())
+            digest.update(f"{law(own)} {place}".encode())
         return digest.hexdigest()
 
     def describe(self) -> str:

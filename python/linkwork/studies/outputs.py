@@ -19,7 +19,7 @@ from linkwork.errors import LinkworkError, OptionError, nearest
 from linkwork.modeling.coordinates import coordinate_of
 from linkwork.results.result import Result
 from linkwork.results.tables import COORDINATES
-from linkwork.studies.fingerprints import canonical
+from linkwork.fingerprints import canonical
 
 __all__ = ["REDUCTIONS", "Output", "checked", "identity", "outputs_of"]
 

@@ -15,7 +15,7 @@ import numpy as np
 from linkwork.arguments import is_number, one_of, whole
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError, warn
-from linkwork.studies.fingerprints import plain
+from linkwork.fingerprints import plain
 
 __all__ = ["SAMPLERS", "Cases", "cases_of"]
 

@@ -25,7 +25,7 @@ from linkwork import arguments
 from linkwork.errors import FileError, cause, unwritable, warn
 from linkwork.studies.cases import Answer, Run
 from linkwork.studies.collected import Collected
-from linkwork.studies.fingerprints import digest
+from linkwork.fingerprints import digest
 
 __all__ = ["Store", "stored_identity", "write_whole"]
 

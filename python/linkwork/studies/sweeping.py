@@ -37,7 +37,7 @@ from linkwork.studies.cases import Answer, Case, Runner, check_times, machine
 from linkwork.studies.chunks import run_cases
 from linkwork.studies.collected import Collected, Todo
 from linkwork.studies.executors import check_executor
-from linkwork.studies.fingerprints import canonical, digest, digests
+from linkwork.fingerprints import canonical, digest, digests
 from linkwork.studies.lanes import fits, with_lanes
 from linkwork.studies.sampling import Cases, cases_of
 from linkwork.studies.store import Store, stored_identity

@@ -25,7 +25,7 @@ from linkwork.modeling.elements import KINDS
 from linkwork.modeling.files import record_of
 from linkwork.modeling.files.schema import BodyRecord, element_type, form_of
 from linkwork.modeling.model import Model, check_model
-from linkwork.studies.fingerprints import canonical, digest, plain
+from linkwork.fingerprints import canonical, digest, plain
 
 __all__ = ["Built", "Changed", "Source", "source_of"]
 

@@ -1,18 +1,19 @@
-"""Content hashes of what a study consists of: equal for equal values, in any process, on any machine."""
+"""Content hashes of what models and studies consist of: equal for equal values, in any process, on any machine."""
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import functools
 import hashlib
 import re
 from collections.abc import Mapping, Sequence, Set
-from types import CodeType, FunctionType, MethodType
+from types import CellType, CodeType, FunctionType, MethodType
 from typing import Any
 
 import numpy as np
 
-__all__ = ["canonical", "digest", "digests", "plain"]
+__all__ = ["canonical", "digest", "digests", "law", "plain"]
 
 #: Where an object is in memory, which says nothing about it.
 ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")
@@ -61,6 +62,54 @@ def canonical(value: Any, inside: frozenset[int] = frozenset()) -> str:
         parts.sort()
     kind = "list" if isinstance(value, list | tuple) else type(value).__name__
     return f"{kind}({','.join(parts)})" if parts else ADDRESS.sub("", f"{kind} {value!r}")
+
+
+def law(value: Any) -> str:
+    """A text of a function that a model calls: its code, and the constants that it reads, also as globals of its
+    module. What it may write to, such as a list of the times at which it was called, does not count."""
+    if isinstance(value, functools.partial):
+        return " ".join(["partial", law(value.func), *map(_constant, (value.args, sorted(value.keywords.items())))])
+    if isinstance(value, MethodType):
+        return f"{law(value.__func__)} of {type(value.__self__).__qualname__}"
+    if dataclasses.is_dataclass(value) and getattr(type(value), "__dataclass_params__").frozen:
+        return canonical(value)
+    if not isinstance(value, FunctionType):
+        return getattr(value, "__qualname__", type(value).__qualname__)
+    return _law(value, frozenset())
+
+
+def _law(value: FunctionType, inside: frozenset[FunctionType]) -> str:
+    if value in inside:
+        return "itself"
+    read = dict(zip(value.__code__.co_freevars, value.__closure__ or (), strict=True))
+    found = {name: _content(cell) for name, cell in read.items()}
+    found |= {name: value.__globals__[name] for name in _names(value.__code__) if name in value.__globals__}
+    given = [value.__defaults__ or (), sorted((value.__kwdefaults__ or {}).items())]
+    parts = [canonical(value.__code__), *map(_constant, given)]
+    for name, it in sorted(found.items()):
+        own = isinstance(it, FunctionType) and it.__module__ == value.__module__
+        parts.append(f"{name}={_law(it, inside | {value}) if own else _constant(it)}")
+    return " ".join(parts)
+
+
+def _content(cell: CellType) -> Any:
+    with contextlib.suppress(ValueError):  # there is nothing in it yet
+        return cell.cell_contents
+    return None
+
+
+def _names(code: CodeType) -> set[str]:
+    """That a function and those inside of it use."""
+    inner = [it for it in code.co_consts if isinstance(it, CodeType)]
+    return set(code.co_names).union(*map(_names, inner))
+
+
+def _constant(value: Any) -> str:
+    """Nothing of what is no number, text or array, or a tuple of them."""
+    if isinstance(value, tuple):
+        return f"({','.join(map(_constant, value))})"
+    plain_one = isinstance(value, bool | int | float | complex | str | bytes | np.generic | np.ndarray)
+    return canonical(value) if plain_one else type(value).__name__
 
 
 def _parts(value: Any) -> list[Any]:
