@@ -87,9 +87,12 @@ void Lane::record(double t, double frame_t, const VectorXd& y, bool last) {
   });
 }
 
-/// As a run records in the course of a step: by solving once more with the factors of the step.
+/// As a run records in the course of a step: by solving once more with the factors of the step. Those of the first step
+/// are what later pivots are compared with, and count whatever their own.
 void Lane::finish_record(double t) {
   if (!std::exchange(recording_, false)) return;
+  std::optional<Unwatched> unwatched;
+  if (t == 0.0) unwatched.emplace(dynamics_);
   dynamics_.formulation().look(true);
   guarded(t, [&] {
     if (!leaping_) dynamics_.factorize();
