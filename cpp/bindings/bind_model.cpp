@@ -1,4 +1,5 @@
 #include <array>
+#include <cstring>
 #include <utility>
 #include <variant>
 
@@ -267,7 +268,9 @@ class PythonForce final : public UserForce {
 
   Doubles numbers(const py::object& given, double t) const {
     if (!given.is_none()) {
-      if (Doubles out = Doubles::ensure(given)) return out;
+      const py::array found = py::array::ensure(given);
+      if (found && std::strchr("biufO", found.dtype().kind()))  // complex numbers would lose a part
+        if (Doubles out = Doubles::ensure(found)) return out;
       PyErr_Clear();
     }
     throw ModelError("not_a_number", "user force '" + name_ + "': returned " + shown(given) + at_time(t) +

@@ -620,3 +620,32 @@ def test_examples_of_what_is_read_and_changed_run() -> None:
     assert found["length"] == model.values("spring")["free_length"]
     assert found["free"].joint_count == 0
     np.testing.assert_array_equal(found["onward"].compiled().q0, result.q[-1].ravel())
+
+
+@pytest.mark.parametrize(
+    ("role", "kind", "arguments", "fragments"),
+    [
+        ("joints", "revolute", {"at": (0, 0, 0), "axis": (0, 0, 1), "stiff": 1}, ["'stiff'", "'at', 'axis'"]),
+        ("joints", "revolute", {"at": (0, 0, 0)}, ["axis is missing"]),
+        ("forces", "spring_damper", {"at": ((0, 0, 0), (0, 0, 1)), "stifness": 1}, ["'stifness'", "'stiffness'"]),
+        ("forces", "spring_damper", {"stiffness": 1}, ["at is missing"]),
+    ],
+)
+def test_arguments_of_many_that_there_are_not_are_named(
+    role: str, kind: str, arguments: dict[str, Any], fragments: list[str]
+) -> None:
+    model = lw.Model()
+    body = model.body("x", **BODY)
+    with pytest.raises(lw.ModelError) as refused:
+        getattr(model, role)(kind, model.ground, [body], **arguments)
+    assert all(fragment in str(refused.value) for fragment in [kind, *fragments])
+    assert (model.joint_count, model.force_count) == (0, 0)
+
+
+@pytest.mark.parametrize("given", [1j * np.ones((1, 6)), [["1"] * 6]])
+def test_a_force_that_is_not_of_real_numbers_is_refused(given: Any) -> None:
+    model = lw.Model()
+    model.body("x", **BODY)
+    model.user_force(lambda t, q, v: given, name="push")
+    with pytest.raises(lw.ModelError, match="'push': returned .*, not an array of numbers"):
+        lw.simulate(model, 0.1, 0.01, progress=False)

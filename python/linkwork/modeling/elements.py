@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
@@ -11,7 +12,7 @@ import numpy as np
 from linkwork import _core
 from linkwork.arguments import UNREADABLE, one_of
 from linkwork.arrays import Floats, Indices
-from linkwork.errors import OptionError, about
+from linkwork.errors import OptionError, about, nearest
 from linkwork.functions import TimeFunction, as_time_function
 from linkwork.modeling.placement import PLACEMENTS, Attachment, Place, Subject
 
@@ -93,8 +94,21 @@ def placed(info: _core.KindInfo, place: Place, bodies: Indices, arguments: Mappi
         message = f"{info.name} joints are added one by one, by linkwork.Model.{info.name}"
         raise OptionError(message, code="one_by_one")
     where = {what: value for what, value in arguments.items() if what not in info.parameters}
-    attachment = PLACEMENTS[info.placement](place, **where)
-    return with_parameters(info, place.subject, bodies, attachment, arguments)
+    return with_parameters(info, place.subject, bodies, _attachment(info, place, where), arguments)
+
+
+def _attachment(info: _core.KindInfo, place: Place, where: Mapping[str, Any]) -> Attachment:
+    """ModelError: an argument that there is not, or one that is missing."""
+    placement = PLACEMENTS[info.placement]
+    arguments = list(inspect.signature(placement).parameters.values())[1:]
+    known = [it.name for it in arguments] + list(info.parameters)
+    for name in where:
+        if name not in known:
+            place.subject.refuse(0, f"'{name}' is none of its arguments{nearest(name, known)}", "argument", name)
+    for it in arguments:
+        if it.default is it.empty and it.name not in where:
+            place.subject.refuse(0, f"{it.name} is missing", "missing", it.name)
+    return placement(place, **where)
 
 
 def with_parameters(
