@@ -179,6 +179,32 @@ def test_modes_of_a_disk_that_spins_have_what_its_inerters_do_while_they_turn_wi
     assert np.sort(np.abs(found.imag))[-2:] == pytest.approx(np.sort(expected), rel=1e-9)
 
 
+@pytest.mark.parametrize("solver", ["block", "eigen_ldlt", "dense", "cholmod"])
+def test_inerters_are_inertia_of_bodies_without_any(solver: str) -> None:
+    """Two massless disks on a shaft that turn against each other: b_1 x'' + k (x - y) = 0 and b_2 y'' = k (x - y)."""
+    model = lw.Model()
+    disks = [
+        model.body(f"disk {k}", mass=0, inertia=(0, 0, 0), position=(k, 0, 0), omega=(rate, 0, 0))
+        for k, rate in enumerate((0.6, -0.3))
+    ]
+    for k, (disk, b) in enumerate(zip(disks, (0.5, 1.0), strict=True)):
+        model.revolute("ground", disk, at=(k, 0, 0), axis=(1, 0, 0), name=f"bearing {k}")
+        model.rotational_inerter("ground", disk, at=(k, 0, 0), axis=(1, 0, 0), inertance=b)
+    model.rotational_spring_damper(*disks, at=(0.5, 0, 0), axis=(1, 0, 0), stiffness=12.0)
+    result = lw.simulate(model, 1.0, 1e-3, linear_solver=solver, progress=False)
+    for k, rate in enumerate((0.6, -0.3)):
+        assert result.coordinate(f"bearing {k}", "angle").value == pytest.approx(
+            rate / 6 * np.sin(6 * result.t), abs=1e-10
+        )
+    assert np.abs(result.energy_error).max() < 1e-10
+    loose = lw.Model()
+    body = loose.body("disk", mass=0, inertia=(0, 0, 0))
+    loose.cylindrical("ground", body, at=(0, 0, 0), axis=(1, 0, 0))
+    loose.rotational_inerter("ground", body, at=(0, 0, 0), axis=(1, 0, 0), inertance=1.0)
+    with pytest.raises(lw.LinkworkError, match="'disk' has a motion without inertia"):
+        lw.simulate(loose, 1.0, 1e-3, linear_solver=solver, progress=False)
+
+
 def test_a_blow_shares_momentum_as_rotors_have_it() -> None:
     """A driver whose velocity jumps: as with wheels that are coupled to the joints."""
     results = []

@@ -168,14 +168,38 @@ std::string describe(const Model& model, const DependentGroup& group) {
          (joints.size() > 1 ? " already fix" : " already fixes");
 }
 
+namespace {
+
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+
+/// What an inerter feels of a body.
+struct FeltBody {
+  int body, row;  ///< behind those of the joints
+  const double* d;
+  bool operator<(const FeltBody& other) const { return body < other.body; }
+};
+
+/// By their bodies, but the ground.
+std::vector<FeltBody> felt_by_inerters(const System& system, const Evaluation& at) {
+  std::vector<FeltBody> out;
+  for (std::size_t k = 0; k < system.inerters().count(); ++k)
+    for (const Inerters::Part& part : system.inerters().row(k, at.D.data()))
+      if (part.body != ground) out.push_back({part.body, system.row_count() + static_cast<int>(k), part.d});
+  std::stable_sort(out.begin(), out.end());
+  return out;
+}
+
+}  // namespace
+
 // ker M and ker D meet iff D K has dependent columns, K a basis of ker M: per massless body the directions without
-// inertia. What an equation feels of one is nothing where it is roundoff of its lever arms.
+// inertia. What an equation feels of one is nothing where it is roundoff of its lever arms. Inerters are inertia of a
+// motion that they feel.
 std::vector<int> free_massless_bodies(const System& system, const Evaluation& at, double tolerance) {
   std::vector<int> owner;
   std::vector<Entry> entries;
   const VectorXd& lengths = characteristic_lengths(system);
   const VectorXd of_rows = row_lengths(system, at);
-  using Vec6 = Eigen::Matrix<double, 6, 1>;
+  const std::vector<FeltBody> inerters = felt_by_inerters(system, at);
   for (const int body : system.massless_bodies()) {
     const MatrixXd kernel = system.massless_directions(body);
     for (Eigen::Index c = 0; c < kernel.cols(); ++c) {
@@ -191,11 +215,18 @@ std::vector<int> free_massless_bodies(const System& system, const Evaluation& at
             entries.push_back({block.row + k, column, felt});
         }
       }
+      const auto [first, last] = std::equal_range(inerters.begin(), inerters.end(), FeltBody{body, 0, nullptr});
+      for (auto it = first; it != last; ++it) {
+        const Eigen::Map<const Vec6> d(it->d);
+        const double felt = d.dot(motion),
+                     most = d.head<3>().norm() * motion.head<3>().norm() + d.tail<3>().norm() * motion.tail<3>().norm();
+        if (std::abs(felt) > tolerance * most) entries.push_back({it->row, column, felt});
+      }
     }
   }
+  const int rows = system.row_count() + static_cast<int>(system.inerters().count());
   std::vector<int> bodies;
-  for (const int column :
-       dependent_columns(system.row_count(), static_cast<int>(owner.size()), std::move(entries), tolerance))
+  for (const int column : dependent_columns(rows, static_cast<int>(owner.size()), std::move(entries), tolerance))
     bodies.push_back(owner[column]);
   bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
   return bodies;

@@ -56,7 +56,7 @@ std::vector<DependentGroup> dependent_groups(const System& system, const RankRep
 /// Such as "revolute 'F', rotation about joint x, repeats what 'A', 'B', 'C', 'D', 'E' already fix".
 std::string describe(const Model& model, const DependentGroup& group);
 
-/// Bodies with a motion that has no inertia and that no joint resists (ker M and ker D meet).
+/// Bodies with a motion that has no inertia, not of inerters either, and that no joint resists (ker M and ker D meet).
 std::vector<int> free_massless_bodies(const System& system, const Evaluation& at, double tolerance = rank_tolerance);
 
 }  // namespace linkwork

@@ -25,7 +25,8 @@ std::vector<std::string> distrusted_forces(const std::vector<const Model*>& mode
       const UserForce& force = *models[m]->user_forces()[k];
       const auto same = [&](const UserForce* other) { return other == &force || other->goes_with(force); };
       if (std::any_of(found.begin(), found.end(), same))
-        out[m] = "user force '" + models[m]->user_force_name(k) + "' is another one beside other mechanisms than by itself";
+        out[m] =
+            "user force '" + models[m]->user_force_name(k) + "' is another one beside other mechanisms than by itself";
     }
   return out;
 }

@@ -269,7 +269,8 @@ void Dynamics::return_to(const Place& place) {
 void Dynamics::take_sides(double least) {
   sides_.resize(at_.switches.size(), 0);
   for (std::size_t k = 0; k < sides_.size(); ++k)
-    if (const double value = at_.switches[static_cast<Eigen::Index>(k)]; std::abs(value) > least) sides_[k] = value > 0.0;
+    if (const double value = at_.switches[static_cast<Eigen::Index>(k)]; std::abs(value) > least)
+      sides_[k] = value > 0.0;
 }
 
 void Dynamics::look_for_switches() {
