@@ -205,9 +205,10 @@ bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
   const auto v = y.segment(system.q_size(), system.v_size());
   fastest_ = largest_rate(v);
   turned_ += fastest_ * (t - std::exchange(turned_until_, t));
-  const double usual = usual_length(v), enough = near_enough(usual, h, adaptive);
+  const double usual = usual_length(v);
   keep_rows_good();
-  if (turned_ + 0.5 * fastest_ * h >= next_look_ || fastest_ * h > coarse || falls_to_ - t <= enough) look(t);
+  const bool falls = falls_to_ - t <= near_enough(usual, h, adaptive);
+  if (turned_ + 0.5 * fastest_ * h >= next_look_ || fastest_ * h > coarse || falls) look(t);
   if (std::abs(fastest_ - known_rate_) > other_pace * known_rate_) known_ = -INFINITY;
   const bool leaves = std::exchange(leaves_, false);
   const double tau = time_to_pose(t);
@@ -216,7 +217,7 @@ bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
     if (leaves && short_steps * h < usual) beside_ = usual;
     return beside_ > 0.0;
   }
-  if (tau <= enough) return true;
+  if (tau <= near_enough(usual, h, adaptive)) return true;
   if (!adaptive) return false;
   const double up_to = tau - before_pose * usual;
   most_step_ = known_ > t ? up_to : std::min(up_to, part_of_foreseen * tau);
@@ -262,9 +263,17 @@ void Crossing::keep_rows_good() {
 }
 
 /// How far ahead [s] a pose may be for a leap to begin; fixed steps h keep away from it by some of them, as far as it
-/// can be foreseen at all: what falls slowly, as in a large or slender mechanism, need not come down to zero.
-double Crossing::near_enough(double usual, double h, bool adaptive) {
-  return adaptive ? 0.5 * usual : std::clamp(steps_before * h, 0.5 * usual, farthest * usual) + h;
+/// can be foreseen: what falls in a large or slender mechanism, small as it always is, need not come down to zero.
+double Crossing::near_enough(double usual, double h, bool adaptive) const {
+  if (adaptive) return 0.5 * usual;
+  return std::clamp(steps_before * h, 0.5 * usual, (weaker_than_usual() ? farthest : 0.5) * usual) + h;
+}
+
+/// By what was usual in this run, not by `least_usual`.
+bool Crossing::weaker_than_usual() const {
+  const auto trend = dynamics_.watch().trend();
+  return (trend && trend->last.root < near * dynamics_.watch().root_of_level()) ||
+         least_.value < near * dynamics_.formulation().usual_least_singular_value();
 }
 
 /// Of the nodes from the poses, relative to the length.
