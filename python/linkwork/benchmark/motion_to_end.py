@@ -54,7 +54,9 @@ class Trial:
 
 
 def try_steps(model: Model, step: float, method: str, most: int, limit: float, **options: Any) -> Trial:
-    """So many steps of a run that would go on; fewer, but one, where they take longer than the limit [CPU s].
+    """So many steps of a run; fewer, but one, where they take longer than the limit [CPU s].
+
+    One more ends the run, which is no part of the cost of a step, but needs memory; not beyond the limit.
     LinkworkError: it cannot, or fails.
     """
     ready, setup = _prepared(model, (most + 1) * step, step, method, 1, options)
@@ -65,8 +67,10 @@ def try_steps(model: Model, step: float, method: str, most: int, limit: float, *
         ready.run.advance(PIECE_FRAMES, 0.0)
         cpu.append(time.process_time() - before[0])
         clock.append(time.perf_counter() - before[1])
+    while not ready.run.finished and sum(cpu) < limit:
+        ready.run.advance(PIECE_FRAMES, 0.0)
     rank = ready.facts["constraints"]
-    return Trial(ready.run.steps_done, float(np.median(cpu)), float(np.median(clock)), setup, rank)
+    return Trial(len(cpu), float(np.median(cpu)), float(np.median(clock)), setup, rank)
 
 
 def _prepared(
