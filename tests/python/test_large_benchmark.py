@@ -16,7 +16,7 @@ from linkwork.benchmark import large as module
 from linkwork.benchmark.large import measure_model
 from linkwork.benchmark.large_models import large_subjects
 from linkwork.benchmark.large_peers import PEERS
-from linkwork.benchmark.motion_to_end import Motion, distance, move, unsound
+from linkwork.benchmark.motion_to_end import Motion, attempt, distance, move, try_steps, unsound
 from linkwork.cli import run
 
 #: Equations that repeat others, in the sizes here.
@@ -148,7 +148,31 @@ def test_energy_that_is_lost_is_seen() -> None:
     assert fine.energy_error < 1e-8 < 0.05 < coarse.energy_error
 
 
+def test_trial_takes_steps_of_a_run_that_would_go_on() -> None:
+    """What a run does at its end, such as a look for singular poses, is no part of a step."""
+    trial = try_steps(lw.mechanisms.four_bar(3), 1e-3, "rk4", 3, 100.0)
+    assert trial.steps == 3
+    assert trial.rank["redundant"] == 9
+
+
 # --- what is left out ---
+
+
+def test_trial_ends_at_the_limit_but_takes_a_step() -> None:
+    assert try_steps(lw.mechanisms.chain(300), 1e-3, "rk4", 50, 1e-9).steps == 1
+
+
+def test_run_that_takes_longer_than_expected_ends_and_says_where() -> None:
+    reason = attempt(lw.mechanisms.chain(5), 1.0, 1e-6, "rk4", limit=0.0)
+    assert isinstance(reason, str) and reason.endswith("of 1000000 steps took 0 s, the limit")
+
+
+def test_trial_steps_are_part_of_what_the_limit_allows(monkeypatch: pytest.MonkeyPatch) -> None:
+    """They were not: a model whose first step took minutes was measured all the same."""
+    spent = iter(range(0, 1000, 10))  # [s] at each look at the clock
+    monkeypatch.setattr(module.time, "process_time", lambda: float(next(spent)))
+    found = measured("chain", links=5, limit=9.0)
+    assert found.runs == [] and any("would take about" in it for it in found.left_out)
 
 
 def test_runs_that_would_take_too_long_are_left_out_and_said() -> None:

@@ -130,3 +130,32 @@ def test_a_large_bent_net_begins_without_looking_for_a_singular_pose() -> None:
     assert result.statistics["smallest_pivot"] < 0.01
     assert result.statistics["singular_poses"] == 0
     assert result.statistics["evaluations"] < 40
+
+
+def conserved(result: lw.Result) -> float:
+    """Energy that is lost or gained, of all that moves."""
+    return float(np.abs(result.energy_error).max() / result.kinetic_energy.max())
+
+
+def test_slender_arm_is_near_no_singular_pose_however_weak_it_is() -> None:
+    """Its least singular value is 1e-6 of a usual one, and stays: iterations to it seemed to be a fall."""
+    result = run(lw.mechanisms.scissors(arms=1, units=500), 0.04, 1e-2)
+    assert result.statistics["singular_poses"] == 0
+    assert result.statistics["evaluations"] < 50
+    assert conserved(result) < 1e-9
+
+
+def test_arm_of_5000_pairs_begins_in_no_singular_pose() -> None:
+    """Its rows nearly depend on each other, but as much a little farther on: no branches meet there."""
+    result = run(lw.mechanisms.scissors(arms=1, units=5000), 1e-5, 1e-5)
+    assert result.statistics["singular_poses"] == 0
+    assert not result.statistics["singularity_crossings"]
+    assert conserved(result) < 1e-6
+
+
+def test_slow_fall_in_a_net_foretells_no_singular_pose_far_ahead() -> None:
+    """Half a radian ahead, as it seems: leaps were tried in vain for 1300 evaluations."""
+    result = run(lw.mechanisms.hexagonal_net(8), 0.2, 2e-2)
+    assert result.statistics["singular_poses"] == 0
+    assert result.statistics["evaluations"] < 100
+    assert conserved(result) < 1e-2

@@ -8,9 +8,9 @@
 namespace linkwork {
 namespace {
 
-constexpr int least_iterations = 2, most_iterations = 8;
-constexpr double settled = 0.1;  // relative change of the value
-constexpr double news = 1.0;     // a vector in any direction, to one that was the least
+constexpr int least_iterations = 2, most_iterations = 40;
+constexpr double settled = 0.01;  // relative change of the square: more would seem a fall from one look to the next
+constexpr double news = 1.0;      // a vector in any direction, to one that was the least
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linkwork/math/elementary.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
@@ -10,12 +11,21 @@ namespace {
 
 constexpr int most_sweeps = 40;
 constexpr double converged = 1e-13, roundoff = 1e-7, shrinking = 0.5;
-constexpr double tolerance = 1e-10;      // of the energy over a step
-constexpr double resolved = 1e-10;       // of velocities inside; at the end about the square of it counts
-constexpr double end_part = 1e-2;        // of that, at most
-constexpr double fair_tolerance = 1e-7;  // of both, where nothing better is found
-constexpr double consistent = 1e-8;      // correction of the nodes: more, and the branches do not quite meet
-constexpr double farthest_off = 1e-6;    // of a start that is not taken to the constraints, which the nodes are
+constexpr int slow_from = 10, looked_back = 5;  // sweeps
+constexpr double tolerance = 1e-10;             // of the energy over a step
+constexpr double resolved = 1e-10;              // of velocities inside; at the end about the square of it counts
+constexpr double end_part = 1e-2;               // of that, at most
+constexpr double fair_tolerance = 1e-7;         // of both, where nothing better is found
+constexpr double consistent = 1e-8;             // correction of the nodes: more, and the branches do not quite meet
+constexpr double farthest_off = 1e-6;           // of a start that is not taken to the constraints, which the nodes are
+
+/// Whether the sweeps that are left do not suffice at the rate of the last ones: in large mechanisms each is long.
+bool hopeless(const double (&changes)[most_sweeps], int sweep) {
+  if (sweep < slow_from) return false;
+  const double rate = changes[sweep] / changes[sweep - looked_back];
+  const double left = static_cast<double>(most_sweeps - sweep) / looked_back;
+  return elementary::logarithm(changes[sweep] / roundoff) + left * elementary::logarithm(rate) > 0.0;
+}
 
 }  // namespace
 
@@ -108,7 +118,7 @@ CollocationStep::Quality CollocationStep::attempt(double h, int left_out) {
 
 /// Fixed-point iteration, node after node: it converges like (h L)^k / k!.
 bool CollocationStep::iterate() {
-  double last = INFINITY;
+  double last = INFINITY, changes[most_sweeps];
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     double change = 0.0;
     correction_ = jump_ = 0.0;
@@ -116,7 +126,8 @@ bool CollocationStep::iterate() {
     if (!std::isfinite(change)) return false;
     if (change <= converged || (change <= roundoff && change > shrinking * last)) return true;
     if (sweep > 3 && change > 2.0 * last) return change <= roundoff;
-    last = change;
+    changes[sweep] = last = change;
+    if (hopeless(changes, sweep)) return false;
   }
   return false;
 }

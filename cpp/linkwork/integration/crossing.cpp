@@ -17,6 +17,7 @@ constexpr double fastest = 0.8;     // the same for any body
 constexpr double least_part = 0.1;  // of that, for leaps over a motion that varies more
 constexpr double near = 0.3;  // of the usual least singular value, or root of the smallest pivot: else none is due
 constexpr double near_at_start = 0.1;                         // that root, before there is a usual one
+constexpr double roundoff = 1e-7;                             // that root, where nothing is left of a pivot
 constexpr double way_at_start = 0.03, change_at_start = 0.1;  // [rad], and of the root there, relative, toward a pose
 constexpr double passed_at_start = 2.0;                       // the same, where that way leads over the pose
 constexpr double left_behind = 0.05;                          // [rad] so far behind the start a pose does not matter
@@ -26,19 +27,21 @@ constexpr double looked_at = 0.2;     // of the usual root: nearer, pivots do no
 constexpr double look_part = 0.1;     // rad to the next look, where the least singular value is the usual one
 constexpr double coarse = 0.02;       // a step in which a body turns so far [rad] may pass a pose that no pivot shows
 constexpr double coarsest = 0.1, most_parts = 20;  // of the way between states that are looked at [rad]
-constexpr double fallen = 0.4;                     // part of either, for another look at redundant rows
-constexpr double steps_before = 15.0;              // so many fixed steps before the pose a usual one is no longer taken
-constexpr double before_pose = 0.3;                // of a leap: where adaptive steps end before the pose
-constexpr double part_of_foreseen = 0.5;           // way to a pose that usual steps go, as it may be nearer
-constexpr double most_of_way = 0.75;               // that they may have gone where it was not foreseen
-constexpr double short_steps = 4.0;                // of which a leap beside the pose is worth so many
-constexpr double least_beside = 0.4;               // of a usual leap
-constexpr double least_margin = 0.006;             // the same, where nothing better is found
-constexpr double margin = 0.06;                    // least distance of nodes from the pose, relative to the leap
-constexpr double in_pose_from = 0.03;              // the same: where such a node is left out if it must be there
-constexpr double same_time = 1e-9;                 // relative to the step
-constexpr double same_pose = 1e-2;                 // relative to a leap
-constexpr double farther = 1e-3;                   // the same, of nodes from poses: what makes a length the better one
+constexpr double resolved = 1e-15;        // of the square of the least singular value: changes by less are none
+constexpr double fallen = 0.4;            // part of either, for another look at redundant rows
+constexpr double steps_before = 15.0;     // so many fixed steps before the pose a usual one is no longer taken
+constexpr double farthest = 2.0;          // usual leaps: no pose is foreseen beyond
+constexpr double before_pose = 0.3;       // of a leap: where adaptive steps end before the pose
+constexpr double part_of_foreseen = 0.5;  // way to a pose that usual steps go, as it may be nearer
+constexpr double most_of_way = 0.75;      // that they may have gone where it was not foreseen
+constexpr double short_steps = 4.0;       // of which a leap beside the pose is worth so many
+constexpr double least_beside = 0.4;      // of a usual leap
+constexpr double least_margin = 0.006;    // the same, where nothing better is found
+constexpr double margin = 0.06;           // least distance of nodes from the pose, relative to the leap
+constexpr double in_pose_from = 0.03;     // the same: where such a node is left out if it must be there
+constexpr double same_time = 1e-9;        // relative to the step
+constexpr double same_pose = 1e-2;        // relative to a leap
+constexpr double farther = 1e-3;          // the same, of nodes from poses: what makes a length the better one
 constexpr int most_attempts = 12;
 // Of the length, where a leap does not converge: a node may be in the pose, or the leap too long.
 constexpr double other_lengths[most_attempts] = {0.85, 1.15, 0.7, 0.6, 0.5, 1.3, 0.4, 0.35, 0.3, 0.25, 0.2, 0.15};
@@ -143,14 +146,16 @@ bool Crossing::starts_near(double t, const VectorXd& y) {
     } catch (const SingularSystemError&) {
     }
   }
-  in_pose_ = root < near_at_start && in_singular_pose(t, y);
+  const bool near_pose = root < near_at_start && pivot_changes(t, y, root);
+  in_pose_ = near_pose && in_singular_pose(t, y);
   if (in_pose_) poses_.list(t, y);
-  return in_pose_ || (root < near_at_start && pivot_changes(t, y, root));
+  return near_pose;
 }
 
 /// Whether the root of the smallest pivot, which falls linearly to a pose, changes as the motion begins: in a large
 /// mechanism it is small wherever it is. Leaves `dynamics` evaluated at y.
 bool Crossing::pivot_changes(double t, const VectorXd& y, double root) {
+  if (!(root > roundoff)) return true;
   const System& system = dynamics_.system();
   const Unwatched unwatched(dynamics_);
   VectorXd way = y.segment(system.q_size(), system.v_size());
@@ -200,9 +205,10 @@ bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
   const auto v = y.segment(system.q_size(), system.v_size());
   fastest_ = largest_rate(v);
   turned_ += fastest_ * (t - std::exchange(turned_until_, t));
-  const double usual = usual_length(v), enough = near_enough(usual, h, adaptive);
+  const double usual = usual_length(v);
   keep_rows_good();
-  if (turned_ + 0.5 * fastest_ * h >= next_look_ || fastest_ * h > coarse || falls_to_ - t <= enough) look(t);
+  const bool falls = falls_to_ - t <= near_enough(usual, h, adaptive);
+  if (turned_ + 0.5 * fastest_ * h >= next_look_ || fastest_ * h > coarse || falls) look(t);
   if (std::abs(fastest_ - known_rate_) > other_pace * known_rate_) known_ = -INFINITY;
   const bool leaves = std::exchange(leaves_, false);
   const double tau = time_to_pose(t);
@@ -211,7 +217,7 @@ bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
     if (leaves && short_steps * h < usual) beside_ = usual;
     return beside_ > 0.0;
   }
-  if (tau <= enough) return true;
+  if (tau <= near_enough(usual, h, adaptive)) return true;
   if (!adaptive) return false;
   const double up_to = tau - before_pose * usual;
   most_step_ = known_ > t ? up_to : std::min(up_to, part_of_foreseen * tau);
@@ -235,7 +241,7 @@ void Crossing::look(double t) {
     before = {};
   }
   const double fall = before.value - least_.value;
-  const bool falls = least_.value < small && fall > 0.0 && before.at < t;
+  const bool falls = least_.value < small && fall * before.value > resolved && before.at < t;
   falls_to_ = falls ? t + least_.value * (t - before.at) / fall : INFINITY;
   next_look_ = usual > 0.0 ? look_part * (least_.value / usual) : 0.0;
   turned_ = 0.0;
@@ -256,9 +262,18 @@ void Crossing::keep_rows_good() {
   if (trend) rows_turn_bad(near * dynamics_.watch().root_of_level(), trend->last.root, highest_root_);
 }
 
-/// How far ahead [s] a pose may be for a leap to begin; fixed steps h keep away from it by some of them.
-double Crossing::near_enough(double usual, double h, bool adaptive) {
-  return adaptive ? 0.5 * usual : std::max(0.5 * usual, steps_before * h) + h;
+/// How far ahead [s] a pose may be for a leap to begin; fixed steps h keep away from it by some of them, as far as it
+/// can be foreseen: what falls in a large or slender mechanism, small as it always is, need not come down to zero.
+double Crossing::near_enough(double usual, double h, bool adaptive) const {
+  if (adaptive) return 0.5 * usual;
+  return std::clamp(steps_before * h, 0.5 * usual, (weaker_than_usual() ? farthest : 0.5) * usual) + h;
+}
+
+/// By what was usual in this run, not by `least_usual`.
+bool Crossing::weaker_than_usual() const {
+  const auto trend = dynamics_.watch().trend();
+  return (trend && trend->last.root < near * dynamics_.watch().root_of_level()) ||
+         least_.value < near * dynamics_.formulation().usual_least_singular_value();
 }
 
 /// Of the nodes from the poses, relative to the length.

@@ -112,7 +112,8 @@ class Crossing final : public Interpolant {
   bool leap_beside(double most, double usual);
   bool try_lengths(Search& search, const VectorXd& y);
   void weigh(Search& search, CollocationStep::Quality quality);
-  static double near_enough(double usual, double h, bool adaptive);
+  double near_enough(double usual, double h, bool adaptive) const;
+  bool weaker_than_usual() const;
   double nearest_node(const std::vector<double>& poses, double h, int left_out = CollocationStep::none) const;
   int node_in_pose(const Search& search, double h) const;
   double best_length(const Search& search);

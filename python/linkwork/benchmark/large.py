@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
@@ -14,7 +15,7 @@ from linkwork.benchmark.choices import check_choices
 from linkwork.benchmark.isolated import Failure, isolated
 from linkwork.benchmark.large_models import LargeModel, large_subjects
 from linkwork.benchmark.large_peers import PEERS, Peer, missing_peers
-from linkwork.benchmark.motion_to_end import Motion, attempt, distance, move, unsound
+from linkwork.benchmark.motion_to_end import Motion, Trial, attempt, distance, try_steps, unsound
 from linkwork.benchmark.subject import Subject
 from linkwork.modeling.model import Model
 from linkwork.running.progress import ShowOption, counting
@@ -36,7 +37,7 @@ MOST_BODIES = 100_000
 #: Of fewer bodies what the process takes for itself hides their memory.
 MANY_BODIES = 1000
 
-#: Steps by which the cost of one is known before a run begins.
+#: Steps by which the cost of one is known before a run begins, fewer where they reach the limit.
 TRIAL_STEPS = 3
 
 HALVINGS, LIMIT_SECONDS = 4, 300.0
@@ -150,30 +151,30 @@ def measure_model(
     before = memory.resident()
     model = subject.build()
     model.compiled()
-    trial = move(model, TRIAL_STEPS * it.step / 2**halvings, it.step / 2**halvings, "rk4", threads=threads)
-    peak, each = memory.peak(), trial.cpu_seconds / trial.steps
+    budget = _Budget(limit, it.t_end, repeats, threads)
+    trial = budget.try_steps(model, it.step / 2**halvings)
+    peak = memory.peak()
     told = peak is not None and before is not None and model.body_count >= MANY_BODIES
     steps = [it.step / 2**k for k in range(halvings)]
-    budget = _Budget(limit, each / 4, it.t_end, repeats)
     runs: list[LargeRun] = []
     reference, error = "", None
     if model.body_count > MOST_BODIES:
         budget.left_out.append(f"beyond {MOST_BODIES:,} bodies: no error, only the cost of a step")
-    elif budget.allows(TRUSTED, steps[-1], 1) and budget.allows(TRUSTED, steps[-2], 1):
-        truth = _true_motion(model, it.t_end, steps, threads)
+    elif budget.allows(TRUSTED, steps[-2:], 1):
+        truth = _true_motion(model, steps, budget)
         if isinstance(truth, str):
             budget.left_out.append(f"no errors, because the reference failed: {truth}")
         else:
             (true, error), reference = truth, f"{TRUSTED}, step {steps[-1]:g} s"
-            runs += _runs(model, it.t_end, methods, steps, repeats, threads, true, budget)
+            runs += _runs(model, methods, steps, true, budget)
             runs += _peer_runs(model, it.t_end, steps, repeats, true, budget) if peers else ()
     facts = trial.rank
     return Large(
         model=it.name, mechanism=subject.mechanism, parameters=dict(subject.parameters),
         bodies=model.body_count, joints=model.joint_count, equations=facts["equations"], rank=facts["rank"],
         redundant=facts["redundant"], degrees_of_freedom=facts["degrees_of_freedom"], threads=threads,
-        t_end=it.t_end, setup_seconds=trial.setup_seconds, cpu_seconds_per_step=each,
-        seconds_per_step=trial.seconds / trial.steps,
+        t_end=it.t_end, setup_seconds=trial.setup_seconds, cpu_seconds_per_step=trial.cpu_seconds,
+        seconds_per_step=trial.seconds,
         bytes_per_body=(peak - before) / model.body_count if told else None,  # type: ignore[operator]
         reference=reference, reference_error=error, runs=runs, left_out=budget.left_out,
     )  # fmt: skip
@@ -195,24 +196,37 @@ def least_cost(found: Large, error: float) -> dict[str, LargeRun]:
 
 @dataclass
 class _Budget:
-    """What runs may take together [CPU s]."""
+    """What all runs of a model may take together, their set-up included [CPU s]."""
 
     left: float
-    evaluation: float
     t_end: float
     repeats: int
+    threads: int
+    evaluation: float = 0.0  # each of a run
     expected: float = 0.0  # of the next run of a peer
     left_out: list[str] = field(default_factory=list)
 
-    def allows(self, method: str, step: float, repeats: int | None = None) -> bool:
+    def try_steps(self, model: Model, step: float) -> Trial:
+        began = time.process_time()
+        trial = try_steps(model, step, "rk4", TRIAL_STEPS, self.left, threads=self.threads)
+        self.left -= time.process_time() - began
+        self.evaluation = trial.cpu_seconds / 4
+        return trial
+
+    def allows(self, method: str, steps: Sequence[float], repeats: int) -> bool:
         evaluations = len(getattr(integrators.named(method), "A", ())) or 2
-        each = self.evaluation * evaluations * self.t_end / step
-        needed = each * (repeats or self.repeats)
+        needed = repeats * sum(self.evaluation * evaluations * self.t_end / step for step in steps)
         if needed > self.left:
-            self.left_out.append(f"{method}, step {step:g} s: would take about {needed:.0f} s")
-            return False
-        self.left -= needed
-        return True
+            named = " and ".join(f"{step:g}" for step in steps)
+            self.left_out.append(f"{method}, step {named} s: would take about {needed:.0f} s")
+        return needed <= self.left
+
+    def run(self, model: Model, step: float, method: str) -> Motion | str:
+        """To the end, or why not: it may take longer than was expected."""
+        began = time.process_time()
+        motion = attempt(model, self.t_end, step, method, limit=self.left, threads=self.threads)
+        self.left -= time.process_time() - began
+        return motion
 
     def allows_peer(self, name: str, step: float) -> bool:
         """By what its run with twice the step took."""
@@ -226,11 +240,9 @@ class _Budget:
         self.left, self.expected = self.left - spent, 2 * spent
 
 
-def _true_motion(
-    model: Model, t_end: float, steps: Sequence[float], threads: int
-) -> tuple[Motion, float] | str:
+def _true_motion(model: Model, steps: Sequence[float], budget: _Budget) -> tuple[Motion, float] | str:
     """By the trusted method with the shortest step, and how far the one before is from it; or why not."""
-    true, coarser = (attempt(model, t_end, step, TRUSTED, threads=threads) for step in (steps[-1], steps[-2]))
+    true, coarser = (budget.run(model, step, TRUSTED) for step in (steps[-1], steps[-2]))
     if isinstance(true, str):
         return true
     if isinstance(coarser, str):
@@ -239,22 +251,16 @@ def _true_motion(
 
 
 def _runs(
-    model: Model,
-    t_end: float,
-    methods: Sequence[str],
-    steps: Sequence[float],
-    repeats: int,
-    threads: int,
-    true: Motion,
-    budget: _Budget,
+    model: Model, methods: Sequence[str], steps: Sequence[float], true: Motion, budget: _Budget
 ) -> Iterator[LargeRun]:
     """The coarse steps of all methods before the fine ones; the reference itself has no error to tell."""
     for step in steps:
         for method in methods:
-            if (method == TRUSTED and step == steps[-1]) or not budget.allows(method, step):
+            known = method == TRUSTED and step == steps[-1]
+            if known or not budget.allows(method, [step], budget.repeats):
                 continue
-            motions = [attempt(model, t_end, step, method, threads=threads) for _ in range(repeats)]
-            yield _judged(method, step, t_end, motions, true)
+            motions = [budget.run(model, step, method) for _ in range(budget.repeats)]
+            yield _judged(method, step, budget.t_end, motions, true)
 
 
 def _judged(

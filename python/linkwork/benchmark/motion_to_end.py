@@ -14,7 +14,7 @@ from linkwork.errors import LinkworkError
 from linkwork.modeling.model import Model
 from linkwork.running import recording, schedule, simulation
 
-__all__ = ["Motion", "attempt", "distance", "move", "spread", "unsound"]
+__all__ = ["Motion", "Trial", "attempt", "distance", "move", "spread", "try_steps", "unsound"]
 
 #: Looks at energy and violation on the way.
 LOOKS = 20
@@ -42,22 +42,65 @@ class Motion:
     rank: Mapping[str, Any]  #: equations, rank, degrees_of_freedom, redundant
 
 
-def move(model: Model, t_end: float, step: float, method: str, **options: Any) -> Motion:
-    """Steps of a method to the end. LinkworkError: it cannot, or fails.
+@dataclass(frozen=True)
+class Trial:
+    """The first steps of a run."""
 
-    Beside the steps nothing is computed: no verdict, and few frames.
+    steps: int
+    cpu_seconds: float  #: of one step, on all threads: the median
+    seconds: float  #: the same of the clock
+    setup_seconds: float  #: from the model to the first step
+    rank: Mapping[str, Any]  #: as in Motion
+
+
+def try_steps(model: Model, step: float, method: str, most: int, limit: float, **options: Any) -> Trial:
+    """So many steps of a run; fewer, but one, where they take longer than the limit [CPU s].
+
+    One more ends the run, which is no part of the cost of a step, but needs memory; not beyond the limit.
+    LinkworkError: it cannot, or fails.
     """
+    ready, setup = _prepared(model, (most + 1) * step, step, method, 1, options)
+    cpu: list[float] = []
+    clock: list[float] = []
+    while not cpu or (len(cpu) < most and sum(cpu) < limit):
+        before = time.process_time(), time.perf_counter()
+        ready.run.advance(PIECE_FRAMES, 0.0)
+        cpu.append(time.process_time() - before[0])
+        clock.append(time.perf_counter() - before[1])
+    while not ready.run.finished and sum(cpu) < limit:
+        ready.run.advance(PIECE_FRAMES, 0.0)
+    rank = ready.facts["constraints"]
+    return Trial(len(cpu), float(np.median(cpu)), float(np.median(clock)), setup, rank)
+
+
+def _prepared(
+    model: Model, t_end: float, step: float, method: str, every: int, options: Mapping[str, Any]
+) -> tuple[Any, float]:
+    """A run that records each so many steps, and what it took to set it up [s]. LinkworkError: it cannot."""
     began = time.perf_counter()
-    steps = max(1, round(t_end / step))
-    every = max(1, -(-steps // LOOKS))
     plan = schedule.plan(t_end, step, None, None, every, None, recording.frame_bytes(model), 0.0)
     given = {"t_end": t_end, "step": step, "integrator": method, "breaks": (), "assemble": True, **options}
     ready = simulation.prepared(model, plan, given, options)  # type: ignore[arg-type]
-    run, setup = ready.run, time.perf_counter() - began
+    return ready, time.perf_counter() - began
+
+
+def move(
+    model: Model, t_end: float, step: float, method: str, *, limit: float = np.inf, **options: Any
+) -> Motion:
+    """Steps of a method to the end. LinkworkError: it cannot, fails, or takes longer than the limit [CPU s].
+
+    Beside the steps nothing is computed: no verdict, and few frames.
+    """
+    steps = max(1, round(t_end / step))
+    ready, setup = _prepared(model, t_end, step, method, max(1, -(-steps // LOOKS)), options)
+    run = ready.run
     start = np.array(run.last_state[: 7 * model.body_count]).reshape(-1, 7)[:, :3]
     energies, violation = [], 0.0
     clock, cpu = time.perf_counter(), time.process_time()
     while not run.finished:
+        if time.process_time() - cpu > limit:
+            reached = f"{run.steps_done} of {steps} steps"
+            raise LinkworkError(f"{reached} took {limit:.0f} s, the limit", code="time")
         frames = run.advance(PIECE_FRAMES, PIECE_SECONDS)
         if len(frames["t"]):
             energies.append([frames[name] for name in ("kinetic", "potential", "work")])
