@@ -73,6 +73,56 @@ TEST_CASE("Phi_dot is D v + Phi_t, whatever the number of joints of a kind") {
   }
 }
 
+TEST_CASE("a large model, whose D is written past the caches, has the equations of a small one to the last bit") {
+  constexpr int small = 100, large = 75'000;  // revolute joints: 36 MB of D
+  const auto evaluate_chain = [](int bodies, int level) {
+    Random random(7);
+    const System system(random_chain(random, bodies, "revolute"), instruction_set(level));
+    return evaluate_initially(system);
+  };
+  for (int level = 0; level < instruction_set_count(); ++level) {
+    INFO(std::string(instruction_set(level).name));
+    const Evaluation a = evaluate_chain(small, level), b = evaluate_chain(large, level);
+    CHECK(same_bits(a.D.data(), b.D.data(), 60 * small));
+    for (const auto rows : {&Evaluation::Phi, &Evaluation::Phi_dot, &Evaluation::gamma})
+      CHECK(same_bits((a.*rows).data(), (b.*rows).data(), 5 * small));
+  }
+}
+
+TEST_CASE("numbers that all attachments have in common are held once, all others for each joint") {
+  constexpr int width = 4, joints = 10, padded = 12;
+  Random random(8);
+  std::vector<Attachment<double>> all(joints, random_attachment(random));
+  for (int k = 0; k < joints; ++k) all[k].s_j[1] = 0.1 * k;
+  all[0].s_i[0] = 7.0;  // the first is another one
+  all[9].C_j(2, 2) = 8.0;
+  JointBatch batch;
+  batch.reserve(joints, 0, width);
+  for (int k = 0; k < joints; ++k) {
+    batch.body_i.push_back(k - 1);
+    batch.body_j.push_back(k);
+    batch.attach(batch.row.size(), all[k]);
+    batch.row.push_back(5 * k);
+    batch.D.push_back(60 * k);
+  }
+  batch.fill_up();
+  std::vector<std::size_t> varying;
+  const JointArrays arrays = batch.arrays();
+  for (std::size_t number = 0; number < attachment_size; ++number) {
+    const auto& [from, step] = arrays.attachment[number];
+    if (step != 0) varying.push_back(number);
+    for (int k = 0; k < padded; ++k) {
+      const Attachment<double>& at = all[std::min(k, joints - 1)];
+      const double expected = number < 3    ? at.s_i[number]
+                              : number < 6  ? at.s_j[number - 3]
+                              : number < 15 ? at.C_i.data()[number - 6]
+                                            : at.C_j.data()[number - 15];
+      CHECK(from[step == 0 ? k % width : k] == expected);
+    }
+  }
+  CHECK(varying == std::vector<std::size_t>{0, 4, 23});
+}
+
 TEST_CASE("What every processor has is left when the last that asked for it is gone, in whatever order") {
   const int widest = best_instruction_set().level;
   auto first = std::make_unique<OnePath>(), second = std::make_unique<OnePath>();

@@ -1,11 +1,10 @@
 #include "linkwork/model/batch.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace linkwork {
 namespace {
-
-constexpr std::size_t attachment_size = 24;
 
 std::size_t padded_size(std::size_t count, std::size_t width) { return (count + width - 1) / width * width; }
 
@@ -13,31 +12,38 @@ std::size_t padded_size(std::size_t count, std::size_t width) { return (count + 
 
 void JointBatch::reserve(std::size_t count, std::size_t parameters_each, int width) {
   width_ = static_cast<std::size_t>(width);
-  const std::size_t padded = padded_size(count, width_);
-  for (std::vector<int>* list : {&body_i, &body_j, &row}) list->reserve(padded);
+  padded_ = padded_size(count, width_);
+  for (std::vector<int>* list : {&body_i, &body_j, &row}) list->reserve(padded_);
   D.reserve(count);
-  attachments.resize(attachment_size * padded);
-  parameters.reserve(parameters_each * padded);
+  parameters.reserve(parameters_each * padded_);
 }
 
 void JointBatch::attach(std::size_t joint, const Attachment<double>& at) {
-  double* to = attachments.data() + attachment_size * width_ * (joint / width_) + joint % width_;
-  for (const auto* vector : {&at.s_i, &at.s_j})
-    for (int c = 0; c < 3; ++c, to += width_) *to = (*vector)[c];
-  for (const auto* frame : {&at.C_i, &at.C_j})
-    for (int c = 0; c < 9; ++c, to += width_) *to = frame->data()[c];
+  auto column = columns_.begin();
+  const auto append = [&](double number) {
+    auto& [numbers, varies] = *column++;
+    if (joint == 0) numbers.assign(width_, number);
+    if (!varies && std::memcmp(&number, numbers.data(), sizeof number) != 0) {
+      varies = true;
+      numbers.assign(padded_, double{numbers.front()});
+    }
+    if (varies) numbers[joint] = number;
+  };
+  for (const auto* vector : {&at.s_i, &at.s_j}) std::for_each_n(vector->data(), 3, append);
+  for (const auto* frame : {&at.C_i, &at.C_j}) std::for_each_n(frame->data(), 9, append);
 }
 
 void JointBatch::fill_up() {
   if (row.empty()) return;
-  const std::size_t padded = padded_size(row.size(), width_), per_joint = parameters.size() / row.size();
-  const std::size_t last = (row.size() - 1) % width_;
-  double* group = attachments.data() + attachment_size * (padded - width_);  // that of the last joint
-  for (std::size_t number = 0; number < attachment_size; ++number, group += width_)
-    std::fill(group + last + 1, group + width_, group[last]);
-  body_i.resize(padded, body_i.back());
-  body_j.resize(padded, body_j.back());
-  while (parameters.size() < per_joint * padded) parameters.push_back(parameters[parameters.size() - per_joint]);
+  const std::size_t per_joint = parameters.size() / row.size();
+  for (std::size_t k = 0; k < attachment_size; ++k) {
+    auto& [numbers, varies] = columns_[k];
+    if (varies) std::fill(numbers.begin() + std::ssize(row), numbers.end(), double{numbers[row.size() - 1]});
+    attachments_[k] = {numbers.data(), varies ? 1 : 0};
+  }
+  body_i.resize(padded_, body_i.back());
+  body_j.resize(padded_, body_j.back());
+  while (parameters.size() < per_joint * padded_) parameters.push_back(parameters[parameters.size() - per_joint]);
 }
 
 JointArrays JointBatch::arrays(int first, int last) const {
@@ -45,9 +51,11 @@ JointArrays JointBatch::arrays(int first, int last) const {
   return {.count = last - first,
           .body_i = body_i.data() + first,
           .body_j = body_j.data() + first,
-          .attachment = attachments.data() + attachment_size * first,
+          .attachment = attachments_.data(),
+          .first = first,
           .parameters = parameters.data() + std::ptrdiff_t{per_joint} * first,
           .parameter_count = per_joint,
+          .streamed = streamed,
           .time_dependent = time_dependent,
           .row = row.data() + first,
           .D = D.data() + first};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -31,14 +32,25 @@ struct Batch {
   std::size_t size() const { return body_i.size(); }
 };
 
-/// The same for the joints of one kind, which are evaluated `width` at a time: plain arrays, of which bodies and
-/// parameters are filled up to a multiple of the width with copies of the last joint.
+constexpr std::size_t attachment_size = 24;  ///< numbers of an Attachment
+
+/// One number of the attachments of joints: of joint k at from[step k]. Where all joints have the same, as many in large
+/// models do, it stands there once for each lane, and the step is 0.
+struct AttachmentNumber {
+  const double* from;
+  std::ptrdiff_t step;
+};
+
+/// The same for the joints of one kind, which are evaluated `width` at a time: plain arrays, of which bodies,
+/// attachments and parameters are filled up to a multiple of the width with copies of the last joint.
 struct JointArrays {
   int count;
-  const int *body_i, *body_j;   ///< -1 for the ground
-  const double* attachment;     ///< for each `width` joints, number after number of Attachment (24 x width)
+  const int *body_i, *body_j;          ///< -1 for the ground
+  const AttachmentNumber* attachment;  ///< of joints from `first` on
+  int first;
   const Parameter* parameters;  ///< `parameter_count` per joint
   int parameter_count;
+  bool streamed;            ///< D is larger than caches: it is written past them
   bool time_dependent;      ///< else Phi_t is zero and is left alone
   const int* row;           ///< first constraint row
   const std::ptrdiff_t* D;  ///< place of D_i; D_j follows
@@ -60,13 +72,16 @@ struct JointLanes {
 struct JointBatch {
   std::vector<int> body_i, body_j, row;
   std::vector<std::ptrdiff_t> D;
-  std::vector<double> attachments;  ///< as in JointArrays
   std::vector<Parameter> parameters;
-  bool time_dependent = false;
+  bool time_dependent = false, streamed = false;
+
+  JointBatch() = default;
+  JointBatch(JointBatch&&) = default;  // whose numbers stay where they are
+  JointBatch& operator=(JointBatch&&) = default;
 
   /// For `count` joints, evaluated `width` at a time.
   void reserve(std::size_t count, std::size_t parameters_each, int width);
-  /// Of the joint with this number.
+  /// Of the joint with this number; they come one after the other.
   void attach(std::size_t joint, const Attachment<double>& at);
   /// When all are there.
   void fill_up();
@@ -75,7 +90,13 @@ struct JointBatch {
   JointArrays arrays(int first, int last) const;
 
  private:
-  std::size_t width_ = 1;
+  struct Column {
+    std::vector<double> numbers;  ///< of each joint, or of as many as are evaluated at a time while all are the same
+    bool varies = false;
+  };
+  std::array<Column, attachment_size> columns_;
+  std::array<AttachmentNumber, attachment_size> attachments_{};  ///< in these columns, when all joints are there
+  std::size_t width_ = 1, padded_ = 0;
 };
 
 }  // namespace linkwork
