@@ -59,6 +59,10 @@ void append_joint(const Model& model, const Element& element, int row, std::ptrd
   }
 }
 
+void append_block(const ConstraintBlock& block, std::vector<ConstraintBlock>& blocks) {
+  if (block.body != ground) blocks.push_back(block);
+}
+
 }  // namespace
 
 System::System(const Model& model, const InstructionSet& instructions)
@@ -117,20 +121,18 @@ void System::compile_joints() {
     }
     const int row = model_.joint_rows()[joint], rows = joint_info(element.kind).rows;
     append_joint(model_, element, row, D_size_, joints_[place[element.kind]].batch);
-    if (element.i != ground)
-      blocks_.push_back({.joint = joint, .body = element.i, .row = row, .rows = rows, .offset = D_size_});
-    if (element.j != ground)
-      blocks_.push_back(
-          {.joint = joint, .body = element.j, .row = row, .rows = rows, .offset = D_size_ + velocity_size * rows});
+    const std::ptrdiff_t D_j = D_size_ + velocity_size * rows;
+    append_block({.joint = joint, .body = element.i, .row = row, .rows = rows, .offset = D_size_}, blocks_);
+    append_block({.joint = joint, .body = element.j, .row = row, .rows = rows, .offset = D_j}, blocks_);
     D_size_ += 2 * velocity_size * rows;
   }
-  for (std::size_t kind = 0; kind < joints_.size(); ++kind)
-    for (int first = 0, count = static_cast<int>(joints_[kind].batch.row.size()); first < count; first += chunk)
+  for (std::size_t kind = 0; kind < joints_.size(); ++kind) {
+    JointBatch& batch = joints_[kind].batch;
+    for (int first = 0, count = static_cast<int>(batch.row.size()); first < count; first += chunk)
       joint_chunks_.push_back({kind, first, std::min(first + chunk, count)});
-  for (CompiledJoints& joints : joints_) {
-    joints.batch.fill_up();
-    joints.batch.streamed = D_size_ > cached;
-    time_dependent_constraints_ = time_dependent_constraints_ || joints.batch.time_dependent;
+    batch.fill_up();
+    batch.streamed = D_size_ > cached;
+    time_dependent_constraints_ = time_dependent_constraints_ || batch.time_dependent;
   }
   group_blocks(
       blocks_, joint_count(), [](const ConstraintBlock& b) { return b.joint; }, joint_block_list_, joint_block_begin_);

@@ -19,27 +19,44 @@ void JointBatch::reserve(std::size_t count, std::size_t parameters_each, int wid
 }
 
 void JointBatch::attach(std::size_t joint, const Attachment<double>& at) {
-  auto column = columns_.begin();
-  const auto append = [&](double number) {
-    auto& [numbers, varies] = *column++;
-    if (joint == 0) numbers.assign(width_, number);
-    if (!varies && std::memcmp(&number, numbers.data(), sizeof number) != 0) {
-      varies = true;
-      numbers.assign(padded_, double{numbers.front()});
-    }
-    if (varies) numbers[joint] = number;
+  const double* numbers[] = {at.s_i.data(), at.s_j.data(), at.C_i.data(), at.C_j.data()};
+  for (std::size_t p = 0; p < parts_.size(); ++p) attach(joint, numbers[p], attachment_parts[p], parts_[p]);
+}
+
+void JointBatch::attach(std::size_t joint, const double* numbers, int count, Part& part) const {
+  const std::size_t group = width_ * static_cast<std::size_t>(count);
+  const auto put = [&](std::size_t first, std::size_t lanes) {
+    for (int c = 0; c < count; ++c)
+      std::fill_n(part.numbers.begin() + std::ptrdiff_t(first + c * width_), lanes, numbers[c]);
   };
-  for (const auto* vector : {&at.s_i, &at.s_j}) std::for_each_n(vector->data(), 3, append);
-  for (const auto* frame : {&at.C_i, &at.C_j}) std::for_each_n(frame->data(), 9, append);
+  if (joint == 0) {
+    part.numbers.resize(group);
+    put(0, width_);
+  }
+  if (!part.varies) {
+    const auto same = [&](int c) { return std::memcmp(&numbers[c], &part.numbers[c * width_], sizeof(double)) == 0; };
+    int c = 0;
+    while (c < count && same(c)) ++c;
+    if (c == count) return;
+    part.varies = true;
+    const std::vector<double> common = std::move(part.numbers);
+    part.numbers.reserve(padded_ * static_cast<std::size_t>(count));
+    for (std::size_t k = 0; k < padded_; k += width_)
+      part.numbers.insert(part.numbers.end(), common.begin(), common.end());
+  }
+  put(group * (joint / width_) + joint % width_, 1);
 }
 
 void JointBatch::fill_up() {
   if (row.empty()) return;
   const std::size_t per_joint = parameters.size() / row.size();
-  for (std::size_t k = 0; k < attachment_size; ++k) {
-    auto& [numbers, varies] = columns_[k];
-    if (varies) std::fill(numbers.begin() + std::ssize(row), numbers.end(), double{numbers[row.size() - 1]});
-    attachments_[k] = {numbers.data(), varies ? 1 : 0};
+  const std::size_t last = (row.size() - 1) % width_;
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    auto& [numbers, varies] = parts_[p];
+    attachments_[p] = {numbers.data(), varies ? attachment_parts[p] : 0};
+    double* end = numbers.data() + numbers.size();  // with the group of the last joint before it
+    for (double* lanes = end - width_ * attachment_parts[p]; lanes != end; lanes += width_)
+      std::fill(lanes + last + 1, lanes + width_, double{lanes[last]});
   }
   body_i.resize(padded_, body_i.back());
   body_j.resize(padded_, body_j.back());

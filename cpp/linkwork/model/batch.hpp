@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 #include "linkwork/model/body_state.hpp"
@@ -32,23 +33,26 @@ struct Batch {
   std::size_t size() const { return body_i.size(); }
 };
 
-constexpr std::size_t attachment_size = 24;  ///< numbers of an Attachment
+/// Numbers of s_i, s_j, C_i and C_j, the parts of an Attachment, and of all.
+constexpr int attachment_parts[] = {3, 3, 9, 9};
+constexpr int attachment_size = 24;
 
-/// One number of the attachments of joints: of joint k at from[step k]. Where all joints have the same, as many in large
-/// models do, it stands there once for each lane, and the step is 0.
-struct AttachmentNumber {
-  const double* from;
-  std::ptrdiff_t step;
+/// One part of the attachments of joints that are evaluated `width` at a time: for these number after number, of those
+/// from joint k on at from[step k]. Where all joints have the same, as many in large models do, it stands there for
+/// `width` of them, and the step is 0.
+struct AttachmentPart {
+  const double* from = nullptr;
+  std::ptrdiff_t step = 0;
 };
 
 /// The same for the joints of one kind, which are evaluated `width` at a time: plain arrays, of which bodies,
 /// attachments and parameters are filled up to a multiple of the width with copies of the last joint.
 struct JointArrays {
   int count;
-  const int *body_i, *body_j;          ///< -1 for the ground
-  const AttachmentNumber* attachment;  ///< of joints from `first` on
-  int first;
-  const Parameter* parameters;  ///< `parameter_count` per joint
+  const int *body_i, *body_j;        ///< -1 for the ground
+  const AttachmentPart* attachment;  ///< the four parts
+  int first;                         ///< joint in these
+  const Parameter* parameters;       ///< `parameter_count` per joint
   int parameter_count;
   bool streamed;            ///< D is larger than caches: it is written past them
   bool time_dependent;      ///< else Phi_t is zero and is left alone
@@ -90,12 +94,14 @@ struct JointBatch {
   JointArrays arrays(int first, int last) const;
 
  private:
-  struct Column {
-    std::vector<double> numbers;  ///< of each joint, or of as many as are evaluated at a time while all are the same
+  struct Part {
+    std::vector<double> numbers;
     bool varies = false;
   };
-  std::array<Column, attachment_size> columns_;
-  std::array<AttachmentNumber, attachment_size> attachments_{};  ///< in these columns, when all joints are there
+  void attach(std::size_t joint, const double* numbers, int count, Part& part) const;
+
+  std::array<Part, std::size(attachment_parts)> parts_;
+  std::array<AttachmentPart, std::size(attachment_parts)> attachments_;  ///< in these, when all joints are there
   std::size_t width_ = 1, padded_ = 0;
 };
 
