@@ -73,6 +73,55 @@ TEST_CASE("Phi_dot is D v + Phi_t, whatever the number of joints of a kind") {
   }
 }
 
+TEST_CASE("a large model, whose D is written past the caches, has the equations of a small one to the last bit") {
+  constexpr int small = 100, large = 75'000;  // revolute joints: 36 MB of D
+  const auto evaluate_chain = [](int bodies, int level) {
+    Random random(7);
+    Model model = random_chain(random, 1, "spherical");  // D of the others begins within a line
+    for (int body = 1; body < bodies; ++body) {
+      model.add_body("link" + std::to_string(body), random_body(random));
+      add_joint(model, random, body % 50 == 0 ? "fixed" : "revolute", "joint" + std::to_string(body), body - 1, body);
+    }
+    return evaluate_initially(System(model, instruction_set(level)));
+  };
+  for (int level = 0; level < instruction_set_count(); ++level) {
+    INFO(std::string(instruction_set(level).name));
+    const Evaluation a = evaluate_chain(small, level), b = evaluate_chain(large, level);
+    CHECK(same_bits(a.D.data(), b.D.data(), 12 * a.Phi.size()));
+    for (const auto rows : {&Evaluation::Phi, &Evaluation::Phi_dot, &Evaluation::gamma})
+      CHECK(same_bits((a.*rows).data(), (b.*rows).data(), a.Phi.size()));
+  }
+}
+
+TEST_CASE("a part that all attachments have in common is held once, the others for each joint") {
+  constexpr int width = 4, joints = 10, padded = 12;
+  Random random(8);
+  std::vector<Attachment<double>> all(joints, random_attachment(random));
+  for (int k = 0; k < joints; ++k) all[k].s_j[1] = 0.1 * k;
+  all[0].s_i[0] = 7.0;  // the first is another one
+  all[9].C_j(2, 2) = 8.0;
+  JointBatch batch;
+  batch.reserve(joints, 0, width);
+  for (int k = 0; k < joints; ++k) {
+    batch.body_i.push_back(k - 1);
+    batch.body_j.push_back(k);
+    batch.attach(batch.row.size(), all[k]);
+    batch.row.push_back(5 * k);
+    batch.D.push_back(60 * k);
+  }
+  batch.fill_up();
+  const AttachmentPart* parts = batch.arrays().attachment;
+  for (int k = 0; k < padded; ++k) {
+    const Attachment<double>& at = all[std::min(k, joints - 1)];
+    const double* numbers[] = {at.s_i.data(), at.s_j.data(), at.C_i.data(), at.C_j.data()};
+    for (int part = 0; part < 4; ++part)
+      for (int c = 0; c < attachment_parts[part]; ++c)
+        CHECK(parts[part].from[parts[part].step * (k - k % width) + c * width + k % width] == numbers[part][c]);
+  }
+  const std::vector<std::ptrdiff_t> steps = {parts[0].step, parts[1].step, parts[2].step, parts[3].step};
+  CHECK(steps == std::vector<std::ptrdiff_t>{3, 3, 0, 9});
+}
+
 TEST_CASE("What every processor has is left when the last that asked for it is gone, in whatever order") {
   const int widest = best_instruction_set().level;
   auto first = std::make_unique<OnePath>(), second = std::make_unique<OnePath>();

@@ -94,6 +94,25 @@ TEST_CASE("products with M and M^-1 are those of the dense M") {
   CHECK(relative_error(z, x) < 1e-12);
 }
 
+TEST_CASE("the inverse of an inertia is that on its range, whatever other bodies have") {
+  Random random(61);
+  Model model;
+  Body line = random_body(random), point = line;
+  line.inertia = Vec3<double>(0.0, 2.0, 2.0).asDiagonal();
+  point.inertia.setZero();
+  model.add_body("first", random_body(random));
+  model.add_body("line", line);
+  model.add_body("second", random_body(random));
+  model.add_body("point", point);
+  model.add_body("third", random_body(random));
+  const System system(model);
+  CHECK(system.massless_bodies() == std::vector<int>{1, 3});
+  for (const int body : {0, 2, 4})
+    CHECK((system.inverse_inertia(body) * system.inertia(body) - Mat3<double>::Identity()).norm() < 1e-12);
+  CHECK(system.inverse_inertia(1).isApprox(Mat3<double>(Vec3<double>(0.0, 0.5, 0.5).asDiagonal()), 1e-15));
+  CHECK(system.inverse_inertia(3).isZero(0.0));
+}
+
 TEST_CASE("kinetic energy = v^T M v / 2") {
   Random random(56);
   const Model model = random_tree(random, 4);

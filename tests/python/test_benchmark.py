@@ -139,6 +139,15 @@ def test_growth_measures_each_size_and_counts_its_memory() -> None:
             assert 1000 < size.bytes_per_body <= size.peak_bytes_per_body < 50_000
 
 
+def test_links_of_a_long_chain_take_so_many_bytes() -> None:
+    (found,) = benchmark.growth([Subject.of("chain", 100_000)], rounds=1, progress=False).sizes
+    assert isinstance(found, Size)
+    if found.bytes_per_body is not None and found.peak_bytes_per_body is not None:
+        # of which the model, D and the factors have 1500; a copy of D or of the attachments would show
+        assert found.bytes_per_body < 2400
+        assert found.peak_bytes_per_body < 2800
+
+
 def test_size_that_cannot_be_is_missing_with_the_reason() -> None:
     found = benchmark.growth([Subject.of("chain", 10)], limit=1e-3, progress=False)
     assert found.sizes == [Missing(10, "not done after 0.001 s", "time")]

@@ -39,8 +39,10 @@ bool System::shares_work() const {
 // g = (m gravity, -omega x J omega) + force elements; potential of gravity -m gravity . r
 void System::evaluate(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                       Evaluation& out) const {
-  evaluate_constraints(t, q, v, history, out);  // D and gamma of (12.2)
-  out.potential = evaluate_bodies(q, v, out);
+  evaluate_signals(t, out);
+  evaluate_chunks(q, v, true, out);
+  out.potential = std::accumulate(out.potentials.begin(), out.potentials.end(), 0.0);
+  evaluate_other_constraints(q, v, history, out);  // D and gamma of (12.2) are complete
   out.power = 0.0;
   evaluate_forces(t, q, v, history, out);  // g of (12.1)
   if (!model_.user_forces().empty()) evaluate_user_forces(t, q, v, out);
@@ -56,15 +58,31 @@ void System::evaluate_forces(double t, const ConstVector& q, const ConstVector& 
   if (!model_.joint_forces().empty()) evaluate_joint_forces(t, q, v, history, out);
 }
 
-double System::evaluate_bodies(const ConstVector& q, const ConstVector& v, Evaluation& out) const {
-  threads_->run(static_cast<int>(out.potentials.size()), [&](int part, int) {
-    const std::ptrdiff_t first = std::ptrdiff_t{part} * chunk;
-    const auto count = static_cast<int>(std::min<std::ptrdiff_t>(chunk, body_count() - first));
-    out.potentials[part] =
-        body_forces_(count, mass_.data() + first, model_.gravity().data(), q.data() + position_size * first,
-                     v.data() + velocity_size * first, out.g.data() + velocity_size * first);
-  });
-  return std::accumulate(out.potentials.begin(), out.potentials.end(), 0.0);
+/// Joints, and bodies too: while the states of a chunk of bodies are in a cache, also the joints of the same number.
+void System::evaluate_chunks(const ConstVector& q, const ConstVector& v, bool with_bodies, Evaluation& out) const {
+  const int joints = static_cast<int>(joint_chunks_.size());
+  const int bodies = with_bodies ? static_cast<int>(out.potentials.size()) : 0;
+  const auto evaluate = [&](int part, int) {
+    if (part < joints) evaluate_joints(joint_chunks_[part], q, v, out);
+    if (part < bodies) evaluate_bodies(part, q, v, out);
+  };
+  const int parts = std::max(joints, bodies);
+  if (threads_->threads() > 1) return threads_->run(parts, evaluate);
+  for (int part = 0; part < parts; ++part) evaluate(part, 0);
+}
+
+void System::evaluate_joints(const JointChunk& of, const ConstVector& q, const ConstVector& v, Evaluation& out) const {
+  const CompiledJoints& joints = joints_[of.kind];
+  joints.evaluate(joints.batch.arrays(of.first, of.last), q.data(), v.data(), out.signals.data(),
+                  {out.Phi.data(), out.Phi_t.data(), out.Phi_dot.data(), out.gamma.data(), out.D.data()});
+}
+
+void System::evaluate_bodies(int part, const ConstVector& q, const ConstVector& v, Evaluation& out) const {
+  const std::ptrdiff_t first = std::ptrdiff_t{part} * chunk;
+  const auto count = static_cast<int>(std::min<std::ptrdiff_t>(chunk, body_count() - first));
+  out.potentials[part] =
+      body_forces_(count, mass_.data() + first, model_.gravity().data(), q.data() + position_size * first,
+                   v.data() + velocity_size * first, out.g.data() + velocity_size * first);
 }
 
 bool System::has_rest() const {
@@ -143,27 +161,19 @@ void System::evaluate_signals(double t, Evaluation& out) const {
 void System::evaluate_constraints(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                                   Evaluation& out) const {
   evaluate_signals(t, out);
-  evaluate_joints(q, v, out);
+  evaluate_chunks(q, v, false, out);
+  evaluate_other_constraints(q, v, history, out);
+}
+
+/// Those of special joints and of inerters.
+void System::evaluate_other_constraints(const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                                        Evaluation& out) const {
   for (const CompiledSpecialJoint& it : special_joints_) evaluate_special_joint(it, q, v, history, out);
   if (!inerters_.empty()) evaluate_inerters(q, v, out);
 }
 
 void System::evaluate_inerters(const ConstVector& q, const ConstVector& v, Evaluation& out) const {
   inerters_.evaluate(q.data(), v.data(), out.D.data(), out.inerter_gamma.data(), out.inerter_values.data(), *threads_);
-}
-
-void System::evaluate_joints(const ConstVector& q, const ConstVector& v, Evaluation& out) const {
-  const ConstraintArrays arrays{out.Phi.data(), out.Phi_t.data(), out.Phi_dot.data(), out.gamma.data(), out.D.data()};
-  if (threads_->threads() == 1) {
-    for (const CompiledJoints& joints : joints_)
-      joints.evaluate(joints.batch.arrays(), q.data(), v.data(), out.signals.data(), arrays);
-    return;
-  }
-  threads_->run(static_cast<int>(joint_chunks_.size()), [&](int part, int) {
-    const JointChunk& it = joint_chunks_[part];
-    const CompiledJoints& joints = joints_[it.kind];
-    joints.evaluate(joints.batch.arrays(it.first, it.last), q.data(), v.data(), out.signals.data(), arrays);
-  });
 }
 
 /// OptionError: a function of time is where no value of its parameter can be.

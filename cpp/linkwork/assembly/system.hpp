@@ -8,6 +8,7 @@
 #include "linkwork/assembly/body_forces.hpp"
 #include "linkwork/assembly/constraint_block.hpp"
 #include "linkwork/assembly/inerters.hpp"
+#include "linkwork/math/aligned.hpp"
 #include "linkwork/math/kept.hpp"
 #include "linkwork/math/thread_pool.hpp"
 #include "linkwork/math/types.hpp"
@@ -35,7 +36,7 @@ struct Evaluation {
   std::vector<BodyState<double>> bodies;   ///< for force elements but inerters, if there are any; last is the ground
   std::vector<BodyState<double>> special;  ///< scratch: the bodies of a special joint
   std::vector<Signal<double>> signals;
-  std::vector<double> D;  ///< blocks of D, see ConstraintBlock
+  AlignedDoubles D;       ///< blocks of D, see ConstraintBlock
   VectorXd history;       ///< what it becomes where this state is accepted, see HistoryVariable
   VectorXd history_rate;  ///< of those that are angles
   VectorXd switches;      ///< of force elements whose law is not smooth, see Wrenches
@@ -134,9 +135,9 @@ class System {
 
   // The mass matrix: blocks diag(m I, J), constant, and what inerters add to it.
   double mass(int body) const { return mass_[body].m; }
-  double inverse_mass(int body) const { return inverse_mass_[body].m; }
+  double inverse_mass(int body) const { return mass(body) > 0.0 ? 1.0 / mass(body) : 0.0; }
   ConstMat3 inertia(int body) const { return ConstMat3(mass_[body].J); }
-  ConstMat3 inverse_inertia(int body) const { return ConstMat3(inverse_mass_[body].J); }
+  Mat3<double> inverse_inertia(int body) const;
   const std::vector<MassBlock>& mass_blocks() const { return mass_; }
   std::ptrdiff_t row_of_zeros() const { return D_size_; }  ///< its place in D
   /// Bodies whose mass or inertia is singular; their inverses are zero in the singular directions.
@@ -202,8 +203,11 @@ class System {
   void evaluate_user_forces(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const;
   void evaluate_special_joint(const CompiledSpecialJoint& joint, const ConstVector& q, const ConstVector& v,
                               const ConstVector& history, Evaluation& out) const;
-  void evaluate_joints(const ConstVector& q, const ConstVector& v, Evaluation& out) const;
-  double evaluate_bodies(const ConstVector& q, const ConstVector& v, Evaluation& out) const;
+  void evaluate_chunks(const ConstVector& q, const ConstVector& v, bool with_bodies, Evaluation& out) const;
+  void evaluate_joints(const JointChunk& of, const ConstVector& q, const ConstVector& v, Evaluation& out) const;
+  void evaluate_bodies(int part, const ConstVector& q, const ConstVector& v, Evaluation& out) const;
+  void evaluate_other_constraints(const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                                  Evaluation& out) const;
   void evaluate_elements(const ConstVector& q, const ConstVector& v, const ConstVector& history, Evaluation& out) const;
   void evaluate_many_elements(const ForceArrays& arrays, Evaluation& out) const;
   void add_wrenches(const ForceArrays& arrays, Evaluation& out) const;
@@ -215,8 +219,9 @@ class System {
   Model model_;
   InstructionSet instructions_;
   BodyForces body_forces_;
-  std::vector<MassBlock> mass_, inverse_mass_;
-  std::vector<int> massless_;
+  std::vector<MassBlock> mass_;
+  std::vector<int> massless_;                              ///< ascending
+  std::vector<Mat3<double>> massless_inverses_;            ///< of their inertias
   std::vector<CompiledJoints> joints_;                     ///< one per kind in use
   std::vector<JointChunk> joint_chunks_;                   ///< of all of them
   std::vector<Batch> force_batches_;                       ///< one per registered kind, none of inerters

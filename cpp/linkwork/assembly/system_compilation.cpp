@@ -10,8 +10,9 @@
 namespace linkwork {
 namespace {
 
-constexpr double singular_moment = 1e-14;  // principal moment, relative to the largest
-constexpr std::size_t many_forces = 4096;  // from here on threads share them
+constexpr double singular_moment = 1e-14;   // principal moment, relative to the largest
+constexpr std::size_t many_forces = 4096;   // from here on threads share them
+constexpr std::ptrdiff_t cached = 1 << 22;  // doubles of D that may still be in a cache when they are read, 32 MB
 
 /// Fills `begin` and `list` so that list[begin[k] .. begin[k+1]) holds the blocks whose key is k, in order.
 template <class Key>
@@ -25,13 +26,16 @@ void group_blocks(const std::vector<ConstraintBlock>& blocks, int groups, Key ke
   for (std::size_t b = 0; b < blocks.size(); ++b) list[next[key(blocks[b])]++] = static_cast<int>(b);
 }
 
+Mat3<double> inverse(const Mat3<double>& J) {
+  return J.isDiagonal(0.0) ? Mat3<double>(J.diagonal().cwiseInverse().asDiagonal()) : Mat3<double>(J.inverse());
+}
+
 /// The inverse on the range of J, zero on its kernel (bodies without inertia).
 Mat3<double> pseudo_inverse(const Mat3<double>& J, bool& singular) {
   const Eigen::SelfAdjointEigenSolver<Mat3<double>> eigen(J);
   const Vec3<double> moments = eigen.eigenvalues();
   singular = moments[0] <= singular_moment * moments[2] || moments[2] <= 0.0;
-  if (!singular)
-    return J.isDiagonal(0.0) ? Mat3<double>(J.diagonal().cwiseInverse().asDiagonal()) : Mat3<double>(J.inverse());
+  if (!singular) return inverse(J);
   Vec3<double> inverse = Vec3<double>::Zero();
   for (int k = 0; k < 3; ++k)
     if (moments[k] > singular_moment * moments[2] && moments[2] > 0.0) inverse[k] = 1.0 / moments[k];
@@ -55,6 +59,10 @@ void append_joint(const Model& model, const Element& element, int row, std::ptrd
   }
 }
 
+void append_block(const ConstraintBlock& block, std::vector<ConstraintBlock>& blocks) {
+  if (block.body != ground) blocks.push_back(block);
+}
+
 }  // namespace
 
 System::System(const Model& model, const InstructionSet& instructions)
@@ -72,16 +80,24 @@ System::System(const Model& model, const InstructionSet& instructions)
 
 void System::compile_masses() {
   mass_.resize(model_.bodies().size());
-  inverse_mass_.resize(mass_.size());
   for (std::size_t k = 0; k < mass_.size(); ++k) {
     const Body& body = model_.bodies()[k];
     bool singular = false;
-    Eigen::Map<Mat3<double>>(inverse_mass_[k].J) = pseudo_inverse(body.inertia, singular);
+    const Mat3<double> inverse_inertia = pseudo_inverse(body.inertia, singular);
     Eigen::Map<Mat3<double>>(mass_[k].J) = body.inertia;
-    if (singular || body.mass == 0.0) massless_.push_back(static_cast<int>(k));
     mass_[k].m = body.mass;
-    inverse_mass_[k].m = body.mass > 0.0 ? 1.0 / body.mass : 0.0;
+    if (!singular && body.mass > 0.0) continue;
+    massless_.push_back(static_cast<int>(k));
+    massless_inverses_.push_back(inverse_inertia);
   }
+}
+
+/// Found anew each time: of a large model few are asked for, and they would take a tenth of its memory.
+Mat3<double> System::inverse_inertia(int body) const {
+  if (massless_.empty()) return inverse(inertia(body));
+  const auto found = std::lower_bound(massless_.begin(), massless_.end(), body);
+  if (found == massless_.end() || *found != body) return inverse(inertia(body));
+  return massless_inverses_[static_cast<std::size_t>(found - massless_.begin())];
 }
 
 void System::compile_joints() {
@@ -105,19 +121,18 @@ void System::compile_joints() {
     }
     const int row = model_.joint_rows()[joint], rows = joint_info(element.kind).rows;
     append_joint(model_, element, row, D_size_, joints_[place[element.kind]].batch);
-    if (element.i != ground)
-      blocks_.push_back({.joint = joint, .body = element.i, .row = row, .rows = rows, .offset = D_size_});
-    if (element.j != ground)
-      blocks_.push_back(
-          {.joint = joint, .body = element.j, .row = row, .rows = rows, .offset = D_size_ + velocity_size * rows});
+    const std::ptrdiff_t D_j = D_size_ + velocity_size * rows;
+    append_block({.joint = joint, .body = element.i, .row = row, .rows = rows, .offset = D_size_}, blocks_);
+    append_block({.joint = joint, .body = element.j, .row = row, .rows = rows, .offset = D_j}, blocks_);
     D_size_ += 2 * velocity_size * rows;
   }
-  for (std::size_t kind = 0; kind < joints_.size(); ++kind)
-    for (int first = 0, count = static_cast<int>(joints_[kind].batch.row.size()); first < count; first += chunk)
+  for (std::size_t kind = 0; kind < joints_.size(); ++kind) {
+    JointBatch& batch = joints_[kind].batch;
+    for (int first = 0, count = static_cast<int>(batch.row.size()); first < count; first += chunk)
       joint_chunks_.push_back({kind, first, std::min(first + chunk, count)});
-  for (CompiledJoints& joints : joints_) {
-    joints.batch.fill_up();
-    time_dependent_constraints_ = time_dependent_constraints_ || joints.batch.time_dependent;
+    batch.fill_up();
+    batch.streamed = D_size_ > cached;
+    time_dependent_constraints_ = time_dependent_constraints_ || batch.time_dependent;
   }
   group_blocks(
       blocks_, joint_count(), [](const ConstraintBlock& b) { return b.joint; }, joint_block_list_, joint_block_begin_);

@@ -87,7 +87,7 @@ LINKWORK_INLINE void eliminate_joint(const block::TreeStep& step, const LaneData
       V[r][c] = r < right_hand_side ? get(data.D, step.D_parent + 6 * c + r) : right[c];
     substitute_forward<rows>(S, V[r]);
   }
-  double* factors = data.factors + (step.storage + 48) * width;
+  double* factors = data.factors + (step.storage + block::second_factors(rows)) * width;
   LINKWORK_UNROLL for (int c = first; c < 7; ++c) {
     Native T[rows];
     LINKWORK_UNROLL for (int k = 0; k < rows; ++k)
@@ -95,7 +95,7 @@ LINKWORK_INLINE void eliminate_joint(const block::TreeStep& step, const LaneData
     if (c < right_hand_side) add_to_parent<rows, begins>(step, data, a, c, V, T);
     substitute_backward<rows>(S, T);
     LINKWORK_UNROLL for (int k = 0; k < rows; ++k)
-      put(factors, 8 * k + c, T[k]);
+      put(factors, 7 * k + c, T[k]);
   }
 }
 
@@ -127,7 +127,7 @@ void factor_step(const block::TreeStep& step, const LaneData& data, const double
       }
     substitute_backward<6>(M, G);
     LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
-      put(factors, 8 * k + (c < rows ? c : right_hand_side), G[k]);
+      put(factors, (rows + 1) * k + c, G[k]);
   }
   if constexpr (rows > 0) {
     if (step.parent < 0) eliminate_joint<rows, 6, false>(step, data, a, S, right, smallest);
@@ -138,21 +138,22 @@ void factor_step(const block::TreeStep& step, const LaneData& data, const double
 
 template <int rows>
 void backward_step(const block::TreeStep& step, const LaneData& data, double* x, double* lambda) {
+  constexpr std::ptrdiff_t second = block::second_factors(rows);
   const double* factors = data.factors + step.storage * width;
   Native l[8]{};
   LINKWORK_UNROLL for (int k = 0; k < rows; ++k) {
     Native products[8]{};
     if (step.parent >= 0) LINKWORK_UNROLL
-      for (int c = 0; c < 6; ++c) products[c] = -(get(factors, 48 + 8 * k + c) * get(x, 6l * step.parent + c));
-    products[right_hand_side] = get(factors, 48 + 8 * k + right_hand_side);
+      for (int c = 0; c < 6; ++c) products[c] = -(get(factors, second + 7 * k + c) * get(x, 6l * step.parent + c));
+    products[right_hand_side] = get(factors, second + 7 * k + right_hand_side);
     l[k] = sum_of_eight(products);
     put(lambda, step.row + k, l[k]);
   }
   LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
     Native products[8]{};
     LINKWORK_UNROLL for (int r = 0; r < rows; ++r)
-      products[r] = get(factors, 8 * k + r) * l[r];
-    products[right_hand_side] = get(factors, 8 * k + right_hand_side);
+      products[r] = get(factors, (rows + 1) * k + r) * l[r];
+    products[right_hand_side] = get(factors, (rows + 1) * k + rows);
     put(x, 6l * step.body + k, sum_of_eight(products));
   }
 }

@@ -37,7 +37,7 @@ class DirectFormulation : public Formulation {
 
   std::unique_ptr<SaddleSolver> saddle_;
   const Evaluation* at_ = nullptr;  ///< of the last factorization
-  VectorXd compliance_;             ///< positive in dropped rows
+  VectorXd compliance_;             ///< positive in dropped rows; empty: none yields
 };
 
 }  // namespace linkwork

@@ -74,8 +74,7 @@ Dynamics::Dynamics(const Model& model, const Options& options, const OnePath&)
   if (rank_.redundant_rows.empty()) rank_.q.resize(0);  // for their groups
   options_.matrix_form = choose_form(info, options_, !rank_.redundant_rows.empty());
   options_.linear_solver = choose_solver(options_.matrix_form, info, options_, system_);
-  for (VectorXd* rows : {&b_, &lambda_}) rows->setZero(system_.row_count());
-  v_dot_.setZero(system_.v_size());
+  lambda_.setZero(system_.row_count());
   now_.y = initial_y();
   now_.history = system_.initial_history();
   system_.evaluate(0.0, now_.y.head(system_.q_size()), now_.y.segment(system_.q_size(), system_.v_size()), now_.history,
@@ -211,7 +210,7 @@ void Dynamics::evaluate(double t, const ConstVector& y, int stage) {
   }
   formulation_->begin();
   if (!sides_.empty()) look_for_switches();
-  if (traces_) look_for_nan(false);
+  if (traces_) look_for_nan(true);
 }
 
 Evaluation& Dynamics::begin_elsewhere(double t, const ConstVector& y) {
@@ -356,26 +355,39 @@ void Dynamics::add_correction(double h, MutableVector y) {
 
 void Dynamics::rates(MutableVector y_dot) {
   const bool continuous = kind_ == StabilizationKind::baumgarte;
+  if (!continuous && !held_) return rates(at_.gamma, y_dot);
   const Gains gains = continuous ? gains_or(textbook_gains) : Gains{};
+  b_.resize(system_.row_count());
   in_pieces(system_.threads(), b_.size(), [&](Eigen::Index first, Eigen::Index count) {
     const auto of = [&](const VectorXd& rows) { return rows.segment(first, count); };
     auto b = b_.segment(first, count);
     b = of(at_.gamma);
     if (continuous) b -= 2.0 * gains.alpha * of(at_.Phi_dot) + gains.beta * gains.beta * of(at_.Phi);  // (12.8)
-    else if (held_) b += of(held_u_);
+    else b += of(held_u_);
   });
-  solve(at_.g.head(system_.v_size()), b_, v_dot_, lambda_);
-  if (traces_) look_for_nan(true);
-  rates(v_dot_, lambda_, y_dot);
+  rates(b_, y_dot);
 }
 
-// The power of the constraints is v^T D^T lambda = lambda . (Phi_dot - Phi_t): -lambda . Phi_t for driven ones.
+/// With b for gamma.
+void Dynamics::rates(const ConstVector& b, MutableVector y_dot) {
+  auto v_dot = y_dot.segment(system_.q_size(), system_.v_size());
+  solve(at_.g.head(system_.v_size()), b, v_dot, lambda_);
+  if (traces_) look_for_nan(v_dot.allFinite() && lambda_.allFinite());
+  add_rates_of_position(lambda_, y_dot);
+}
+
 void Dynamics::rates(const ConstVector& v_dot, const ConstVector& lambda, MutableVector y_dot) const {
+  in_pieces(system_.threads(), system_.v_size(), [&](Eigen::Index first, Eigen::Index count) {
+    y_dot.segment(system_.q_size() + first, count) = v_dot.segment(first, count);
+  });
+  add_rates_of_position(lambda, y_dot);
+}
+
+/// And of the work. The power of the constraints is v^T D^T lambda = lambda . (Phi_dot - Phi_t): -lambda . Phi_t for
+/// driven ones.
+void Dynamics::add_rates_of_position(const ConstVector& lambda, MutableVector y_dot) const {
   const int nq = system_.q_size(), nv = system_.v_size();
   system_.position_rates(now_.y.head(nq), now_.y.segment(nq, nv), y_dot.head(nq));
-  in_pieces(system_.threads(), nv, [&](Eigen::Index first, Eigen::Index count) {
-    y_dot.segment(nq + first, count) = v_dot.segment(first, count);
-  });
   y_dot[nq + nv] = at_.power - (system_.time_dependent_constraints() ? lambda.dot(at_.Phi_t) : 0.0);
 }
 
@@ -390,10 +402,9 @@ Unwatched::Unwatched(Dynamics& dynamics) : dynamics_(dynamics) { dynamics_.formu
 
 Unwatched::~Unwatched() { dynamics_.formulation().watch_evaluations(true); }
 
-void Dynamics::look_for_nan(bool accelerations) const {
-  bool finite = now_.y.allFinite() && at_.g.allFinite() && at_.Phi.allFinite() && at_.Phi_dot.allFinite() &&
-                at_.gamma.allFinite() && std::isfinite(at_.power);
-  if (accelerations) finite = finite && v_dot_.allFinite() && lambda_.allFinite();
+void Dynamics::look_for_nan(bool solution_is_finite) const {
+  const bool finite = solution_is_finite && now_.y.allFinite() && at_.g.allFinite() && at_.Phi.allFinite() &&
+                      at_.Phi_dot.allFinite() && at_.gamma.allFinite() && std::isfinite(at_.power);
   if (!finite) throw_not_finite(system_, now_.y, now_.t, now_.stage);
 }
 

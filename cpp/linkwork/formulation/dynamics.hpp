@@ -160,7 +160,9 @@ class Dynamics {
   bool unconnected() const { return system_.row_count() == 0 && system_.inerters().empty(); }
   Gains gains_or(Gains defaults) const;
   int evaluations_on_the_clock() const;
-  void look_for_nan(bool accelerations) const;
+  void rates(const ConstVector& b, MutableVector y_dot);
+  void add_rates_of_position(const ConstVector& lambda, MutableVector y_dot) const;
+  void look_for_nan(bool solution_is_finite) const;
 
   Options options_;
   System system_;
@@ -174,7 +176,7 @@ class Dynamics {
   bool switched_ = false;
   std::function<void()> observer_;
   DynamicsStatistics statistics_;
-  VectorXd held_u_, b_, x_, lambda_, v_dot_;
+  VectorXd held_u_, b_, x_, lambda_;
   int clocked_ = 1;
   bool traces_ = false, held_ = false;
   double first_part_ = 0.0;  ///< its share, of a step that is taken in parts, else 0

@@ -22,7 +22,7 @@ class Standard final : public DirectFormulation {
     inertia_ = rows.inertia;
     saddle_->drop(rows.dropped);
     saddle_->analyze(inertia_->system(), typical);
-    compliance_.setZero(system.row_count());  // (12.3) has no E
+    compliance_.setZero(rows.dropped.empty() ? 0 : system.row_count());  // (12.3) has no E
     for (const int row : rows.dropped) compliance_[row] = 1.0;
     require_accuracy(accuracy_);
   }

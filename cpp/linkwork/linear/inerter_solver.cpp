@@ -24,7 +24,7 @@ class InerterSolver final : public SaddleSolver {
   }
 
   void factorize(const Evaluation& at, const VectorXd& e) override {
-    e_.head(rows_) = e;
+    take_compliance(e);
     try {
       solver_->factorize(at, e_);
     } catch (...) {
@@ -42,7 +42,7 @@ class InerterSolver final : public SaddleSolver {
 
   void factorize_and_solve(const Evaluation& at, const VectorXd& e, const ConstVector& a, const ConstVector& b,
                            MutableVector x, MutableVector lambda) override {
-    e_.head(rows_) = e;
+    take_compliance(e);
     b_.head(rows_) = b;
     try {
       solver_->factorize_and_solve(at, e_, a, b_, x, lambda_);
@@ -62,6 +62,11 @@ class InerterSolver final : public SaddleSolver {
   std::optional<std::int64_t> matrix_nonzeros() const override { return solver_->matrix_nonzeros(); }
 
  private:
+  void take_compliance(const VectorXd& e) {
+    if (e.size() > 0) e_.head(rows_) = e;
+    else e_.head(rows_).setZero();
+  }
+
   void note_pivot() {
     smallest_pivot_.ratio = solver_->smallest_pivot();
     assemble_time_ = solver_->assemble_time();

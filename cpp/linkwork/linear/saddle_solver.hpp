@@ -28,7 +28,7 @@ class SaddleSolver {
   void expect_compliance(int first_row) { compliant_from_ = first_row; }
   /// Symbolic work, once; `typical` scales rows.
   virtual void analyze(const System& system, const Evaluation& typical) = 0;
-  /// Assembles and factorizes at an evaluation. Throws SingularSystemError naming joints where the matrix is singular.
+  /// Assembles and factorizes at an evaluation; an empty e is zero. Throws SingularSystemError naming joints where the matrix is singular.
   virtual void factorize(const Evaluation& at, const VectorXd& e) = 0;
   virtual void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) = 0;
 

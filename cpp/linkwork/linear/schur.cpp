@@ -54,7 +54,7 @@ class SchurSolver final : public AssembledSolver {
     matrix_->set_zero();
     for (std::size_t joint = 0; joint < diagonal_.size(); ++joint) {
       auto block = matrix_->block(diagonal_[joint]);
-      block.diagonal() = e.segment(system_->model().joint_rows()[joint], block.rows());
+      if (e.size() > 0) block.diagonal() = e.segment(system_->model().joint_rows()[joint], block.rows());
     }
     Weighted weighted;
     for (const Product& product : products_) {

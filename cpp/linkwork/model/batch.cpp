@@ -1,11 +1,10 @@
 #include "linkwork/model/batch.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace linkwork {
 namespace {
-
-constexpr std::size_t attachment_size = 24;
 
 std::size_t padded_size(std::size_t count, std::size_t width) { return (count + width - 1) / width * width; }
 
@@ -13,31 +12,55 @@ std::size_t padded_size(std::size_t count, std::size_t width) { return (count + 
 
 void JointBatch::reserve(std::size_t count, std::size_t parameters_each, int width) {
   width_ = static_cast<std::size_t>(width);
-  const std::size_t padded = padded_size(count, width_);
-  for (std::vector<int>* list : {&body_i, &body_j, &row}) list->reserve(padded);
+  padded_ = padded_size(count, width_);
+  for (std::vector<int>* list : {&body_i, &body_j, &row}) list->reserve(padded_);
   D.reserve(count);
-  attachments.resize(attachment_size * padded);
-  parameters.reserve(parameters_each * padded);
+  parameters.reserve(parameters_each * padded_);
 }
 
 void JointBatch::attach(std::size_t joint, const Attachment<double>& at) {
-  double* to = attachments.data() + attachment_size * width_ * (joint / width_) + joint % width_;
-  for (const auto* vector : {&at.s_i, &at.s_j})
-    for (int c = 0; c < 3; ++c, to += width_) *to = (*vector)[c];
-  for (const auto* frame : {&at.C_i, &at.C_j})
-    for (int c = 0; c < 9; ++c, to += width_) *to = frame->data()[c];
+  const double* numbers[] = {at.s_i.data(), at.s_j.data(), at.C_i.data(), at.C_j.data()};
+  for (std::size_t p = 0; p < parts_.size(); ++p) attach(joint, numbers[p], attachment_parts[p], parts_[p]);
+}
+
+void JointBatch::attach(std::size_t joint, const double* numbers, int count, Part& part) const {
+  const std::size_t group = width_ * static_cast<std::size_t>(count);
+  const auto put = [&](std::size_t first, std::size_t lanes) {
+    for (int c = 0; c < count; ++c)
+      std::fill_n(part.numbers.begin() + std::ptrdiff_t(first + c * width_), lanes, numbers[c]);
+  };
+  if (joint == 0) {
+    part.numbers.resize(group);
+    put(0, width_);
+  }
+  if (!part.varies) {
+    const auto same = [&](int c) { return std::memcmp(&numbers[c], &part.numbers[c * width_], sizeof(double)) == 0; };
+    int c = 0;
+    while (c < count && same(c)) ++c;
+    if (c == count) return;
+    part.varies = true;
+    const std::vector<double> common = std::move(part.numbers);
+    part.numbers.reserve(padded_ * static_cast<std::size_t>(count));
+    for (std::size_t k = 0; k < padded_; k += width_)
+      part.numbers.insert(part.numbers.end(), common.begin(), common.end());
+  }
+  put(group * (joint / width_) + joint % width_, 1);
 }
 
 void JointBatch::fill_up() {
   if (row.empty()) return;
-  const std::size_t padded = padded_size(row.size(), width_), per_joint = parameters.size() / row.size();
+  const std::size_t per_joint = parameters.size() / row.size();
   const std::size_t last = (row.size() - 1) % width_;
-  double* group = attachments.data() + attachment_size * (padded - width_);  // that of the last joint
-  for (std::size_t number = 0; number < attachment_size; ++number, group += width_)
-    std::fill(group + last + 1, group + width_, group[last]);
-  body_i.resize(padded, body_i.back());
-  body_j.resize(padded, body_j.back());
-  while (parameters.size() < per_joint * padded) parameters.push_back(parameters[parameters.size() - per_joint]);
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    auto& [numbers, varies] = parts_[p];
+    attachments_[p] = {numbers.data(), varies ? attachment_parts[p] : 0};
+    double* end = numbers.data() + numbers.size();  // with the group of the last joint before it
+    for (double* lanes = end - width_ * attachment_parts[p]; lanes != end; lanes += width_)
+      std::fill(lanes + last + 1, lanes + width_, double{lanes[last]});
+  }
+  body_i.resize(padded_, body_i.back());
+  body_j.resize(padded_, body_j.back());
+  while (parameters.size() < per_joint * padded_) parameters.push_back(parameters[parameters.size() - per_joint]);
 }
 
 JointArrays JointBatch::arrays(int first, int last) const {
@@ -45,9 +68,11 @@ JointArrays JointBatch::arrays(int first, int last) const {
   return {.count = last - first,
           .body_i = body_i.data() + first,
           .body_j = body_j.data() + first,
-          .attachment = attachments.data() + attachment_size * first,
+          .attachment = attachments_.data(),
+          .first = first,
           .parameters = parameters.data() + std::ptrdiff_t{per_joint} * first,
           .parameter_count = per_joint,
+          .streamed = streamed,
           .time_dependent = time_dependent,
           .row = row.data() + first,
           .D = D.data() + first};

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 #include "linkwork/model/body_state.hpp"
@@ -31,14 +33,28 @@ struct Batch {
   std::size_t size() const { return body_i.size(); }
 };
 
-/// The same for the joints of one kind, which are evaluated `width` at a time: plain arrays, of which bodies and
-/// parameters are filled up to a multiple of the width with copies of the last joint.
+/// Numbers of s_i, s_j, C_i and C_j, the parts of an Attachment, and of all.
+constexpr int attachment_parts[] = {3, 3, 9, 9};
+constexpr int attachment_size = 24;
+
+/// One part of the attachments of joints that are evaluated `width` at a time: for these number after number, of those
+/// from joint k on at from[step k]. Where all joints have the same, as many in large models do, it stands there for
+/// `width` of them, and the step is 0.
+struct AttachmentPart {
+  const double* from = nullptr;
+  std::ptrdiff_t step = 0;
+};
+
+/// The same for the joints of one kind, which are evaluated `width` at a time: plain arrays, of which bodies,
+/// attachments and parameters are filled up to a multiple of the width with copies of the last joint.
 struct JointArrays {
   int count;
-  const int *body_i, *body_j;   ///< -1 for the ground
-  const double* attachment;     ///< for each `width` joints, number after number of Attachment (24 x width)
-  const Parameter* parameters;  ///< `parameter_count` per joint
+  const int *body_i, *body_j;        ///< -1 for the ground
+  const AttachmentPart* attachment;  ///< the four parts
+  int first;                         ///< joint in these
+  const Parameter* parameters;       ///< `parameter_count` per joint
   int parameter_count;
+  bool streamed;            ///< D is larger than caches: it is written past them
   bool time_dependent;      ///< else Phi_t is zero and is left alone
   const int* row;           ///< first constraint row
   const std::ptrdiff_t* D;  ///< place of D_i; D_j follows
@@ -60,13 +76,16 @@ struct JointLanes {
 struct JointBatch {
   std::vector<int> body_i, body_j, row;
   std::vector<std::ptrdiff_t> D;
-  std::vector<double> attachments;  ///< as in JointArrays
   std::vector<Parameter> parameters;
-  bool time_dependent = false;
+  bool time_dependent = false, streamed = false;
+
+  JointBatch() = default;
+  JointBatch(JointBatch&&) = default;  // whose numbers stay where they are
+  JointBatch& operator=(JointBatch&&) = default;
 
   /// For `count` joints, evaluated `width` at a time.
   void reserve(std::size_t count, std::size_t parameters_each, int width);
-  /// Of the joint with this number.
+  /// Of the joint with this number; they come one after the other.
   void attach(std::size_t joint, const Attachment<double>& at);
   /// When all are there.
   void fill_up();
@@ -75,7 +94,15 @@ struct JointBatch {
   JointArrays arrays(int first, int last) const;
 
  private:
-  std::size_t width_ = 1;
+  struct Part {
+    std::vector<double> numbers;
+    bool varies = false;
+  };
+  void attach(std::size_t joint, const double* numbers, int count, Part& part) const;
+
+  std::array<Part, std::size(attachment_parts)> parts_;
+  std::array<AttachmentPart, std::size(attachment_parts)> attachments_;  ///< in these, when all joints are there
+  std::size_t width_ = 1, padded_ = 0;
 };
 
 }  // namespace linkwork

@@ -25,13 +25,58 @@ LINKWORK_INLINE BodyState<Pack> gather_state(const int* body, const double* q, c
           Vec3<Pack>(velocity[0], velocity[1], velocity[2]), Vec3<Pack>(velocity[3], velocity[4], velocity[5])};
 }
 
-LINKWORK_INLINE Attachment<Pack> load_attachment(const double* from) {
+/// From the places of its parts.
+LINKWORK_INLINE Attachment<Pack> load_attachment(const double* const* parts) {
   Attachment<Pack> at;
-  Pack* to[4] = {at.s_i.data(), at.s_j.data(), at.C_i.data(), at.C_j.data()};
-  constexpr int count[4] = {3, 3, 9, 9};
+  Pack* to[] = {at.s_i.data(), at.s_j.data(), at.C_i.data(), at.C_j.data()};
   LINKWORK_UNROLL for (int part = 0; part < 4; ++part)
-    for (int k = 0; k < count[part]; ++k, from += width) to[part][k].v = load_native(from);
+    for (int k = 0; k < attachment_parts[part]; ++k) to[part][k].v = load_native(parts[part] + k * width);
   return at;
+}
+
+LINKWORK_INLINE const double* place_of(const AttachmentPart& part, long joint) { return part.from + part.step * joint; }
+
+/// To the start of a line of memory, past the caches.
+LINKWORK_INLINE void stream_native(double* to, Native v) {
+#if defined(__AVX512F__)
+  _mm512_stream_pd(to, (__m512d)v);
+#elif defined(__AVX__)
+  _mm256_stream_pd(to, (__m256d)v);
+#else
+  store_native(to, v);
+#endif
+}
+
+/// Before others read what was streamed.
+LINKWORK_INLINE void end_stream() {
+#if defined(__AVX__)
+  _mm_sfence();
+#endif
+}
+
+/// Numbers of which most are whole lines, which need not be read before they are written.
+inline void stream_lines(double* to, const double* from, int count) {
+  constexpr int line = 8;
+  int k = static_cast<int>(-(reinterpret_cast<unsigned long>(to) / sizeof(double)) % line);  // to the first line
+  copy(to, from, k);
+  for (; k + width <= count; k += width) stream_native(to + k, load_native(from + k));
+  copy(to + k, from + k, count - k);
+}
+
+/// Whether the places of `width` joints, of `count` numbers each, follow each other.
+LINKWORK_INLINE bool consecutive(const double* const* place, int count) {
+  return place[width - 1] - place[0] == static_cast<long>(count) * (width - 1);
+}
+
+/// D of `width` joints to their places, `streamed` past the caches where these follow each other.
+template <int count>
+LINKWORK_INLINE void scatter_D(const Pack* D, bool streamed, double** place) {
+  double* const lines = streamed && consecutive(place, count) ? place[0] : nullptr;
+  double together[count * width];
+  if (lines)
+    for (int l = 0; l < width; ++l) place[l] = together + count * l;
+  scatter<count>(D, place);
+  if (lines) stream_lines(lines, together, count * width);
 }
 
 LINKWORK_INLINE Signal<Pack> load_parameter(const Parameter* parameters, int stride, const Signal<double>* signals) {
@@ -65,10 +110,13 @@ template <int rows>
 LINKWORK_INLINE void prefetch_joints(const JointArrays& joints, int first, const double* q, const double* v,
                                      const ConstraintArrays& out) {
   constexpr int line = 8;
-  for (int k = 0; k < 24 * width; k += line) __builtin_prefetch(joints.attachment + 24l * first + k);
+  for (int part = 0; part < 4; ++part)
+    for (int k = 0; k < attachment_parts[part] * width; k += line)
+      __builtin_prefetch(place_of(joints.attachment[part], joints.first + first) + k);
   for (int l = 0; l < width && first + l < joints.count; ++l) {
     __builtin_prefetch(q + 7l * joints.body_j[first + l]);
     __builtin_prefetch(v + 6l * joints.body_j[first + l]);
+    if (joints.streamed) continue;
     const double* D = out.D + joints.D[first + l];
     for (int k = 0; k < 12 * rows; k += line) __builtin_prefetch(D + k, 1);
   }
@@ -89,7 +137,9 @@ LINKWORK_INLINE void evaluate_joints(const JointArrays& joints, const double* q,
     Pack v_i[6], v_j[6], Phi[rows], Phi_t[rows], Phi_dot[rows], gamma[rows], D[12 * rows];
     const BodyState<Pack> i = gather_state(joints.body_i + first, q, v, v_i);
     const BodyState<Pack> j = gather_state(joints.body_j + first, q, v, v_j);
-    Joint::template evaluate<Pack>(load_attachment(joints.attachment + 24l * first), parameters, i, j,
+    const double* attachment[4];
+    for (int part = 0; part < 4; ++part) attachment[part] = place_of(joints.attachment[part], joints.first + first);
+    Joint::template evaluate<Pack>(load_attachment(attachment), parameters, i, j,
                                    Rows<Pack, rows>{Phi, Phi_t, gamma, D, D + 6 * rows});
     multiply<rows>(D, D + 6 * rows, v_i, v_j, Phi_t, Phi_dot);
 
@@ -97,7 +147,7 @@ LINKWORK_INLINE void evaluate_joints(const JointArrays& joints, const double* q,
     double nowhere[12 * rows];  // for the lanes that are not used
     double* place[width];
     for (int l = 0; l < width; ++l) place[l] = l < used ? out.D + joints.D[first + l] : nowhere;
-    scatter<12 * rows>(D, place);
+    scatter_D<12 * rows>(D, joints.streamed && used == width, place);
     const auto scatter_rows = [&](const Pack* in, double* to) {
       for (int l = 0; l < width; ++l) place[l] = l < used ? to + joints.row[first + l] : nowhere;
       scatter<rows>(in, place);
@@ -107,6 +157,7 @@ LINKWORK_INLINE void evaluate_joints(const JointArrays& joints, const double* q,
     scatter_rows(gamma, out.gamma);
     if (joints.time_dependent) scatter_rows(Phi_t, out.Phi_t);
   }
+  if (joints.streamed) end_stream();
 }
 
 /// Numbers that stand `width` by `width`.
@@ -143,8 +194,10 @@ LINKWORK_INLINE void evaluate_joint_lanes(const JointLanes& joints, const Constr
     const BodyState<Pack> j = load_state(joints.states + 18l * width * joints.body_j[joint], v_j);
     const long row = static_cast<long>(joints.row[joint]) * width;
     Pack *D = packs(out.D + joints.D[joint] * width), *Phi_t = packs(out.Phi_t + row);
+    const double* s_i = joints.attachment + static_cast<long>(attachment_size) * width * joint;
+    const double* attachment[4] = {s_i, s_i + 3 * width, s_i + 6 * width, s_i + 15 * width};
     Joint::template evaluate<Pack>(
-        load_attachment(joints.attachment + 24l * width * joint), parameters, i, j,
+        load_attachment(attachment), parameters, i, j,
         Rows<Pack, rows>{packs(out.Phi + row), Phi_t, packs(out.gamma + row), D, D + 6 * rows});
     multiply<rows>(D, D + 6 * rows, v_i, v_j, Phi_t, packs(out.Phi_dot + row));
   }

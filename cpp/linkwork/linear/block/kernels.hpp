@@ -32,8 +32,13 @@ struct StepRow {
   int row;
 };
 
-/// Doubles of factor storage of a step: 6 + rows vectors.
-constexpr std::ptrdiff_t step_storage(int rows) { return (6 + rows) * lanes; }
+/// Factors of a step, without what is always zero: six vectors of `rows` numbers and one of the right-hand side, then
+/// `rows` vectors of 6 and one.
+constexpr std::ptrdiff_t second_factors(int rows) { return 6 * (rows + 1); }  ///< where the others begin
+/// Doubles of all of them, in whole lines.
+constexpr std::ptrdiff_t step_storage(int rows) {
+  return (second_factors(rows) + 7 * rows + lanes - 1) / lanes * lanes;
+}
 /// Doubles of the factors of a body of the core with branches: L, and D^-1 L^-1 a.
 constexpr std::ptrdiff_t own_factor_size = 7 * lanes;
 /// Of a body, L^-1 D^T with and without D^-1; of a front, 8.

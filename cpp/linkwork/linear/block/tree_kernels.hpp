@@ -45,6 +45,28 @@ struct RowsOfStep {
   LINKWORK_INLINE const StepRow& of(int k) const { return data.step_rows[step.scattered + k]; }
 };
 
+/// The first `rows` lanes and that of the right-hand side, one behind the other in memory.
+template <int rows>
+LINKWORK_INLINE void store_packed(double* to, const Vector& v) {
+  store_first<rows>(to, v);
+#if defined(__AVX512F__)
+  _mm512_mask_storeu_pd(to + rows - right_hand_side, 1 << right_hand_side, (__m512d)v.part[0]);
+#else
+  to[rows] = v[right_hand_side];
+#endif
+}
+/// The way back, with zero in the other lanes.
+template <int rows>
+LINKWORK_INLINE Vector load_packed(const double* from) {
+  Vector v = load_first<rows>(from);
+#if defined(__AVX512F__)
+  v.part[0] = (Native)_mm512_mask_loadu_pd((__m512d)v.part[0], 1 << right_hand_side, from + rows - right_hand_side);
+#else
+  v.set(right_hand_side, from[rows]);
+#endif
+  return v;
+}
+
 LINKWORK_INLINE void prefetch_step(const TreeStep& step, const Data& data) {
   if (step.scattered >= 0) {
     for (const StepRow* row = data.step_rows + step.scattered; row < data.step_rows + step.scattered + step.rows;
@@ -142,13 +164,13 @@ LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const d
     LINKWORK_UNROLL for (int k = rows - 1; k >= 0; --k) {
       LINKWORK_UNROLL for (int c = k + 1; c < rows; ++c)
         T[k] -= T[c] * lane(S[k], c);
-      store(factors + (6 + k) * lanes, T[k]);
+      store_first<7>(factors + second_factors(rows) + 7 * k, T[k]);
     }
   }
   LINKWORK_UNROLL for (int k = 5; k >= 0; --k) {
     LINKWORK_UNROLL for (int c = k + 1; c < 6; ++c)
       G[k] -= G[c] * lane(L[k], c);
-    store(factors + k * lanes, G[k]);
+    store_packed<rows>(factors + (rows + 1) * k, G[k]);
   }
 }
 
@@ -162,13 +184,13 @@ LINKWORK_INLINE void backward_step(const TreeStep& step, const Data& data, doubl
         load(step.parent >= 0 ? data.articulated_inertias + step.parent_slot * articulated_inertia_size
                               : right_hand_side_lane);
     LINKWORK_UNROLL for (int k = 0; k < rows; ++k)
-      products[k] = load(factors + (6 + k) * lanes) * x_parent;
+      products[k] = load_first<7>(factors + second_factors(rows) + 7 * k) * x_parent;
     l = sums<rows>(products);
     RowsOfStep<scattered>{step, data}.template store_multipliers<rows>(lambda, l);
   }
   l += one;
   LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
-    products[k] = load(factors + k * lanes) * l;
+    products[k] = load_packed<rows>(factors + (rows + 1) * k) * l;
   const Vector x_body = sums<6>(products);
   store_first<6>(x + 6 * step.body, x_body);
   if (step.slot >= 0) leave_for_children(x_body, step.slot, data);
