@@ -1,4 +1,4 @@
-"""Content hashes of what models and studies consist of: equal for equal values, in any process, on any machine."""
+"""Content hashes of models and studies: equal for equal values, in any process, on any machine."""
 
 from __future__ import annotations
 
@@ -65,13 +65,16 @@ def canonical(value: Any, inside: frozenset[int] = frozenset()) -> str:
 
 
 def law(value: Any) -> str:
-    """A text of a function that a model calls: its code, and the constants that it reads, also as globals of its
-    module. What it may write to, such as a list of the times at which it was called, does not count."""
+    """A text of a function that a model calls: its code, and the constants that it reads, also as globals of
+    its module. What it may write to, such as a list of times at which it was called, does not count."""
     if isinstance(value, functools.partial):
-        return " ".join(["partial", law(value.func), *map(_constant, (value.args, sorted(value.keywords.items())))])
+        return " ".join(
+            ["partial", law(value.func), *map(_constant, (value.args, sorted(value.keywords.items())))]
+        )
     if isinstance(value, MethodType):
         return f"{law(value.__func__)} of {type(value.__self__).__qualname__}"
-    if dataclasses.is_dataclass(value) and getattr(type(value), "__dataclass_params__").frozen:
+    kind: Any = type(value)
+    if dataclasses.is_dataclass(kind) and kind.__dataclass_params__.frozen:
         return canonical(value)
     if not isinstance(value, FunctionType):
         return getattr(value, "__qualname__", type(value).__qualname__)

@@ -181,7 +181,7 @@ def test_modes_of_a_disk_that_spins_have_what_its_inerters_do_while_they_turn_wi
 
 @pytest.mark.parametrize("solver", ["block", "eigen_ldlt", "dense", "cholmod"])
 def test_inerters_are_inertia_of_bodies_without_any(solver: str) -> None:
-    """Two massless disks on a shaft that turn against each other: b_1 x'' + k (x - y) = 0 and b_2 y'' = k (x - y)."""
+    """Two massless disks on a shaft: b_1 x'' + k (x - y) = 0 and b_2 y'' = k (x - y)."""
     model = lw.Model()
     disks = [
         model.body(f"disk {k}", mass=0, inertia=(0, 0, 0), position=(k, 0, 0), omega=(rate, 0, 0))

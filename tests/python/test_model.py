@@ -627,7 +627,12 @@ def test_examples_of_what_is_read_and_changed_run() -> None:
     [
         ("joints", "revolute", {"at": (0, 0, 0), "axis": (0, 0, 1), "stiff": 1}, ["'stiff'", "'at', 'axis'"]),
         ("joints", "revolute", {"at": (0, 0, 0)}, ["axis is missing"]),
-        ("forces", "spring_damper", {"at": ((0, 0, 0), (0, 0, 1)), "stifness": 1}, ["'stifness'", "'stiffness'"]),
+        (
+            "forces",
+            "spring_damper",
+            {"at": ((0, 0, 0), (0, 0, 1)), "stifness": 1},
+            ["'stifness'", "'stiffness'"],
+        ),
         ("forces", "spring_damper", {"stiffness": 1}, ["at is missing"]),
     ],
 )

@@ -104,7 +104,9 @@ def _attachment(info: _core.KindInfo, place: Place, where: Mapping[str, Any]) ->
     known = [it.name for it in arguments] + list(info.parameters)
     for name in where:
         if name not in known:
-            place.subject.refuse(0, f"'{name}' is none of its arguments{nearest(name, known)}", "argument", name)
+            place.subject.refuse(
+                0, f"'{name}' is none of its arguments{nearest(name, known)}", "argument", name
+            )
     for it in arguments:
         if it.default is it.empty and it.name not in where:
             place.subject.refuse(0, f"{it.name} is missing", "missing", it.name)

@@ -208,8 +208,8 @@ class Model(ModelBuilder):
         """
         Equal for models of equal motion, whatever the names.
 
-        A function of Python counts by its code and the numbers, texts and arrays that it reads, as defaults, from
-        around it or as globals of its module; that of an object counts by its class, a compiled one not at all.
+        A function of Python counts by its code and the numbers, texts and arrays that it reads, as defaults,
+        from around it or as globals of its module; that of an object by its class, a compiled one not at all.
 
             assert lw.mechanisms.chain(2).hash() == lw.mechanisms.chain(2).hash()
         """

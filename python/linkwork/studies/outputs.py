@@ -16,10 +16,10 @@ import numpy as np
 
 from linkwork.arrays import Floats
 from linkwork.errors import LinkworkError, OptionError, nearest
+from linkwork.fingerprints import canonical
 from linkwork.modeling.coordinates import coordinate_of
 from linkwork.results.result import Result
 from linkwork.results.tables import COORDINATES
-from linkwork.fingerprints import canonical
 
 __all__ = ["REDUCTIONS", "Output", "checked", "identity", "outputs_of"]
 

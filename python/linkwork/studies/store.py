@@ -23,9 +23,9 @@ from typing import Any
 
 from linkwork import arguments
 from linkwork.errors import FileError, cause, unwritable, warn
+from linkwork.fingerprints import digest
 from linkwork.studies.cases import Answer, Run
 from linkwork.studies.collected import Collected
-from linkwork.fingerprints import digest
 
 __all__ = ["Store", "stored_identity", "write_whole"]
 

@@ -23,6 +23,7 @@ from linkwork.arrays import Floats
 from linkwork.comparison.workers import Lost, can_fork
 from linkwork.equations.system import System
 from linkwork.errors import FileError, LinkworkError, LinkworkWarning, OptionError, warn
+from linkwork.fingerprints import canonical, digest, digests
 from linkwork.modeling.model import Model
 from linkwork.motion.header import Header
 from linkwork.options import TABLE, check_name, check_number, check_option, without_threads
@@ -37,7 +38,6 @@ from linkwork.studies.cases import Answer, Case, Runner, check_times, machine
 from linkwork.studies.chunks import run_cases
 from linkwork.studies.collected import Collected, Todo
 from linkwork.studies.executors import check_executor
-from linkwork.fingerprints import canonical, digest, digests
 from linkwork.studies.lanes import fits, with_lanes
 from linkwork.studies.sampling import Cases, cases_of
 from linkwork.studies.store import Store, stored_identity

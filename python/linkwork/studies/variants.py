@@ -20,12 +20,12 @@ import numpy as np
 from linkwork import rotation
 from linkwork.arrays import Floats
 from linkwork.errors import LinkworkError, ModelError, OptionError, nearest
+from linkwork.fingerprints import canonical, digest, plain
 from linkwork.modeling.editing import ATTACHED, NAMES, ROLES, SECTIONS, built
 from linkwork.modeling.elements import KINDS
 from linkwork.modeling.files import record_of
 from linkwork.modeling.files.schema import BodyRecord, element_type, form_of
 from linkwork.modeling.model import Model, check_model
-from linkwork.fingerprints import canonical, digest, plain
 
 __all__ = ["Built", "Changed", "Source", "source_of"]
 
