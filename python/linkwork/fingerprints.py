@@ -73,8 +73,8 @@ def law(value: Any) -> str:
         )
     if isinstance(value, MethodType):
         return f"{law(value.__func__)} of {type(value.__self__).__qualname__}"
-    kind: Any = type(value)
-    if dataclasses.is_dataclass(kind) and kind.__dataclass_params__.frozen:
+    parameters = getattr(type(value), "__dataclass_params__", None)
+    if parameters is not None and parameters.frozen:
         return canonical(value)
     if not isinstance(value, FunctionType):
         return getattr(value, "__qualname__", type(value).__qualname__)
