@@ -19,9 +19,9 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork.cli import run
+from linkwork.fingerprints import digest, digests
 from linkwork.studies.chunks import FILES, chunked
 from linkwork.studies.files import read_study
-from linkwork.studies.fingerprints import digest, digests
 from linkwork.studies.variants import Changed
 from numpy.testing import assert_array_equal
 
