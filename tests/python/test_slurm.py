@@ -45,8 +45,8 @@ linkwork sweep study.yaml --shard $SLURM_ARRAY_TASK_ID/4 --processes $SLURM_CPUS
 
 COUNTED = ARRAY.replace("/4", "/$SLURM_ARRAY_TASK_COUNT")
 
-#: Each run of a job stops in its fifth case of 16 until there is a file "go": it is killed with cases behind and
-#: before it, however fast the machine.
+#: Each run of a job stops in its fifth case of 16 until there is a file "go": it is killed with cases
+#: behind and before it, however fast the machine.
 HELD = """
 import os
 import time
@@ -170,8 +170,8 @@ class Slurm:
 
     def requeue(self, job: str) -> None:
         """
-        SLURM waits for two minutes; here for what it must wait for: until the first run of the job is gone, and
-        the second in which it was ended, as the node starts nothing of a job that was ended later than allowed.
+        SLURM waits for two minutes; here for what it must wait for: until the first run of the job is gone,
+        and until the clock has gone on, as the node starts nothing of a job that it ended in the same second.
         """
         self.tell("scontrol", "requeue", job)
         told = self.tell("scontrol", "show", "job", job, "--oneliner")
