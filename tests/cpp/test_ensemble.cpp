@@ -34,11 +34,19 @@ std::vector<VectorXd> last_states(const std::vector<Model>& models, const Option
   return out;
 }
 
+/// Beside a joint and between bodies that have none.
+Model with_inerters(Model model, Random& random) {
+  for (const auto [i, j] : {std::pair{ground, 0}, {0, 1}, {ground, 2}})
+    model.add_force("rotational_inerter", "rotor " + std::to_string(j), i, j, random_attachment(random), {{0.3, -1}});
+  return model;
+}
+
 std::vector<Model> trees_and_loops() {
   Random random(3);
   std::vector<Model> models;
   for (int k = 0; k < 5; ++k) models.push_back(random_tree(random, 6));
   for (int k = 0; k < 11; ++k) models.push_back(four_bar());
+  for (int k = 0; k < 3; ++k) models.push_back(with_inerters(models[3 * k], random));
   return models;
 }
 

@@ -58,6 +58,25 @@ def bits(result: lw.Result) -> dict[str, bytes]:
     return {name: result.recorded(name).tobytes() for name in FIELDS}
 
 
+def with_inerters(model: lw.Model, seed: int, inertance: float) -> lw.Model:
+    """About hinges and along slides, several at balls, and others that make loops."""
+    rng = np.random.default_rng(seed)
+    axes = {"revolute": "r", "cylindrical": "rt", "translational": "t", "universal": "r", "spherical": "rr"}
+    record = record_of(model, {})
+    names = ["ground", *(it["name"] for it in record["bodies"])]
+    places = [(kind, it["a"], it["b"]) for it in record["joints"] for kind in axes.get(it["kind"], "")]
+    for kind in rng.choice(["r", "t", "l"], 2):
+        places.append((str(kind), *(str(name) for name in rng.choice(names, 2, replace=False))))
+    for kind, a, b in places:
+        at, amount = rng.uniform(-1, 1, 3), inertance * rng.uniform(0.1, 1)
+        if kind == "l":
+            model.inerter(a, b, at=(at, at + rng.standard_normal(3)), inertance=amount)
+        else:
+            add = model.rotational_inerter if kind == "r" else model.translational_inerter
+            add(a, b, at=at, axis=rng.standard_normal(3), inertance=amount)
+    return model
+
+
 def with_functions(amplitude: float, stiffness: float) -> lw.Model:
     """A crank that is driven, and a rod on a spring with history; lanes differ in functions of time."""
     model = lw.Model(name="functions")

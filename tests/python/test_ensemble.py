@@ -13,7 +13,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 import random_mechanisms
-from ensembles import KNOWN, alone, bits, variants, with_functions
+from ensembles import KNOWN, alone, bits, variants, with_functions, with_inerters
 from hypothesis import given
 from light_mechanisms import light_mechanisms
 from linkwork import _core, mechanisms
@@ -40,6 +40,29 @@ def test_a_lane_has_the_bits_of_its_run_by_itself(name: str, stabilization: str)
     assert found.alone == {}
     for k in (0, 2, 4):
         assert bits(found.member(k)) == bits(alone(models[k], 40 * step, step, **options))
+
+
+@pytest.mark.parametrize("inertance", [0.3, 1e-5])
+@pytest.mark.parametrize("name", sorted({*KNOWN} - {"double_wishbone", "rolling_disc"}))
+def test_inerters_beside_joints_and_elsewhere_are_those_by_themselves(name: str, inertance: float) -> None:
+    """Each member has other ones; delta robot and governor have masses far apart, too."""
+    make, step = KNOWN[name]
+    models = [with_inerters(make(), seed=7, inertance=inertance * factor) for factor in (1, 2, 30)]
+    found = many(models, 30 * step, step, threads=1, record_every=7)
+    assert found.alone == {}
+    for k in (0, 2):
+        assert bits(found.member(k)) == bits(alone(models[k], 30 * step, step, record_every=7))
+    followed = lw.simulate_many(models, None, 10 * step, rtol=1e-6, deterministic=True, progress=False)
+    assert bits(followed.member(1)) == bits(alone(models[1], 10 * step, rtol=1e-6))
+
+
+@pytest.mark.parametrize("moment", [1e-4, 0.0])
+def test_inerters_of_thin_rods_are_refined_as_by_themselves(moment: float) -> None:
+    models = [slender(with_inerters(mechanisms.chain(6), 2, 0.1 * k), moment) for k in (1, 2, 3)]
+    found = many(models, 0.05, 1e-3, threads=1, record_every=7)
+    assert found.alone == {}
+    for k in (0, 2):
+        assert bits(found.member(k)) == bits(alone(models[k], 0.05, 1e-3, record_every=7))
 
 
 @pytest.mark.parametrize("seed", [34, 60])
@@ -206,8 +229,9 @@ def test_bits_do_not_depend_on_place_neighbors_and_threads() -> None:
 def digest() -> str:
     """What a process of other instructions finds, too, and a member that is simulated by itself."""
     models = [*variants(mechanisms.bricard(), 3, seed=5), *variants(mechanisms.chain(), 3, seed=6)]
+    models += [with_inerters(make(), 3, 0.2) for make in (mechanisms.bricard, mechanisms.chain)]
     found = many(models, 0.02, 1e-3, deterministic=True)
-    return " ".join(found.member(k).q[-1].tobytes().hex() for k in range(6))
+    return " ".join(found.member(k).q[-1].tobytes().hex() for k in range(len(models)))
 
 
 @pytest.mark.parametrize("instructions", ["x86-64-v2", "x86-64-v3"])

@@ -93,7 +93,7 @@ bool System::has_rest() const {
 void System::evaluate_rest_of_constraints(double t, const ConstVector& q, const ConstVector& v,
                                           const ConstVector& history, Evaluation& out) const {
   evaluate_signals(t, out);
-  for (const CompiledSpecialJoint& it : special_joints_) evaluate_special_joint(it, q, v, history, out);
+  evaluate_other_constraints(q, v, history, out);
 }
 
 void System::evaluate_rest(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,

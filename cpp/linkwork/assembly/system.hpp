@@ -103,7 +103,7 @@ class System {
   // For ensembles, which evaluate bodies and joints of many mechanisms at once.
   /// Whether there is more than bodies and joints without functions of time.
   bool has_rest() const;
-  /// Functions of time and special joints.
+  /// Functions of time, special joints and inerters.
   void evaluate_rest_of_constraints(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                                     Evaluation& out) const;
   /// All of it but forces of the user's own: also forces, added to `out.g` and `out.potential` of the bodies.

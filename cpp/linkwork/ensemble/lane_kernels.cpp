@@ -119,9 +119,25 @@ struct Lanes {
   static LINKWORK_INLINE Native root(Native x) { return sqrt(Pack(x)).v; }
 };
 
+/// y += sum b d^T d x.
+void add_inerters(const LaneEquations& at, const double* x, double* y) {
+  const ConstraintBlock *end = at.inerters + at.inerter_count, *next = at.inerters;
+  for (const double* inertance = at.inertance; next < end; inertance += width) {
+    const ConstraintBlock* first = next;
+    Native rate{};
+    for (; next < end && next->row == first->row; ++next)
+      for (int k = 0; k < 6; ++k) rate += get(at.D, next->offset + k) * get(x, 6l * next->body + k);
+    const Native factor = get(inertance, 0) * rate;
+    for (const ConstraintBlock* part = first; part < next; ++part)
+      for (int k = 0; k < 6; ++k)
+        put(y, 6l * part->body + k, get(y, 6l * part->body + k) + factor * get(at.D, part->offset + k));
+  }
+}
+
 void residuals(const LaneEquations& at, const double* a, const double* b, const double* x, const double* lambda,
                double* r_1, double* r_2) {
   for (int body = 0; body < at.bodies; ++body) saddle_products::multiply_mass<Lanes>(body, at.mass, x, r_1);
+  add_inerters(at, x, r_1);
   for (int k = 0; k < 6 * at.bodies; ++k) put(r_1, k, get(a, k) - get(r_1, k));
   for (int k = 0; k < at.rows; ++k) put(r_2, k, Native{});
   for (const ConstraintBlock* block = at.blocks; block < at.blocks + at.block_count; ++block) {
@@ -129,6 +145,8 @@ void residuals(const LaneEquations& at, const double* a, const double* b, const 
     saddle_products::add_D<Lanes>(*block, at.D, x, r_2);
   }
   for (int k = 0; k < at.rows; ++k) put(r_2, k, get(b, k) - get(r_2, k));
+  if (!at.compliance) return;
+  for (int k = 0; k < at.rows; ++k) put(r_2, k, get(r_2, k) - get(at.compliance, k) * get(lambda, k));
 }
 
 void motion(const LaneEquations& at, const double* x, double* out) {

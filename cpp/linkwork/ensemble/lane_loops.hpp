@@ -321,6 +321,16 @@ struct Block {
   }
 };
 
+/// Of the rows k0, k0 + 1, ..., from which all columns before them are subtracted.
+LINKWORK_INLINE void add_compliance(const FrontPlace& at, const LaneData& data, int k0, int count) {
+  const int* unknowns = data.unknowns + at.front.unknown;
+  for (int k = k0; k < k0 + count; ++k) {
+    const Native e = get(data.compliance, unknowns[k]);
+    put(at.column(k), k, get(at.column(k), k) + e);
+    put(at.diagonal(), k, get(at.diagonal(), k) + e);
+  }
+}
+
 template <int count, bool narrow>
 void eliminate_block(const FrontPlace& at, const LaneData& data, const double* b, int k0, double* U, double* pivots,
                      SmallestPivots& smallest) {
@@ -331,6 +341,7 @@ void eliminate_block(const FrontPlace& at, const LaneData& data, const double* b
       else subtract_columns<count % 4 == 0 ? 1 : count % 4>(at, k0, nullptr, pivots, c);
     }
   }
+  if (data.compliant) add_compliance(at, data, k0, count);
   Block<count> block{{at.column(k0), stride}, at.right(), {}, {}, {}};
   const int* unknowns = data.unknowns + at.front.unknown + k0;
   LINKWORK_UNROLL for (int c = 0; c < count; ++c) {

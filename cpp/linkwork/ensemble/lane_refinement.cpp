@@ -25,14 +25,19 @@ void LaneRefinement::load(std::size_t l) {
   const std::ptrdiff_t width = kernels_.width;
   if (lengths_.empty()) {
     for (AlignedDoubles* velocities : {&r_1_, &dx_}) velocities->assign(velocity_size * structure_.bodies * width, 0.0);
-    for (AlignedDoubles* rows : {&r_2_, &dlambda_}) rows->assign(structure_.rows * width, 0.0);
+    for (AlignedDoubles* rows : {&r_2_, &dlambda_}) rows->assign(structure_.multipliers() * width, 0.0);
+    inertance_.assign(structure_.inerters * width, 1.0);
     for (AlignedDoubles* one : {&going_on_, &size_, &correction_}) one->assign(width, 0.0);
     lengths_.assign(structure_.bodies * width, 1.0);
   }
-  for (std::size_t lane = 0; lane < mechanisms_.size(); ++lane)
+  for (std::size_t lane = 0; lane < mechanisms_.size(); ++lane) {
+    const auto place = static_cast<std::ptrdiff_t>(lane);
+    const Dynamics& mechanism = *mechanisms_[lane];
     for (std::ptrdiff_t body = 0; body < structure_.bodies; ++body)
-      lengths_[body * width + static_cast<std::ptrdiff_t>(lane)] =
-          mechanisms_[lane]->formulation().inertia().lengths()[body];
+      lengths_[body * width + place] = mechanism.formulation().inertia().lengths()[body];
+    for (int k = 0; k < structure_.inerters; ++k)
+      inertance_[k * width + place] = mechanism.system().inerters().inertance(static_cast<std::size_t>(k));
+  }
 }
 
 void LaneRefinement::refine(const double* t, const double* mass, const LaneSolver::Problem& problem, LaneSolver& nearby,
@@ -40,7 +45,10 @@ void LaneRefinement::refine(const double* t, const double* mass, const LaneSolve
   const LaneEquations equations{.bodies = structure_.bodies,
                                 .rows = structure_.rows,
                                 .blocks = structure_.blocks.data(),
-                                .block_count = std::ssize(structure_.blocks),
+                                .block_count = structure_.joint_blocks,
+                                .inerters = structure_.blocks.data() + structure_.joint_blocks,
+                                .inerter_count = std::ssize(structure_.blocks) - structure_.joint_blocks,
+                                .inertance = inertance_.data(),
                                 .mass = mass,
                                 .lengths = lengths_.data(),
                                 .D = problem.D};

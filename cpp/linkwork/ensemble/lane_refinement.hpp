@@ -36,7 +36,7 @@ class LaneRefinement {
   std::vector<Dynamics*> mechanisms_;
   bool needed_ = false;
   std::vector<char> refined_;
-  AlignedDoubles lengths_, r_1_, r_2_, dx_, dlambda_, going_on_, size_, correction_;
+  AlignedDoubles lengths_, inertance_, r_1_, r_2_, dx_, dlambda_, going_on_, size_, correction_;
 };
 
 }  // namespace linkwork

@@ -16,6 +16,9 @@ LaneSolver::LaneSolver(const LaneStructure& structure, const InstructionSet& ins
   const block::SymbolicFactorization& symbolic = structure_.symbolic;
   size(mass_, 10l * structure_.bodies);
   size(mass_factors_, 9l * symbolic.mass_factor_count);
+  size(compliance_, structure_.multipliers());
+  for (const int row : structure_.dropped)
+    std::fill_n(compliance_.begin() + std::ptrdiff_t{row} * kernels_.width, kernels_.width, 1.0);
   size(factors_, symbolic.factor_size);
   size(articulated_inertias_, block::articulated_inertia_size * symbolic.articulated_inertia_count);
   size(panels_, symbolic.panel_size);
@@ -41,15 +44,20 @@ void LaneSolver::load(int l, const Dynamics& mechanism) {
     const block::MassFactor factor = block::mass_factor(system, body.body);
     give(&factor.L43, 9, mass_factors_, 9l * body.mass_factor);
   }
+  for (int k = 0; k < structure_.inerters; ++k) {
+    const double yields = 1.0 / system.inerters().inertance(static_cast<std::size_t>(k));
+    give(&yields, 1, compliance_, structure_.rows + k);
+  }
   far_apart_[l] = block::masses_far_apart(system);
   if (!far_apart_[l] || !r_1_.empty()) return;
   for (AlignedDoubles* velocities : {&r_1_, &dx_}) size(*velocities, velocity_size * structure_.bodies);
-  for (AlignedDoubles* rows : {&r_2_, &dlambda_}) size(*rows, structure_.rows);
+  for (AlignedDoubles* rows : {&r_2_, &dlambda_}) size(*rows, structure_.multipliers());
 }
 
 LaneData LaneSolver::data(const double* D) {
   const block::SymbolicFactorization& s = structure_.symbolic;
   return {.steps = s.steps.data(),
+          .step_rows = s.step_rows.data(),
           .step_count = std::ssize(s.steps),
           .fronts = s.fronts.data(),
           .front_count = std::ssize(s.fronts),
@@ -58,7 +66,8 @@ LaneData LaneSolver::data(const double* D) {
           .rows = s.rows.data(),
           .row_positions = structure_.row_positions.data(),
           .unknowns = s.unknowns.data(),
-          .compliance = structure_.compliance.data(),
+          .compliance = compliance_.data(),
+          .compliant = structure_.inerters > 0,
           .mass = mass_.data(),
           .mass_factors = mass_factors_.data(),
           .D = D,
@@ -95,9 +104,10 @@ void LaneSolver::refine(const Problem& problem) {
   if (std::find(far_apart_.begin(), far_apart_.end(), true) == far_apart_.end()) return;
   const LaneData at = data(problem.D);
   const LaneEquations equations{.bodies = structure_.bodies,
-                                .rows = structure_.rows,
+                                .rows = structure_.multipliers(),
                                 .blocks = structure_.blocks.data(),
                                 .block_count = std::ssize(structure_.blocks),
+                                .compliance = compliance_.data(),
                                 .mass = mass_.data(),
                                 .lengths = nullptr,
                                 .D = problem.D};
@@ -109,7 +119,7 @@ void LaneSolver::refine(const Problem& problem) {
     leave_out(dlambda_.data());
     elimination_.backward(at, r_1_.data(), dx_.data(), dlambda_.data());
     kernels_.add(velocities, going_on_.data(), dx_.data(), problem.x);
-    kernels_.add(structure_.rows, going_on_.data(), dlambda_.data(), problem.lambda);
+    kernels_.add(structure_.multipliers(), going_on_.data(), dlambda_.data(), problem.lambda);
     kernels_.largest(velocities, problem.x, largest_.data());
     kernels_.largest(velocities, dx_.data(), correction_.data());
     bool any = false;

@@ -19,7 +19,7 @@ class LaneSolver {
   /// A mechanism in a lane; of lanes that are not used, any.
   void load(int l, const Dynamics& mechanism);
 
-  /// All numbers of all lanes; the b of redundant rows is zero.
+  /// All numbers of all lanes; the b of redundant rows and of inerters is zero.
   struct Problem {
     const double *D, *a, *b;
     double *x, *lambda;
@@ -38,7 +38,7 @@ class LaneSolver {
   const LaneStructure& structure_;
   const LaneKernels& kernels_;
   const LaneElimination& elimination_;
-  AlignedDoubles mass_, mass_factors_, smallest_;
+  AlignedDoubles mass_, mass_factors_, compliance_, smallest_;
   AlignedDoubles factors_, articulated_inertias_, panels_, contributions_, scratch_;
   std::vector<char> far_apart_;
   AlignedDoubles going_on_, largest_, correction_, r_1_, r_2_, dx_, dlambda_;

@@ -31,7 +31,8 @@ void LaneStepper::allocate_motion() {
   const int n = structure_.bodies, m = structure_.rows;
   size(states_, 18 * (n + 1));
   for (Numbers* D : {&D_, &factorized_D_}) size(*D, structure_.D_size);
-  for (Numbers* rows : {&Phi_, &Phi_t_, &Phi_dot_, &gamma_, &b_, &u_, &lambda_, &looked_lambda_}) size(*rows, m);
+  for (Numbers* rows : {&Phi_, &Phi_t_, &Phi_dot_, &gamma_, &u_}) size(*rows, m);
+  for (Numbers* multipliers : {&b_, &lambda_, &looked_lambda_}) size(*multipliers, structure_.multipliers());
   for (Numbers* velocities : {&g_, &v_dot_, &looked_v_dot_, &none_}) size(*velocities, velocity_size * n);
   for (Numbers* one : {&power_, &potential_, &largest_, &stage_t_, &velocity_gains_, &position_gains_}) size(*one, 1);
   ones_.assign(width_, 1.0);
@@ -244,9 +245,10 @@ void LaneStepper::evaluate_apart(int l, double t, const Numbers& y, LaneGuard& g
   if (!there) return;
   give_parameters(l, at);
   give_special_joints(l, at);
+  give(at.D.data() + structure_.inerter_D, structure_.inerter_D_size, l, D_, structure_.inerter_D);
 }
 
-/// Functions of time, special joints, forces.
+/// Functions of time, special joints, inerters, forces.
 void LaneStepper::evaluate_rest(const Numbers& t, const Numbers& y, LaneGuard& guard) {
   each_lane(guard, [&](int l) { evaluate_rest(l, t[l], y, guard); });
   if (!user_forces_.none()) user_forces_.add(guard);
@@ -373,7 +375,7 @@ void LaneStepper::correct(Violation of, const Numbers& t, LaneGuard& guard) {
 
 void LaneStepper::take_violation(Violation of) {
   const Numbers& from = of == Violation::positions ? Phi_ : Phi_dot_;
-  for (std::size_t k = 0; k < b_.size(); ++k) b_[k] = -from[k];
+  for (std::size_t k = 0; k < from.size(); ++k) b_[k] = -from[k];
 }
 
 /// With the power of forces and drivers last.

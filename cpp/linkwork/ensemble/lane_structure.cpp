@@ -24,26 +24,55 @@ bool same_elements(const std::vector<Element>& a, const std::vector<Element>& b)
   });
 }
 
+/// Of the joints, and of inerters as rows behind those, at their place in D.
+std::vector<ConstraintBlock> blocks_of(const System& system) {
+  std::vector<ConstraintBlock> out = system.blocks();
+  const Inerters& inerters = system.inerters();
+  std::ptrdiff_t D = system.row_of_zeros() - inerters.D_size();
+  for (std::size_t k = 0; k < inerters.count(); ++k)
+    for (const int body : inerters.bodies(k)) {
+      const int row = system.row_count() + static_cast<int>(k);
+      if (body != ground) out.push_back({.joint = -1, .body = body, .row = row, .rows = 1, .offset = D});
+      D += velocity_size;
+    }
+  return out;
+}
+
+bool same_blocks(const std::vector<ConstraintBlock>& a, const std::vector<ConstraintBlock>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ConstraintBlock& x, const ConstraintBlock& y) {
+    return x.joint == y.joint && x.body == y.body && x.row == y.row && x.offset == y.offset;
+  });
+}
+
+/// As the block solver does, which is given inerters as joints with compliance.
+block::SymbolicFactorization factorize_symbolically(const Dynamics& dynamics) {
+  const System& system = dynamics.system();
+  if (system.inerters().empty()) return block::SymbolicFactorization(system, dynamics.dropped().rows());
+  return block::SymbolicFactorization(System(Inerters::as_joints(system.model())), dynamics.dropped().rows(),
+                                      system.row_count());
+}
+
 }  // namespace
 
 LaneStructure::LaneStructure(const Dynamics& dynamics)
     : bodies(dynamics.system().body_count()),
       rows(dynamics.system().row_count()),
+      inerters(static_cast<int>(dynamics.system().inerters().count())),
+      inerter_D(dynamics.system().row_of_zeros() - dynamics.system().inerters().D_size()),
+      inerter_D_size(dynamics.system().inerters().D_size()),
       D_size(dynamics.system().row_of_zeros() + velocity_size),
       time_dependent(dynamics.system().time_dependent_constraints()),
-      symbolic(dynamics.system(), dynamics.dropped().rows()),
-      blocks(dynamics.system().blocks()),
-      compliance(static_cast<std::size_t>(rows), 0.0),
+      symbolic(factorize_symbolically(dynamics)),
+      blocks(blocks_of(dynamics.system())),
+      joint_blocks(std::ssize(dynamics.system().blocks())),
       dropped(dynamics.dropped().rows()),
       elements_(dynamics.system().model().joints()) {
   find_positions(dynamics.system());
   list_joints(dynamics.system());
-  for (const int row : dropped) {
-    compliance[row] = 1.0;
+  for (const int row : dropped)
     for (const ConstraintBlock& block : blocks)
       if (block.row <= row && row < block.row + block.rows)
         dropped_D.push_back(block.offset + velocity_size * (row - block.row));
-  }
 }
 
 void LaneStructure::find_positions(const System& system) {
@@ -79,10 +108,7 @@ bool LaneStructure::same(const Dynamics& dynamics) const {
   const System& system = dynamics.system();
   if (system.body_count() != bodies || !same_elements(system.model().joints(), elements_)) return false;
   if (system.time_dependent_constraints() != time_dependent || dynamics.dropped().rows() != dropped) return false;
-  return std::equal(blocks.begin(), blocks.end(), system.blocks().begin(), system.blocks().end(),
-                    [](const ConstraintBlock& a, const ConstraintBlock& b) {
-                      return a.joint == b.joint && a.body == b.body && a.row == b.row && a.offset == b.offset;
-                    });
+  return static_cast<int>(system.inerters().count()) == inerters && same_blocks(blocks_of(system), blocks);
 }
 
 std::string LaneStructure::refusal_of_numbers(const Dynamics& dynamics) {
@@ -93,7 +119,6 @@ std::string LaneStructure::refusal_of_numbers(const Dynamics& dynamics) {
     return "lanes have formulation 'standard' by linear solver 'block' only";
   if (std::isfinite(options.violation_limit[2])) return "lanes do not watch a violation_limit of accelerations";
   if (system.row_count() == 0) return "it has no joints";
-  if (!system.inerters().empty()) return "it has inerters";
   const auto trusted = [](const auto& force) { return force->trusted(); };
   const auto& forces = system.model().user_forces();
   if (!std::all_of(forces.begin(), forces.end(), trusted))
@@ -103,7 +128,7 @@ std::string LaneStructure::refusal_of_numbers(const Dynamics& dynamics) {
 
 std::string LaneStructure::refusal(const Dynamics& dynamics) {
   if (std::string why = refusal_of_numbers(dynamics); !why.empty()) return why;
-  const block::SymbolicFactorization symbolic(dynamics.system(), dynamics.dropped().rows());
+  const block::SymbolicFactorization symbolic = factorize_symbolically(dynamics);
   if (!symbolic.hubs.empty()) return "it has a body with very many joints";
   if (symbolic.widest_front > widest_front) return "its loops are too large";
   return "";

@@ -11,7 +11,7 @@
 namespace linkwork {
 
 /// What mechanisms must have in common to run in the lanes of one pack: bodies, kinds of joints and the bodies that they
-/// join, redundant rows. All numbers may differ, and force elements may be others.
+/// join, redundant rows, bodies that inerters join. All numbers may differ, and other force elements may be others.
 class LaneStructure {
  public:
   explicit LaneStructure(const Dynamics& dynamics);
@@ -30,18 +30,22 @@ class LaneStructure {
   };
 
   int bodies, rows;
+  int inerters;              ///< rows of D behind the others, with multipliers of their own, see Inerters
+  std::ptrdiff_t inerter_D;  ///< where their D begins
+  std::ptrdiff_t inerter_D_size;
   std::ptrdiff_t D_size;
   bool time_dependent;  ///< constraints, of any
   block::SymbolicFactorization symbolic;
-  std::vector<int> row_positions;  ///< of symbolic.rows in their fronts
-  std::vector<ConstraintBlock> blocks;
+  std::vector<int> row_positions;       ///< of symbolic.rows in their fronts
+  std::vector<ConstraintBlock> blocks;  ///< first those of joints, then those of inerters
+  std::ptrdiff_t joint_blocks;
   std::vector<Joints> joints;
   std::vector<int> special;               ///< special joints
-  std::vector<double> compliance;         ///< of each row
   std::vector<int> dropped;               ///< redundant rows, ascending
   std::vector<std::ptrdiff_t> dropped_D;  ///< where the D of dropped rows is, 6 numbers each
 
   int y_size() const { return 13 * bodies + 1; }
+  int multipliers() const { return rows + inerters; }
 
  private:
   void find_positions(const System& system);

@@ -7,6 +7,29 @@
 namespace linkwork {
 namespace {
 
+/// Where the rows of a step stand.
+template <bool scattered>
+struct RowsOfStep {
+  const block::TreeStep& step;
+  const LaneData& data;
+
+  LINKWORK_INLINE std::ptrdiff_t D_body(int k) const {
+    if constexpr (scattered) return of(k).D_body;
+    else return step.D_body + 6 * k;
+  }
+  LINKWORK_INLINE std::ptrdiff_t D_parent(int k) const {
+    if constexpr (scattered) return of(k).D_parent;
+    else return step.D_parent + 6 * k;
+  }
+  LINKWORK_INLINE int row(int k) const {
+    if constexpr (scattered) return of(k).row;
+    else return step.row + k;
+  }
+
+ private:
+  LINKWORK_INLINE const block::StepRow& of(int k) const { return data.step_rows[step.scattered + k]; }
+};
+
 /// M_b (its lower triangle) of a body, its own or articulated, and its right-hand side.
 LINKWORK_INLINE void load_body(const block::TreeStep& step, const LaneData& data, const double* a, Native (*M)[6],
                                Native* right) {
@@ -75,16 +98,18 @@ LINKWORK_INLINE void add_to_parent(const block::TreeStep& step, const LaneData& 
 
 /// What a joint with S = K D' K^T = D_b M_b^-1 D_b^T takes from its parent by V = K^-1 D_p, with the right-hand side
 /// behind; `first`: 0, or 6 where it is on the ground.
-template <int rows, int first, bool begins>
-LINKWORK_INLINE void eliminate_joint(const block::TreeStep& step, const LaneData& data, const double* a,
-                                     Native (*S)[rows], const Native* right, SmallestPivots& smallest) {
+template <int rows, int first, bool begins, bool scattered>
+LINKWORK_INLINE void eliminate_joint(const RowsOfStep<scattered>& of, const double* a, Native (*S)[rows],
+                                     const Native* right, SmallestPivots& smallest) {
+  const block::TreeStep& step = of.step;
+  const LaneData& data = of.data;
   Native V[7][rows], diagonal[rows], inverse[rows];
   LINKWORK_UNROLL for (int k = 0; k < rows; ++k)
     diagonal[k] = S[k][k];
   factor_square<rows>(S, inverse, [&](int k, Native pivot) { smallest.note(pivot, diagonal[k]); });
   LINKWORK_UNROLL for (int r = first; r < 7; ++r) {
     LINKWORK_UNROLL for (int c = 0; c < rows; ++c)
-      V[r][c] = r < right_hand_side ? get(data.D, step.D_parent + 6 * c + r) : right[c];
+      V[r][c] = r < right_hand_side ? get(data.D, of.D_parent(c) + r) : right[c];
     substitute_forward<rows>(S, V[r]);
   }
   double* factors = data.factors + (step.storage + block::second_factors(rows)) * width;
@@ -101,15 +126,16 @@ LINKWORK_INLINE void eliminate_joint(const block::TreeStep& step, const LaneData
 
 /// One row of D, or the right-hand side, after the other, so that its numbers stay in registers: W = D_b L^-T, and
 /// W D^-1 L^-1 for the way back.
-template <int rows>
+template <int rows, bool scattered>
 void factor_step(const block::TreeStep& step, const LaneData& data, const double* a, const double* b,
                  SmallestPivots& smallest) {
+  const RowsOfStep<scattered> of{step, data};
   Native M[6][6], inverse[6], W[rows + 1][6], S[rows + 1][rows > 0 ? rows : 1], right[rows + 1];
   load_body(step, data, a, M, W[rows]);
   factor_square<6>(M, inverse, [&](int, Native pivot) { smallest.note_mass(pivot); });
   LINKWORK_UNROLL for (int r = 0; r <= rows; ++r) {
     if (r < rows) LINKWORK_UNROLL
-      for (int c = 0; c < 6; ++c) W[r][c] = get(data.D, step.D_body + 6 * r + c);
+      for (int c = 0; c < 6; ++c) W[r][c] = get(data.D, of.D_body(r) + c);
     substitute_forward<6>(M, W[r]);
   }
   double* factors = data.factors + step.storage * width;
@@ -119,25 +145,26 @@ void factor_step(const block::TreeStep& step, const LaneData& data, const double
       G[k] = W[c][k] * inverse[k];
     if (c < rows) LINKWORK_UNROLL
       for (int r = c; r <= rows; ++r) {
-        Native sum = splat_native(r == c ? data.compliance[step.row + c] : 0.0);
+        Native sum = r == c ? get(data.compliance, of.row(c)) : Native{};
         LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
           sum += W[r][k] * G[k];
         if (r < rows) S[c][r] = sum;
-        else right[c] = get(b, step.row + c) - sum;
+        else right[c] = get(b, of.row(c)) - sum;
       }
     substitute_backward<6>(M, G);
     LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
       put(factors, (rows + 1) * k + c, G[k]);
   }
   if constexpr (rows > 0) {
-    if (step.parent < 0) eliminate_joint<rows, 6, false>(step, data, a, S, right, smallest);
-    else if (step.parent_begins) eliminate_joint<rows, 0, true>(step, data, a, S, right, smallest);
-    else eliminate_joint<rows, 0, false>(step, data, a, S, right, smallest);
+    if (step.parent < 0) eliminate_joint<rows, 6, false>(of, a, S, right, smallest);
+    else if (step.parent_begins) eliminate_joint<rows, 0, true>(of, a, S, right, smallest);
+    else eliminate_joint<rows, 0, false>(of, a, S, right, smallest);
   }
 }
 
-template <int rows>
+template <int rows, bool scattered>
 void backward_step(const block::TreeStep& step, const LaneData& data, double* x, double* lambda) {
+  const RowsOfStep<scattered> of{step, data};
   constexpr std::ptrdiff_t second = block::second_factors(rows);
   const double* factors = data.factors + step.storage * width;
   Native l[8]{};
@@ -147,7 +174,7 @@ void backward_step(const block::TreeStep& step, const LaneData& data, double* x,
       for (int c = 0; c < 6; ++c) products[c] = -(get(factors, second + 7 * k + c) * get(x, 6l * step.parent + c));
     products[right_hand_side] = get(factors, second + 7 * k + right_hand_side);
     l[k] = sum_of_eight(products);
-    put(lambda, step.row + k, l[k]);
+    put(lambda, of.row(k), l[k]);
   }
   LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
     Native products[8]{};
@@ -158,21 +185,25 @@ void backward_step(const block::TreeStep& step, const LaneData& data, double* x,
   }
 }
 
-/// Calls f with the number of rows of a joint, 0 to 6, as a constant.
+/// Calls f with the number of rows of a joint, 0 to 6, and whether they are scattered, as constants.
 template <class Function>
-LINKWORK_INLINE void with_rows(int rows, const Function& f) {
-  if (rows == 0) f(std::integral_constant<int, 0>());
-  else with_count<6>(rows, f);
+LINKWORK_INLINE void with_rows(const block::TreeStep& step, const Function& f) {
+  const auto together = [&](auto rows) { f(rows, std::false_type()); };
+  if (step.scattered >= 0) with_count<6>(step.rows, [&](auto rows) { f(rows, std::true_type()); });
+  else if (step.rows == 0) together(std::integral_constant<int, 0>());
+  else with_count<6>(step.rows, together);
 }
 
 void factor_branches(const LaneData& data, const double* a, const double* b, SmallestPivots& smallest) {
   for (std::ptrdiff_t s = 0; s < data.step_count; ++s)
-    with_rows(data.steps[s].rows, [&](auto rows) { factor_step<rows>(data.steps[s], data, a, b, smallest); });
+    with_rows(data.steps[s],
+              [&](auto rows, auto scattered) { factor_step<rows, scattered>(data.steps[s], data, a, b, smallest); });
 }
 
 void backward_branches(const LaneData& data, double* x, double* lambda) {
   for (std::ptrdiff_t s = data.step_count; s-- > 0;)
-    with_rows(data.steps[s].rows, [&](auto rows) { backward_step<rows>(data.steps[s], data, x, lambda); });
+    with_rows(data.steps[s],
+              [&](auto rows, auto scattered) { backward_step<rows, scattered>(data.steps[s], data, x, lambda); });
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ namespace linkwork {
 /// What an elimination reads and writes; places are those of SymbolicFactorization, in numbers.
 struct LaneData {
   const block::TreeStep* steps;
+  const block::StepRow* step_rows;
   std::ptrdiff_t step_count;
   const block::Front* fronts;  ///< without hubs
   std::ptrdiff_t front_count;
@@ -22,7 +23,8 @@ struct LaneData {
   const block::BodyRow* rows;
   const int* row_positions;  ///< of `rows` in their fronts
   const int* unknowns;
-  const double* compliance;    ///< of each constraint row, for all lanes: not zero in rows that are left out
+  const double* compliance;    ///< one a row: of those that are left out and of inerters; others are zero
+  bool compliant;              ///< there are inerters
   const double* mass;          ///< 10 a body: m, J row by row
   const double* mass_factors;  ///< 9 a body that has one: L43, L53, L54, six inverse pivots
   const double* D;
@@ -33,13 +35,18 @@ struct LaneData {
   double* scratch;  ///< 12 of the most rows of a body; 8 of the highest front; 1 of the widest
 };
 
-/// The equations M x - D^T lambda = a, D x = b as refinement sees them.
+/// The equations M x - D^T lambda = a, D x + e lambda = b as refinement sees them. Inerters are rows of D with the
+/// compliance e, or inertia in M.
 struct LaneEquations {
   int bodies, rows;
   const ConstraintBlock* blocks;
   std::ptrdiff_t block_count;
-  const double* mass;     ///< 10 a body
-  const double* lengths;  ///< one a body: make rotations comparable with translations
+  const double* compliance = nullptr;  ///< of each row; without it they do not yield
+  const ConstraintBlock* inerters = nullptr;
+  std::ptrdiff_t inerter_count = 0;   ///< of their blocks
+  const double* inertance = nullptr;  ///< one a row of them
+  const double* mass;                 ///< 10 a body
+  const double* lengths;              ///< one a body: make rotations comparable with translations
   const double* D;
 };
 
@@ -62,7 +69,7 @@ struct LaneKernels {
   void (*weigh)(int count, const double* f, const double* x, const double* g, const double* z, double* out);
   /// The largest amount of all numbers in each lane; infinite where one is no number.
   void (*largest)(int count, const double* x, double* out);
-  /// r_1 = a - M x + D^T lambda, r_2 = b - D x.
+  /// r_1 = a - M x + D^T lambda, r_2 = b - D x - e lambda.
   void (*residuals)(const LaneEquations& at, const double* a, const double* b, const double* x, const double* lambda,
                     double* r_1, double* r_2);
   /// The largest motion of a body in x; in M^-1 a.
