@@ -77,7 +77,10 @@ class YamlText:
             mark = error.problem_mark or error.context_mark  # from 0; at the end one too many
             breaks = text.count("\n") + text.count("\r") - text.count("\r\n")
             line = min(mark.line, breaks) + 1 if mark else 1
-            self._faults.add(Fault(line, "", f"is no YAML: {error.problem or error.context}"))
+            problem = f"is no YAML: {error.problem or error.context}"
+            if "nesting depth" in problem:  # which newer parsers limit, too, before a list is seen here
+                problem = f"lists and mappings are nested more than {DEPTH} deep"
+            self._faults.add(Fault(line, "", problem))
         except (YAMLError, RecursionError, ValueError) as error:
             line = text.encode().count(b"\n", 0, getattr(error, "position", None) or 0) + 1
             reason = getattr(error, "reason", None) or str(error).splitlines()[0]
