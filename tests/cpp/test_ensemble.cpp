@@ -36,7 +36,7 @@ std::vector<VectorXd> last_states(const std::vector<Model>& models, const Option
 
 /// Beside a joint and between bodies that have none.
 Model with_inerters(Model model, Random& random) {
-  for (const auto [i, j] : {std::pair{ground, 0}, {0, 1}, {ground, 2}})
+  for (const auto& [i, j] : {std::pair{ground, 0}, {0, 1}, {ground, 2}})
     model.add_force("rotational_inerter", "rotor " + std::to_string(j), i, j, random_attachment(random), {{0.3, -1}});
   return model;
 }
