@@ -28,7 +28,7 @@ ForceOnBody ForceElement::evaluate(double t, const ConstVector& q, const ConstVe
   double next = 0.0, rate = 0.0, dissipated = 0.0;
   std::array<double, 2> switches{};
   ForceOnBody out;
-  force_kinds()[element_.kind].evaluate(batch_, bodies.data(), signals_.data(), functions.data(),
+  force_kinds()[element_.kind].evaluate(0, batch_, bodies.data(), signals_.data(), functions.data(),
                                         {g.data(), &last, &next, &rate, switches.data(), &out.potential, &dissipated});
   if (force_kinds()[element_.kind].inertia) add_inertia(bodies.data(), v_dot, g.data());
   for (std::size_t k = 0; k < bodies.size(); ++k) {

@@ -214,17 +214,23 @@ void System::evaluate_special_joint(const CompiledSpecialJoint& it, const ConstV
 
 void System::evaluate_elements(const ConstVector& q, const ConstVector& v, const ConstVector& history,
                                Evaluation& out) const {
-  threads_->in_chunks(body_count(), chunk, [&](int first, int last) {
-    for (int b = first; b < last; ++b) out.bodies[b] = moving(b, q, v);
+  threads_->in_chunks(static_cast<int>(bodies_of_elements_.size()), chunk, [&](int first, int last) {
+    for (int k = first; k < last; ++k) {
+      const int body = bodies_of_elements_[k];
+      out.bodies[body] = moving(body, q, v);
+    }
   });
   out.g.tail<velocity_size>().setZero();
   const ForceArrays arrays{out.g.data(),        history.data(), out.history.data(), out.history_rate.data(),
                            out.switches.data(), &out.potential, &out.power};
   if (threads_->threads() > 1 && !out.wrenches.empty()) return evaluate_many_elements(arrays, out);
   for (std::size_t kind = 0; kind < force_batches_.size(); ++kind)
-    if (force_batches_[kind].size() > 0)
-      force_kinds()[kind].evaluate(force_batches_[kind], out.bodies.data(), out.signals.data(), model_.signals().data(),
-                                   arrays);
+    if (force_batches_[kind].size() > 0) evaluate_elements_of(kind, arrays, out);
+}
+
+void System::evaluate_elements_of(std::size_t kind, const ForceArrays& arrays, Evaluation& out) const {
+  force_kinds()[kind].evaluate(force_levels_[kind], force_batches_[kind], out.bodies.data(), out.signals.data(),
+                               model_.signals().data(), arrays);
 }
 
 /// Element by element, and then body by body.
@@ -233,11 +239,12 @@ void System::evaluate_many_elements(const ForceArrays& arrays, Evaluation& out) 
   parts.wrenches = out.wrenches.data();
   for (std::size_t kind = 0; kind < force_batches_.size(); ++kind) {
     const Batch& batch = force_batches_[kind];
+    if (batch.size() == 0) continue;
     const auto evaluate = [&](int first, int last) {
       ForceArrays own = parts;
       own.begin = first;
       own.end = last;
-      force_kinds()[kind].evaluate(batch, out.bodies.data(), out.signals.data(), model_.signals().data(), own);
+      evaluate_elements_of(kind, own, out);
     };
     const int count = static_cast<int>(batch.size());
     if (called_alone_[kind]) evaluate(0, count);

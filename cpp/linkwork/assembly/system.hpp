@@ -187,6 +187,7 @@ class System {
   void compile_joints();
   void compile_special_joint(int joint, const SpecialJoint& special);
   void compile_forces();
+  void list_bodies_of_elements();
   void place_wrenches();
   void begin_history();
   VectorXd blank_history() const;
@@ -209,6 +210,7 @@ class System {
   void evaluate_other_constraints(const ConstVector& q, const ConstVector& v, const ConstVector& history,
                                   Evaluation& out) const;
   void evaluate_elements(const ConstVector& q, const ConstVector& v, const ConstVector& history, Evaluation& out) const;
+  void evaluate_elements_of(std::size_t kind, const ForceArrays& arrays, Evaluation& out) const;
   void evaluate_many_elements(const ForceArrays& arrays, Evaluation& out) const;
   void add_wrenches(const ForceArrays& arrays, Evaluation& out) const;
 
@@ -226,6 +228,8 @@ class System {
   std::vector<JointChunk> joint_chunks_;                   ///< of all of them
   std::vector<Batch> force_batches_;                       ///< one per registered kind, none of inerters
   bool has_elements_ = false;                              ///< in these batches
+  std::vector<int> force_levels_;                          ///< instruction sets by which they are evaluated
+  std::vector<int> bodies_of_elements_;                    ///< ascending
   std::vector<int> body_wrench_list_, body_wrench_begin_;  ///< of many elements: 2 x element + which body
   std::vector<char> called_alone_;                         ///< per kind: some call functions of the user's
   std::vector<int> joint_force_history_;                   ///< places, -1 where there is none

@@ -184,7 +184,19 @@ void System::compile_forces() {
     add_history(kind, false, static_cast<int>(model_.forces().size() + k), kind == HistoryKind::none ? 0 : 1);
   }
   has_elements_ = count_elements(force_batches_) > 0;
+  list_bodies_of_elements();
+  for (const Batch& batch : force_batches_)
+    force_levels_.push_back(instruction_set_for(static_cast<int>(batch.size()), instructions_).level);
   if (count_elements(force_batches_) >= many_forces) place_wrenches();
+}
+
+void System::list_bodies_of_elements() {
+  std::vector<char> acted_on(body_count() + 1, 0);
+  for (const Batch& batch : force_batches_)
+    for (const std::vector<int>* bodies : {&batch.body_i, &batch.body_j})
+      for (const int body : *bodies) acted_on[body] = 1;
+  for (int body = 0; body < body_count(); ++body)
+    if (acted_on[body]) bodies_of_elements_.push_back(body);
 }
 
 /// Of each body the wrenches that elements apply to it, in the order in which one thread adds them up.

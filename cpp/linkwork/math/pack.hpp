@@ -9,6 +9,15 @@
 /// that are compiled once per instruction set; they also rename Eigen's namespace (see CMakeLists.txt).
 namespace linkwork::simd::LINKWORK_ISA {
 
+/// What a comparison says of each lane.
+struct Mask {
+  NativeIndex v;
+
+  friend LINKWORK_INLINE Mask operator|(const Mask& a, const Mask& b) { return {a.v | b.v}; }
+  friend LINKWORK_INLINE Mask operator&(const Mask& a, const Mask& b) { return {a.v & b.v}; }
+  friend LINKWORK_INLINE bool any(const Mask& a) { return simd::LINKWORK_ISA::any(a.v); }
+};
+
 struct Pack {
   Native v;
 
@@ -25,6 +34,11 @@ struct Pack {
   friend LINKWORK_INLINE Pack operator*(const Pack& a, const Pack& b) { return Pack(a.v * b.v); }
   friend LINKWORK_INLINE Pack operator/(const Pack& a, const Pack& b) { return Pack(a.v / b.v); }
   friend LINKWORK_INLINE Pack operator-(const Pack& a) { return Pack(-a.v); }
+  friend LINKWORK_INLINE Mask operator==(const Pack& a, const Pack& b) { return {a.v == b.v}; }
+  friend LINKWORK_INLINE Mask operator>(const Pack& a, const Pack& b) { return {a.v > b.v}; }
+  friend LINKWORK_INLINE Pack select(const Mask& mask, const Pack& a, const Pack& b) {
+    return Pack(mask.v ? a.v : b.v);
+  }
   friend LINKWORK_INLINE Pack sqrt(const Pack& a) {
     Pack out;
     for (int k = 0; k < width; ++k) out.v[k] = __builtin_sqrt(a.v[k]);
@@ -33,6 +47,21 @@ struct Pack {
   friend LINKWORK_INLINE Pack rint(const Pack& a) {
     Pack out;
     for (int k = 0; k < width; ++k) out.v[k] = __builtin_rint(a.v[k]);
+    return out;
+  }
+  friend LINKWORK_INLINE Pack round(const Pack& a) {
+    Pack out;
+    for (int k = 0; k < width; ++k) out.v[k] = __builtin_round(a.v[k]);
+    return out;
+  }
+  friend LINKWORK_INLINE Pack abs(const Pack& a) {
+    Pack out;
+    for (int k = 0; k < width; ++k) out.v[k] = __builtin_fabs(a.v[k]);
+    return out;
+  }
+  friend LINKWORK_INLINE Pack hyperbolic_tangent(const Pack& a) {
+    Pack out;
+    for (int k = 0; k < width; ++k) out.v[k] = elementary::hyperbolic_tangent(a.v[k]);
     return out;
   }
   friend LINKWORK_INLINE Pack arc_tangent(const Pack& a, const Pack& b) {

@@ -21,6 +21,16 @@ inline Signal<double> current(const Parameter& parameter, const Signal<double>* 
   return signals[parameter.signal];
 }
 
+/// Force elements of one kind, as plain arrays: what is compiled for several instruction sets reads nothing else.
+struct ForceElements {
+  std::size_t count;
+  const int *body_i, *body_j;
+  const double* attachments;  ///< numbers of Attachment
+  const Parameter* parameters;
+  int parameter_count;  ///< of each
+  const std::ptrdiff_t *history, *switches;
+};
+
 /// All forces of one kind in one system: what evaluation reads.
 /// Bodies are indices into an array of states whose last entry is the ground.
 struct Batch {
@@ -31,6 +41,17 @@ struct Batch {
   std::vector<std::ptrdiff_t> switches;  ///< places of the first switch
 
   std::size_t size() const { return body_i.size(); }
+  /// Of a batch that is not empty.
+  ForceElements elements() const {
+    return {size(),
+            body_i.data(),
+            body_j.data(),
+            attachment.front().s_i.data(),
+            parameters.data(),
+            static_cast<int>(parameters.size() / size()),
+            history.data(),
+            switches.data()};
+  }
 };
 
 /// Numbers of s_i, s_j, C_i and C_j, the parts of an Attachment, and of all.

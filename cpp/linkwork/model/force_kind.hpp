@@ -1,9 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
+#include "linkwork/math/instruction_set.hpp"
 #include "linkwork/model/batch.hpp"
 #include "linkwork/model/history.hpp"
 #include "linkwork/model/kind_info.hpp"
@@ -15,7 +17,9 @@
 ///   template <class Real>
 ///   static void evaluate(const Attachment<Real>&, const ForceParameters<Real>&, const BodyState<Real>& i,
 ///                        const BodyState<Real>& j, HistoryVariable<Real>& history, Wrenches<Real>& out);
-/// Power balance, checked for every registered force: g . v = -d(potential)/dt + power.
+/// Power balance, checked for every registered force: g . v = -d(potential)/dt + power. A law that says `select(condition,
+/// a, b)` instead of branching on the state, and that takes no functions of it, is evaluated for as many elements at a
+/// time as a register has lanes: it ends with LINKWORK_DEFINE_FORCE_PACKS instead of LINKWORK_DEFINE_FORCE.
 namespace linkwork {
 
 /// What an element applies to bodies i and j: generalized forces (force inertial, torque body-fixed).
@@ -36,24 +40,34 @@ constexpr int switches_of() {
   else return 0;
 }
 
-/// The parameters of one element at the present time.
+/// The parameters of one element, or of those in the lanes of registers, at the present time.
 template <class Real>
 class ForceParameters {
  public:
-  ForceParameters(const Parameter* given, const Signal<Real>* signals, const TimeFunctionPtr* functions)
+  explicit ForceParameters(const Signal<Real>* loaded) : loaded_(loaded) {}
+  const Signal<Real>& operator[](int p) const { return loaded_[p]; }
+
+ private:
+  const Signal<Real>* loaded_;
+};
+
+template <>
+class ForceParameters<double> {
+ public:
+  ForceParameters(const Parameter* given, const Signal<double>* signals, const TimeFunctionPtr* functions)
       : given_(given), signals_(signals), functions_(functions) {}
 
   bool is_zero(int p) const { return given_[p].signal < 0 && given_[p].constant == 0.0; }
-  Signal<Real> operator[](int p) const { return current(given_[p], signals_); }
+  Signal<double> operator[](int p) const { return current(given_[p], signals_); }
   /// A parameter that is a function of a coordinate; a number stands for the slope of a line through zero.
-  Real at(int p, Real x) const {
+  double at(int p, double x) const {
     const Parameter& parameter = given_[p];
     return parameter.signal < 0 ? parameter.constant * x : functions_[parameter.signal]->evaluate(x).value;
   }
 
  private:
   const Parameter* given_;
-  const Signal<Real>* signals_;
+  const Signal<double>* signals_;
   const TimeFunctionPtr* functions_;
 };
 
@@ -81,15 +95,28 @@ using CoordinateRow = void (*)(const Attachment<double>&, const BodyState<double
 
 struct JointKind;  // joint_kind.hpp
 
+/// Elements of one kind, several at a time; see Wrenches and ForceArrays.
+using EvaluateForces = void (*)(const Batch&, const BodyState<double>* bodies, const Signal<double>* signals,
+                                const TimeFunctionPtr* functions, const ForceArrays&);
+using EvaluateForcePacks = void (*)(const ForceElements&, const BodyState<double>* bodies,
+                                    const Signal<double>* signals, const ForceArrays&);
+
 struct ForceKind {
   KindInfo info;
   HistoryKind history = HistoryKind::none;
   int switches = 0;
-  void (*evaluate)(const Batch&, const BodyState<double>* bodies, const Signal<double>* signals,
-                   const TimeFunctionPtr* functions, ForceArrays);
+  EvaluateForces one_by_one = nullptr;
+  EvaluateForcePacks packs[max_instruction_sets] = {};  ///< or these, by level of the instruction set: the same bits
   /// Of an inerter: its coordinate, along which its first parameter, a constant, is inertia; see Inerters.
   CoordinateRow inertia = nullptr;
   JointKind (*inertia_rows)() = nullptr;  ///< the same of many
+
+  /// All elements of a batch that is not empty.
+  void evaluate(int level, const Batch& batch, const BodyState<double>* bodies, const Signal<double>* signals,
+                const TimeFunctionPtr* functions, const ForceArrays& out) const {
+    if (packs[level]) packs[level](batch.elements(), bodies, signals, out);
+    else one_by_one(batch, bodies, signals, functions, out);
+  }
 };
 
 /// Leaves what an element does for others to add up.
@@ -104,7 +131,7 @@ inline void leave(const Wrenches<double>& it, double* to) {
 
 template <class Force>
 void evaluate_forces(const Batch& batch, const BodyState<double>* bodies, const Signal<double>* signals,
-                     const TimeFunctionPtr* functions, ForceArrays out) {
+                     const TimeFunctionPtr* functions, const ForceArrays& out) {
   const std::size_t count = batch.parameters.size() / (batch.size() ? batch.size() : 1);
   for (std::size_t k = out.begin; k < std::min(batch.size(), out.end); ++k) {
     const ForceParameters<double> parameters(batch.parameters.data() + k * count, signals, functions);
@@ -141,13 +168,56 @@ ForceKind make_force_kind() {
   return kind;
 }
 
+template <class Force>
+ForceKind make_force_kind(const std::array<EvaluateForcePacks, max_instruction_sets>& packs) {
+  ForceKind kind{Force::info(), Force::history, switches_of<Force>()};
+  std::copy(packs.begin(), packs.end(), kind.packs);
+  return kind;
+}
+
 /// All registered forces, in the order of forces.def.
 const std::vector<ForceKind>& force_kinds();
 
 /// The kind with this name, or an OptionError that names the nearest.
 int force_kind_index(const std::string& name);
 
+#define LINKWORK_EVALUATE_PACKS(ISA, NAME)                                                     \
+  namespace ISA {                                                                              \
+  void evaluate_##NAME##_packs(const ForceElements& elements, const BodyState<double>* bodies, \
+                               const Signal<double>* signals, const ForceArrays& out);         \
+  }
+// A force's file is compiled once for its description and for one element, and once per instruction set for many.
+#if defined(LINKWORK_ISA)
+#define LINKWORK_DEFINE_FORCE(NAME, STRUCT)
+#define LINKWORK_DEFINE_FORCE_PACKS(NAME, STRUCT)                                                                \
+  namespace LINKWORK_ISA {                                                                                       \
+  __attribute__((flatten)) void evaluate_##NAME##_packs(const ForceElements& elements,                           \
+                                                        const BodyState<double>* bodies,                         \
+                                                        const Signal<double>* signals, const ForceArrays& out) { \
+    simd::LINKWORK_ISA::evaluate_force_packs<STRUCT>(elements, bodies, signals, out);                            \
+  }                                                                                                              \
+  }
+#else
 #define LINKWORK_DEFINE_FORCE(NAME, STRUCT) \
   ForceKind NAME##_force() { return make_force_kind<STRUCT>(); }
+#if LINKWORK_X86
+#define LINKWORK_DEFINE_FORCE_PACKS(NAME, STRUCT)                                                    \
+  LINKWORK_EVALUATE_PACKS(v2, NAME)                                                                  \
+  LINKWORK_EVALUATE_PACKS(v3, NAME)                                                                  \
+  LINKWORK_EVALUATE_PACKS(v4, NAME)                                                                  \
+  ForceKind NAME##_force() {                                                                         \
+    return make_force_kind<STRUCT>(                                                                  \
+        {&v2::evaluate_##NAME##_packs, &v3::evaluate_##NAME##_packs, &v4::evaluate_##NAME##_packs}); \
+  }
+#else
+#define LINKWORK_DEFINE_FORCE_PACKS(NAME, STRUCT) \
+  LINKWORK_EVALUATE_PACKS(v2, NAME)               \
+  ForceKind NAME##_force() { return make_force_kind<STRUCT>({&v2::evaluate_##NAME##_packs}); }
+#endif
+#endif
 
 }  // namespace linkwork
+
+#if defined(LINKWORK_ISA)
+#include "linkwork/model/force_evaluation.hpp"
+#endif

@@ -30,8 +30,9 @@ struct HistoryVariable {
 /// An angle in (-pi, pi], continued from the last.
 template <class Real>
 Real continued(Real angle, Real last) {
-  constexpr double turn = 2.0 * std::numbers::pi;
-  return angle + turn * std::round((last - angle) / turn);
+  using std::round;
+  const Real turn(2.0 * std::numbers::pi);
+  return angle + turn * round((last - angle) / turn);
 }
 
 }  // namespace linkwork

@@ -36,6 +36,6 @@ struct Applied {
   }
 };
 
-LINKWORK_DEFINE_FORCE(applied, Applied)
+LINKWORK_DEFINE_FORCE_PACKS(applied, Applied)
 
 }  // namespace linkwork

@@ -31,12 +31,13 @@ struct BendingSpring {
   static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
                        const BodyState<Real>& j, HistoryVariable<Real>&, Wrenches<Real>& out) {
     // V = k beta^2 / 2;  torque on j: -k beta n - c w, n = z_i x z_j / sin(beta), w the relative rotation across z_i
+    using elementary::arc_tangent;
+    using std::sqrt;
     const Vec3<Real> z_i = i.A * at.z_i(), z_j = j.A * at.z_j(), normal = z_i.cross(z_j);
-    const Real sine = normal.norm(), cosine = z_i.dot(z_j), beta = elementary::arc_tangent(sine, cosine);
+    const Real sine = sqrt(normal.squaredNorm()), cosine = z_i.dot(z_j), beta = arc_tangent(sine, cosine);
     const Vec3<Real> omega = j.A * j.omega - i.A * i.omega, across = omega - omega.dot(z_i) * z_i;
     const Real stiffness = parameters[0].value, damping = parameters[1].value;
-    Vec3<Real> torque = -damping * across;
-    if (sine > Real(0)) torque -= stiffness * beta / sine * normal;
+    const Vec3<Real> torque = -damping * across - stiffness * beta / select(sine == Real(0), Real(1), sine) * normal;
     out.torque_i = -(i.A.transpose() * torque);
     out.torque_j = j.A.transpose() * torque;
     out.potential = Real(0.5) * stiffness * beta * beta;
@@ -44,6 +45,6 @@ struct BendingSpring {
   }
 };
 
-LINKWORK_DEFINE_FORCE(bending_spring, BendingSpring)
+LINKWORK_DEFINE_FORCE_PACKS(bending_spring, BendingSpring)
 
 }  // namespace linkwork

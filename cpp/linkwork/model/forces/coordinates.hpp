@@ -80,12 +80,12 @@ void characteristic_spring(const Attachment<Real>& at, const ForceParameters<Rea
 template <class Coordinate, class Real>
 void friction(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
               const BodyState<Real>& j, Wrenches<Real>& out) {
+  using elementary::hyperbolic_tangent;
   Equation<Real> along;
   HistoryVariable<Real> unused;  // full turns do not matter
   Coordinate::evaluate(at, i, j, unused, along);
   const Real rate = along.rate(i, j);
-  const Real force =
-      -parameters[0].value * elementary::hyperbolic_tangent(rate / parameters[2].value) - parameters[1].value * rate;
+  const Real force = -parameters[0].value * hyperbolic_tangent(rate / parameters[2].value) - parameters[1].value * rate;
   act(along, force, out);
   out.power = force * rate;
 }
@@ -94,19 +94,25 @@ void friction(const Attachment<Real>& at, const ForceParameters<Real>& parameter
 template <class Coordinate, class Real>
 void stop(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
           const BodyState<Real>& j, HistoryVariable<Real>& history, Wrenches<Real>& out) {
+  using std::abs;
   Equation<Real> along;
   const Real x = Coordinate::evaluate(at, i, j, history, along), rate = along.rate(i, j);
   out.switches[0] = x - parameters[1].value;
   out.switches[1] = parameters[0].value - x;
-  const bool above = out.switches[0] > Real(0), below = out.switches[1] > Real(0);
-  if (!above && !below) return;
-  const Signal<Real> limit = parameters[above ? 1 : 0];
-  const Real depth = x - limit.value;  // negative below
-  const Real spring = parameters[2].value * depth, damper = parameters[3].value * std::abs(depth) * rate;
-  const Real force = (spring + damper) * depth > Real(0) ? -(spring + damper) : Real(0);
+  const auto above = out.switches[0] > Real(0);
+  const decltype(above) beyond = above | (out.switches[1] > Real(0));
+  if (!any(beyond)) return;
+  const Signal<Real> lower = parameters[0], upper = parameters[1];
+  const Real depth = x - select(above, upper.value, lower.value);  // negative below
+  const Real spring = parameters[2].value * depth, damper = parameters[3].value * abs(depth) * rate;
+  const decltype(above) pushes = beyond & ((spring + damper) * depth > Real(0));
+  const Real force = select(pushes, -(spring + damper), Real(0));
   act(along, force, out);
-  out.potential = Real(0.5) * spring * depth;
-  out.power = (force + spring) * rate - spring * limit.rate + Real(0.5) * parameters[2].rate * depth * depth;
+  out.potential = select(beyond, Real(0.5) * spring * depth, Real(0));
+  out.power = select(beyond,
+                     (force + spring) * rate - spring * select(above, upper.rate, lower.rate) +
+                         Real(0.5) * parameters[2].rate * depth * depth,
+                     Real(0));
 }
 
 /// Inertia of a coordinate: see Inerters, which have all of it. As a force it is nothing. `of_many`: see inerter_rows.hpp.

@@ -21,16 +21,17 @@ struct Drag {
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
                        const BodyState<Real>& j, HistoryVariable<Real>&, Wrenches<Real>& out) {
+    using std::sqrt;
     const Vec3<Real> arm = j.A * at.s_j, point = j.r + arm;
     const Vec3<Real> point_dot = j.r_dot + j.A * j.omega.cross(at.s_j);
     const Vec3<Real> u = point_dot - i.r_dot - (i.A * i.omega).cross(point - i.r);
-    const Vec3<Real> F = -parameters[0].value * u.norm() * u;
+    const Vec3<Real> F = -parameters[0].value * sqrt(u.squaredNorm()) * u;
     out.force_j = F;
     out.torque_j = j.A.transpose() * arm.cross(F);
     out.power = F.dot(point_dot);
   }
 };
 
-LINKWORK_DEFINE_FORCE(drag, Drag)
+LINKWORK_DEFINE_FORCE_PACKS(drag, Drag)
 
 }  // namespace linkwork

@@ -41,6 +41,6 @@ struct LinearDamping {
   }
 };
 
-LINKWORK_DEFINE_FORCE(linear_damping, LinearDamping)
+LINKWORK_DEFINE_FORCE_PACKS(linear_damping, LinearDamping)
 
 }  // namespace linkwork

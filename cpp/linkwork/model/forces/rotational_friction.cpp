@@ -37,6 +37,6 @@ struct RotationalFriction {
   }
 };
 
-LINKWORK_DEFINE_FORCE(rotational_friction, RotationalFriction)
+LINKWORK_DEFINE_FORCE_PACKS(rotational_friction, RotationalFriction)
 
 }  // namespace linkwork

@@ -25,7 +25,7 @@ struct RotationalSpringDamper {
     Equation<Real> turn;
     const Real theta = Angle::evaluate(at, i, j, history, turn), rate = turn.rate(i, j);
     const Real stiffness = parameters[0].value, damping = parameters[1].value;
-    if (stiffness == Real(0)) history.rate = Real(0);
+    history.rate = select(stiffness == Real(0), Real(0), history.rate);
     const Real deflection = theta - parameters[2].value;
     const Real dissipative = parameters[3].value - damping * rate;
     act(turn, dissipative - stiffness * deflection, out);
@@ -35,6 +35,6 @@ struct RotationalSpringDamper {
   }
 };
 
-LINKWORK_DEFINE_FORCE(rotational_spring_damper, RotationalSpringDamper)
+LINKWORK_DEFINE_FORCE_PACKS(rotational_spring_damper, RotationalSpringDamper)
 
 }  // namespace linkwork

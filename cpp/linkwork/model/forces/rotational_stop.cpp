@@ -33,6 +33,6 @@ struct RotationalStop {
   }
 };
 
-LINKWORK_DEFINE_FORCE(rotational_stop, RotationalStop)
+LINKWORK_DEFINE_FORCE_PACKS(rotational_stop, RotationalStop)
 
 }  // namespace linkwork

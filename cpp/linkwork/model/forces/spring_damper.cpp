@@ -28,15 +28,15 @@ struct SpringDamper {
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
                        const BodyState<Real>& j, HistoryVariable<Real>&, Wrenches<Real>& out) {
+    using std::sqrt;
     const Real stiffness = parameters[0].value, damping = parameters[1].value, actuator = parameters[3].value;
     const Vec3<Real> d = j.r + j.A * at.s_j - i.r - i.A * at.s_i;
-    const Real l = d.norm();
+    const Real l = sqrt(d.squaredNorm());
     const Real extension = l - parameters[2].value;
     out.potential = Real(0.5) * stiffness * extension * extension;
     out.power = Real(0.5) * parameters[0].rate * extension * extension - stiffness * extension * parameters[2].rate;
-    if (l == Real(0)) return;  // points coincide: the direction of the pull is undefined, a zero-length spring rests
-
-    const Vec3<Real> u = d / l;
+    // where the points coincide the direction of the pull is undefined: a zero-length spring rests
+    const Vec3<Real> u = d / select(l == Real(0), Real(1), l);
     const Vec3<Real> u_in_i = i.A.transpose() * u, u_in_j = j.A.transpose() * u;
     const Vec3<Real> arm_i = at.s_i.cross(u_in_i), arm_j = at.s_j.cross(u_in_j);
     const Real rate = u.dot(j.r_dot - i.r_dot) + arm_j.dot(j.omega) - arm_i.dot(i.omega);
@@ -49,6 +49,6 @@ struct SpringDamper {
   }
 };
 
-LINKWORK_DEFINE_FORCE(spring_damper, SpringDamper)
+LINKWORK_DEFINE_FORCE_PACKS(spring_damper, SpringDamper)
 
 }  // namespace linkwork

@@ -37,6 +37,6 @@ struct TranslationalFriction {
   }
 };
 
-LINKWORK_DEFINE_FORCE(translational_friction, TranslationalFriction)
+LINKWORK_DEFINE_FORCE_PACKS(translational_friction, TranslationalFriction)
 
 }  // namespace linkwork

@@ -33,6 +33,6 @@ struct TranslationalStop {
   }
 };
 
-LINKWORK_DEFINE_FORCE(translational_stop, TranslationalStop)
+LINKWORK_DEFINE_FORCE_PACKS(translational_stop, TranslationalStop)
 
 }  // namespace linkwork
