@@ -41,6 +41,15 @@ Model with_inerters(Model model, Random& random) {
   return model;
 }
 
+/// Of every kind, with functions of time, to the ground and between bodies.
+Model with_forces(Model model, Random& random) {
+  for (const ForceKind& kind : force_kinds())
+    for (const auto& [i, j] : {std::pair{ground, 2}, {1, 4}})
+      model.add_force(kind.info.name, kind.info.name + " " + std::to_string(j), i, j, random_attachment(random),
+                      force_parameters(model, random, kind.info));
+  return model;
+}
+
 std::vector<Model> trees_and_loops() {
   Random random(3);
   std::vector<Model> models;
@@ -50,10 +59,21 @@ std::vector<Model> trees_and_loops() {
   return models;
 }
 
+std::vector<Model> trees_with_forces() {
+  Random random(4);
+  std::vector<Model> models;
+  for (int k = 0; k < 9; ++k) {
+    Random same(5);  // of one structure
+    models.push_back(with_forces(random_tree(same, 6), random));
+  }
+  return models;
+}
+
 }  // namespace
 
 TEST_CASE("lanes have the same bits at every width of registers, and those of the run by itself") {
-  const std::vector<Model> models = trees_and_loops();
+  std::vector<Model> models = trees_and_loops();
+  for (Model& it : trees_with_forces()) models.push_back(std::move(it));
   for (const char* stabilization : {"sampled_baumgarte", "projection", "velocity_projection"}) {
     CAPTURE(stabilization);
     std::vector<VectorXd> single;

@@ -31,11 +31,13 @@ double inertance_of(const Model& model, const Element& force) {
 
 Inerters::Inerters(const Model& model, std::ptrdiff_t D, const InstructionSet& instructions) : D_(D) {
   std::vector<int> count(force_kinds().size(), 0);
-  for (const Element& it : model.forces())
-    if (const double inertance = inertance_of(model, it); inertance != 0.0) {
-      all_.push_back({it.i, it.j, inertance});
-      count[it.kind] += 1;
-    }
+  for (std::size_t force = 0; force < model.forces().size(); ++force) {
+    const Element& it = model.forces()[force];
+    const double inertance = inertance_of(model, it);
+    if (inertance == 0.0) continue;
+    all_.push_back({it.i, it.j, static_cast<int>(force), inertance});
+    count[it.kind] += 1;
+  }
   for (std::size_t kind = 0; kind < count.size(); ++kind)
     if (count[kind] > 0)
       compile(model, static_cast<int>(kind), count[kind], instruction_set_for(count[kind], instructions));

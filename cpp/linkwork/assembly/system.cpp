@@ -85,24 +85,6 @@ void System::evaluate_bodies(int part, const ConstVector& q, const ConstVector& 
                    v.data() + velocity_size * first, out.g.data() + velocity_size * first);
 }
 
-bool System::has_rest() const {
-  return !model_.signals().empty() || !special_joints_.empty() || !model_.forces().empty() ||
-         !model_.joint_forces().empty() || !model_.user_forces().empty();
-}
-
-void System::evaluate_rest_of_constraints(double t, const ConstVector& q, const ConstVector& v,
-                                          const ConstVector& history, Evaluation& out) const {
-  evaluate_signals(t, out);
-  evaluate_other_constraints(q, v, history, out);
-}
-
-void System::evaluate_rest(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
-                           Evaluation& out) const {
-  evaluate_rest_of_constraints(t, q, v, history, out);
-  out.power = 0.0;
-  evaluate_forces(t, q, v, history, out);
-}
-
 Wrenches<double> System::joint_force(std::size_t k, double t, const ConstVector& q, const ConstVector& v,
                                      HistoryVariable<double>& history) const {
   const JointForce& force = model_.joint_forces()[k];
@@ -165,10 +147,15 @@ void System::evaluate_constraints(double t, const ConstVector& q, const ConstVec
   evaluate_other_constraints(q, v, history, out);
 }
 
+void System::evaluate_special_joints(const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                                     Evaluation& out) const {
+  for (const CompiledSpecialJoint& it : special_joints_) evaluate_special_joint(it, q, v, history, out);
+}
+
 /// Those of special joints and of inerters.
 void System::evaluate_other_constraints(const ConstVector& q, const ConstVector& v, const ConstVector& history,
                                         Evaluation& out) const {
-  for (const CompiledSpecialJoint& it : special_joints_) evaluate_special_joint(it, q, v, history, out);
+  evaluate_special_joints(q, v, history, out);
   if (!inerters_.empty()) evaluate_inerters(q, v, out);
 }
 

@@ -101,14 +101,17 @@ class System {
                          Evaluation& out) const;
 
   // For ensembles, which evaluate bodies and joints of many mechanisms at once.
-  /// Whether there is more than bodies and joints without functions of time.
-  bool has_rest() const;
-  /// Functions of time, special joints and inerters.
-  void evaluate_rest_of_constraints(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
-                                    Evaluation& out) const;
-  /// All of it but forces of the user's own: also forces, added to `out.g` and `out.potential` of the bodies.
-  void evaluate_rest(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
-                     Evaluation& out) const;
+  /// Functions of time.
+  void evaluate_signals(double t, Evaluation& out) const;
+  void evaluate_special_joints(const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                               Evaluation& out) const;
+  /// Force elements by their kinds, but inerters; bodies are places in Evaluation::bodies.
+  const std::vector<Batch>& force_batches() const { return force_batches_; }
+  /// Those of one kind, of which there is one, at the signals and bodies of `out`.
+  void evaluate_elements_of(std::size_t kind, const ForceArrays& arrays, Evaluation& out) const;
+  /// The user's own laws along coordinates, added to `out.g` and `out.power`.
+  void evaluate_joint_forces(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                             Evaluation& out) const;
   /// What one force of the user's own, 6 per body, does to bodies of velocities v.
   void add_user_force(const VectorXd& force, const ConstVector& v, Evaluation& out) const;
 
@@ -192,15 +195,12 @@ class System {
   void begin_history();
   VectorXd blank_history() const;
   void add_history(HistoryKind kind, bool joint, int element, int count);
-  void evaluate_signals(double t, Evaluation& out) const;
   BodyState<double> pose(int body, const ConstVector& q) const;  ///< at rest
   BodyState<double> moving(int body, const ConstVector& q, const ConstVector& v) const;
   const ConstraintBlock& block_of_body(int joint, int body) const;
   void check_limits(double t, const std::vector<Signal<double>>& signals) const;
   void evaluate_forces(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                        Evaluation& out) const;
-  void evaluate_joint_forces(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
-                             Evaluation& out) const;
   void evaluate_user_forces(double t, const ConstVector& q, const ConstVector& v, Evaluation& out) const;
   void evaluate_special_joint(const CompiledSpecialJoint& joint, const ConstVector& q, const ConstVector& v,
                               const ConstVector& history, Evaluation& out) const;
@@ -210,7 +210,6 @@ class System {
   void evaluate_other_constraints(const ConstVector& q, const ConstVector& v, const ConstVector& history,
                                   Evaluation& out) const;
   void evaluate_elements(const ConstVector& q, const ConstVector& v, const ConstVector& history, Evaluation& out) const;
-  void evaluate_elements_of(std::size_t kind, const ForceArrays& arrays, Evaluation& out) const;
   void evaluate_many_elements(const ForceArrays& arrays, Evaluation& out) const;
   void add_wrenches(const ForceArrays& arrays, Evaluation& out) const;
 

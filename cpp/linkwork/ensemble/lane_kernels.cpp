@@ -68,6 +68,15 @@ void body_forces(int bodies, const double* mass, const double* gravity, const do
   put(potential, 0, total + sum_up(partial));
 }
 
+void inertia_forces(const ConstraintBlock* blocks, std::ptrdiff_t count, int first, const double* inertance,
+                    const double* gamma, const double* D, double* g) {
+  for (const ConstraintBlock* block = blocks; block < blocks + count; ++block) {
+    const Native force = get(inertance, block->row - first) * get(gamma, block->row - first);
+    for (int k = 0; k < 6; ++k)
+      put(g, 6l * block->body + k, get(g, 6l * block->body + k) + force * get(D, block->offset + k));
+  }
+}
+
 void rates(int bodies, const double* y, const double* v_dot, double* y_dot) {
   const long q_size = 7l * bodies;
   for (long body = 0; body < bodies; ++body) {
@@ -178,7 +187,8 @@ void add(int count, const double* chosen, const double* dx, double* x) {
 #define LINKWORK_NAME(ISA) LINKWORK_JOIN(lane_kernels_, ISA)
 
 extern const LaneKernels LINKWORK_NAME(LINKWORK_ISA);
-const LaneKernels LINKWORK_NAME(LINKWORK_ISA) = {width,  &states,  &body_forces, &rates,  &normalize,   &combine,
-                                                 &weigh, &largest, &residuals,   &motion, &free_motion, &add};
+const LaneKernels LINKWORK_NAME(LINKWORK_ISA) = {
+    width,    &states, &body_forces, &inertia_forces, &rates,       &normalize, &combine,
+    &weigh,   &largest, &residuals,   &motion,         &free_motion, &add};
 
 }  // namespace linkwork

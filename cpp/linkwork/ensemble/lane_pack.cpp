@@ -121,6 +121,7 @@ void LanePack::begin_lane(int l, std::int64_t step) {
     stepper_.violations(l, at.Phi, at.Phi_dot);
     lane.watch_redundant_rows(t, state_);
   }
+  if (structure_.inerters > 0 && !lane.leaping()) stepper_.inerters(l, lane.begin(t, state_));
   if (lane.limited() && !lane.leaping()) {
     stepper_.violations(l, Phi_, Phi_dot_);
     lane.watch_limits(t, Phi_, Phi_dot_);

@@ -26,7 +26,6 @@ void LaneRefinement::load(std::size_t l) {
   if (lengths_.empty()) {
     for (AlignedDoubles* velocities : {&r_1_, &dx_}) velocities->assign(velocity_size * structure_.bodies * width, 0.0);
     for (AlignedDoubles* rows : {&r_2_, &dlambda_}) rows->assign(structure_.multipliers() * width, 0.0);
-    inertance_.assign(structure_.inerters * width, 1.0);
     for (AlignedDoubles* one : {&going_on_, &size_, &correction_}) one->assign(width, 0.0);
     lengths_.assign(structure_.bodies * width, 1.0);
   }
@@ -35,12 +34,10 @@ void LaneRefinement::load(std::size_t l) {
     const Dynamics& mechanism = *mechanisms_[lane];
     for (std::ptrdiff_t body = 0; body < structure_.bodies; ++body)
       lengths_[body * width + place] = mechanism.formulation().inertia().lengths()[body];
-    for (int k = 0; k < structure_.inerters; ++k)
-      inertance_[k * width + place] = mechanism.system().inerters().inertance(static_cast<std::size_t>(k));
   }
 }
 
-void LaneRefinement::refine(const double* t, const double* mass, const LaneSolver::Problem& problem, LaneSolver& nearby,
+void LaneRefinement::refine(const Inertia& inertia, const LaneSolver::Problem& problem, LaneSolver& nearby,
                             LaneGuard& guard) {
   const LaneEquations equations{.bodies = structure_.bodies,
                                 .rows = structure_.rows,
@@ -48,8 +45,8 @@ void LaneRefinement::refine(const double* t, const double* mass, const LaneSolve
                                 .block_count = structure_.joint_blocks,
                                 .inerters = structure_.blocks.data() + structure_.joint_blocks,
                                 .inerter_count = std::ssize(structure_.blocks) - structure_.joint_blocks,
-                                .inertance = inertance_.data(),
-                                .mass = mass,
+                                .inertance = inertia.inertance,
+                                .mass = inertia.mass,
                                 .lengths = lengths_.data(),
                                 .D = problem.D};
   kernels_.free_motion(equations, problem.a, size_.data());
@@ -66,7 +63,7 @@ void LaneRefinement::refine(const double* t, const double* mass, const LaneSolve
     kernels_.add(structure_.rows, going_on_.data(), dlambda_.data(), problem.lambda);
     kernels_.motion(equations, problem.x, size_.data());
     kernels_.motion(equations, dx_.data(), correction_.data());
-    judge(t, corrections, guard);
+    judge(inertia.t, corrections, guard);
   }
 }
 

@@ -23,9 +23,12 @@ class LaneRefinement {
   /// Whether any lane needs it.
   bool needed() const { return needed_; }
 
-  /// Of x and lambda where nothing else than a, b, M and D decides, at t; `nearby` has factors of nearby equations.
-  void refine(const double* t, const double* mass, const LaneSolver::Problem& problem, LaneSolver& nearby,
-              LaneGuard& guard);
+  /// M at the time of each lane, see LaneEquations.
+  struct Inertia {
+    const double *t, *mass, *inertance;
+  };
+  /// Of x and lambda where nothing else than a, b, M and D decides; `nearby` has factors of nearby equations.
+  void refine(const Inertia& inertia, const LaneSolver::Problem& problem, LaneSolver& nearby, LaneGuard& guard);
 
  private:
   void load(std::size_t l);
@@ -36,7 +39,7 @@ class LaneRefinement {
   std::vector<Dynamics*> mechanisms_;
   bool needed_ = false;
   std::vector<char> refined_;
-  AlignedDoubles lengths_, inertance_, r_1_, r_2_, dx_, dlambda_, going_on_, size_, correction_;
+  AlignedDoubles lengths_, r_1_, r_2_, dx_, dlambda_, going_on_, size_, correction_;
 };
 
 }  // namespace linkwork

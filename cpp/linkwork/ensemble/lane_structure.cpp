@@ -5,6 +5,7 @@
 
 #include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/linear/block/block_solver.hpp"
+#include "linkwork/model/force_kind.hpp"
 #include "linkwork/model/joint_kind.hpp"
 
 namespace linkwork {
@@ -65,10 +66,13 @@ LaneStructure::LaneStructure(const Dynamics& dynamics)
       symbolic(factorize_symbolically(dynamics)),
       blocks(blocks_of(dynamics.system())),
       joint_blocks(std::ssize(dynamics.system().blocks())),
+      history_size(dynamics.system().history_size()),
       dropped(dynamics.dropped().rows()),
       elements_(dynamics.system().model().joints()) {
   find_positions(dynamics.system());
   list_joints(dynamics.system());
+  list_inerters(dynamics.system());
+  list_forces(dynamics.system());
   for (const int row : dropped)
     for (const ConstraintBlock& block : blocks)
       if (block.row <= row && row < block.row + block.rows)
@@ -104,11 +108,51 @@ void LaneStructure::list_joints(const System& system) {
   }
 }
 
+void LaneStructure::list_inerters(const System& system) {
+  std::vector<int> place(force_kinds().size(), -1);
+  for (int k = 0; k < inerters; ++k) {
+    const Element& element = system.inerters().element(system.model(), k);
+    if (place[element.kind] < 0) {
+      place[element.kind] = static_cast<int>(inerter_rows.size());
+      inerter_rows.push_back({element.kind, {}, {}, {}, {}});
+    }
+    InerterRows& all = inerter_rows[place[element.kind]];
+    all.body_i.push_back(element.i == ground ? bodies : element.i);
+    all.body_j.push_back(element.j == ground ? bodies : element.j);
+    all.row.push_back(k);
+    all.D.push_back(inerter_D + 2 * velocity_size * std::ptrdiff_t{k});
+  }
+}
+
+void LaneStructure::list_forces(const System& system) {
+  for (std::size_t kind = 0; kind < system.force_batches().size(); ++kind)
+    if (const Batch& batch = system.force_batches()[kind]; batch.size() > 0)
+      forces.push_back({static_cast<int>(kind), batch.body_i, batch.body_j, batch.history});
+}
+
+bool LaneStructure::same_forces(const System& system) const {
+  if (system.history_size() != history_size) return false;
+  auto next = forces.begin();
+  for (std::size_t kind = 0; kind < system.force_batches().size(); ++kind) {
+    const Batch& batch = system.force_batches()[kind];
+    if (batch.size() == 0) continue;
+    if (next == forces.end() || next->kind != static_cast<int>(kind) || next->body_i != batch.body_i ||
+        next->body_j != batch.body_j || next->history != batch.history)
+      return false;
+    ++next;
+  }
+  return next == forces.end();
+}
+
 bool LaneStructure::same(const Dynamics& dynamics) const {
   const System& system = dynamics.system();
   if (system.body_count() != bodies || !same_elements(system.model().joints(), elements_)) return false;
   if (system.time_dependent_constraints() != time_dependent || dynamics.dropped().rows() != dropped) return false;
-  return static_cast<int>(system.inerters().count()) == inerters && same_blocks(blocks_of(system), blocks);
+  if (static_cast<int>(system.inerters().count()) != inerters || !same_blocks(blocks_of(system), blocks)) return false;
+  for (const InerterRows& rows : inerter_rows)
+    for (const int row : rows.row)
+      if (system.inerters().element(system.model(), row).kind != rows.kind) return false;
+  return same_forces(system);
 }
 
 std::string LaneStructure::refusal_of_numbers(const Dynamics& dynamics) {

@@ -10,8 +10,8 @@
 
 namespace linkwork {
 
-/// What mechanisms must have in common to run in the lanes of one pack: bodies, kinds of joints and the bodies that they
-/// join, redundant rows, bodies that inerters join. All numbers may differ, and other force elements may be others.
+/// What mechanisms must have in common to run in the lanes of one pack: bodies, kinds of joints and force elements and
+/// the bodies that they join, redundant rows. All numbers may differ, and forces that are no elements may be others.
 class LaneStructure {
  public:
   explicit LaneStructure(const Dynamics& dynamics);
@@ -28,6 +28,18 @@ class LaneStructure {
     std::vector<int> joint, body_i, body_j, row;  ///< bodies as places of states: the ground is the last
     std::vector<std::ptrdiff_t> D;
   };
+  /// The inerters of one kind.
+  struct InerterRows {
+    int kind;
+    std::vector<int> body_i, body_j, row;  ///< rows are those of Inerters
+    std::vector<std::ptrdiff_t> D;
+  };
+  /// The other force elements of one kind, as in System::force_batches.
+  struct Forces {
+    int kind;
+    std::vector<int> body_i, body_j;
+    std::vector<std::ptrdiff_t> history;  ///< places
+  };
 
   int bodies, rows;
   int inerters;              ///< rows of D behind the others, with multipliers of their own, see Inerters
@@ -40,6 +52,9 @@ class LaneStructure {
   std::vector<ConstraintBlock> blocks;  ///< first those of joints, then those of inerters
   std::ptrdiff_t joint_blocks;
   std::vector<Joints> joints;
+  std::vector<InerterRows> inerter_rows;
+  std::vector<Forces> forces;
+  int history_size;
   std::vector<int> special;               ///< special joints
   std::vector<int> dropped;               ///< redundant rows, ascending
   std::vector<std::ptrdiff_t> dropped_D;  ///< where the D of dropped rows is, 6 numbers each
@@ -50,6 +65,9 @@ class LaneStructure {
  private:
   void find_positions(const System& system);
   void list_joints(const System& system);
+  void list_inerters(const System& system);
+  void list_forces(const System& system);
+  bool same_forces(const System& system) const;
 
   std::vector<Element> elements_;
 };

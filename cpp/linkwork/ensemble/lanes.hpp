@@ -59,6 +59,9 @@ struct LaneKernels {
   /// g = (m gravity, -omega x J omega), 6 a body; and the potential -sum m gravity . r.
   void (*body_forces)(int bodies, const double* mass, const double* gravity, const double* y, double* g,
                       double* potential);
+  /// g += sum b gamma d^T of inerters, whose blocks these are; row `first` is that of the first one.
+  void (*inertia_forces)(const ConstraintBlock* blocks, std::ptrdiff_t count, int first, const double* inertance,
+                         const double* gamma, const double* D, double* g);
   /// q_dot = N(q) v and v_dot, without the work.
   void (*rates)(int bodies, const double* y, const double* v_dot, double* y_dot);
   /// Every p to unit length.

@@ -20,10 +20,11 @@ Mat3<Real> skew(const Vec3<Real>& a) {
 /// A(p) = ((e0^2 - e.e) I + 2 e e^T + 2 e0 e~) / |p|^2.
 ///
 /// Division by |p|^2 makes A a rotation for every p /= 0: the stages of a Runge-Kutta step leave the unit sphere
-/// by O(h^2), and A_dot = A omega~ holds there as well.
+/// by O(h^2), and A_dot = A omega~ holds there as well. The same bits whatever the scalar: sums are in an order of our own.
 template <class Real>
 LINKWORK_INLINE Mat3<Real> rotation_matrix(const Vec4<Real>& p) {
-  const Real scale = Real(2) / p.squaredNorm();
+  const Real square = (p[0] * p[0] + p[1] * p[1]) + (p[2] * p[2] + p[3] * p[3]);
+  const Real scale = Real(2) / square;
   const Real x = p[1] * scale, y = p[2] * scale, z = p[3] * scale;
   const Real wx = p[0] * x, wy = p[0] * y, wz = p[0] * z;
   const Real xx = p[1] * x, xy = p[1] * y, xz = p[1] * z;

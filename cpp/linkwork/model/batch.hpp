@@ -31,6 +31,16 @@ struct ForceElements {
   const std::ptrdiff_t *history, *switches;
 };
 
+/// Those of one kind in several mechanisms of one structure at once, each mechanism in a lane; see JointLanes.
+struct ForceLanes {
+  int count;
+  const int *body_i, *body_j;
+  const double *attachment, *parameters;
+  int parameter_count;
+  const std::ptrdiff_t* history;
+  const double* states;
+};
+
 /// All forces of one kind in one system: what evaluation reads.
 /// Bodies are indices into an array of states whose last entry is the ground.
 struct Batch {

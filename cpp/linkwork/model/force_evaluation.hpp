@@ -1,7 +1,7 @@
 #pragma once
 
-#include "linkwork/math/pack.hpp"
 #include "linkwork/model/force_kind.hpp"
+#include "linkwork/model/lane_loads.hpp"
 
 /// The loop over the force elements of one kind, `width` at a time. Compiled once per instruction set, without
 /// contraction: all of them give the same numbers to the last bit, whatever is beside an element.
@@ -109,6 +109,38 @@ LINKWORK_INLINE void evaluate_force_packs(const ForceElements& elements, const B
       if (!out.wrenches) add_wrench(found[l], elements.body_i[k], elements.body_j[k], out);
       else copy(out.wrenches + wrench_size * static_cast<std::size_t>(k), found[l], wrench_size);
     }
+  }
+}
+
+LINKWORK_INLINE void add_to(double* g, const Vec3<Pack>& force, const Vec3<Pack>& torque) {
+  for (int k = 0; k < 3; ++k) packs(g)[k] += force[k];
+  for (int k = 0; k < 3; ++k) packs(g)[3 + k] += torque[k];
+}
+
+/// One element of all lanes after the other.
+template <class Force>
+LINKWORK_INLINE void evaluate_force_lanes(const ForceLanes& elements, const ForceArrays& out) {
+  Signal<Pack> parameters[max_force_parameters];
+  for (int element = 0; element < elements.count; ++element) {
+    load_parameters(elements.parameters, elements.parameter_count, element, parameters);
+    const int body_i = elements.body_i[element], body_j = elements.body_j[element];
+    Pack velocity[6];
+    const BodyState<Pack> i = load_state(elements.states, body_i, velocity);
+    const BodyState<Pack> j = load_state(elements.states, body_j, velocity);
+    HistoryVariable<Pack> history;
+    const long variable = Force::history == HistoryKind::none ? 0 : static_cast<long>(elements.history[element]) * width;
+    if constexpr (Force::history != HistoryKind::none) history.last.v = load_native(out.last + variable);
+    Wrenches<Pack> wrenches;
+    Force::template evaluate<Pack>(load_attachment_of(elements.attachment, element), ForceParameters<Pack>(parameters),
+                                   i, j, history, wrenches);
+    if constexpr (Force::history != HistoryKind::none) {
+      store_native(out.next + variable, history.next.v);
+      store_native(out.rate + variable, history.rate.v);
+    }
+    add_to(out.g + 6l * width * body_i, wrenches.force_i, wrenches.torque_i);
+    add_to(out.g + 6l * width * body_j, wrenches.force_j, wrenches.torque_j);
+    *packs(out.potential) += wrenches.potential;
+    *packs(out.power) += wrenches.power;
   }
 }
 

@@ -100,6 +100,13 @@ using EvaluateForces = void (*)(const Batch&, const BodyState<double>* bodies, c
                                 const TimeFunctionPtr* functions, const ForceArrays&);
 using EvaluateForcePacks = void (*)(const ForceElements&, const BodyState<double>* bodies,
                                     const Signal<double>* signals, const ForceArrays&);
+/// Elements of mechanisms in lanes. Of the arrays there are `width` numbers, one of each, where it says one; wrenches
+/// and switches are not written.
+using EvaluateForceLanes = void (*)(const ForceLanes&, const ForceArrays&);
+struct ForceEvaluation {
+  EvaluateForcePacks packs;
+  EvaluateForceLanes lanes;
+};
 
 struct ForceKind {
   KindInfo info;
@@ -107,6 +114,7 @@ struct ForceKind {
   int switches = 0;
   EvaluateForces one_by_one = nullptr;
   EvaluateForcePacks packs[max_instruction_sets] = {};  ///< or these, by level of the instruction set: the same bits
+  EvaluateForceLanes lanes[max_instruction_sets] = {};  ///< by whoever has packs
   /// Of an inerter: its coordinate, along which its first parameter, a constant, is inertia; see Inerters.
   CoordinateRow inertia = nullptr;
   JointKind (*inertia_rows)() = nullptr;  ///< the same of many
@@ -169,9 +177,12 @@ ForceKind make_force_kind() {
 }
 
 template <class Force>
-ForceKind make_force_kind(const std::array<EvaluateForcePacks, max_instruction_sets>& packs) {
+ForceKind make_force_kind(const std::array<ForceEvaluation, max_instruction_sets>& levels) {
   ForceKind kind{Force::info(), Force::history, switches_of<Force>()};
-  std::copy(packs.begin(), packs.end(), kind.packs);
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    kind.packs[level] = levels[level].packs;
+    kind.lanes[level] = levels[level].lanes;
+  }
   return kind;
 }
 
@@ -181,38 +192,46 @@ const std::vector<ForceKind>& force_kinds();
 /// The kind with this name, or an OptionError that names the nearest.
 int force_kind_index(const std::string& name);
 
-#define LINKWORK_EVALUATE_PACKS(ISA, NAME)                                                     \
-  namespace ISA {                                                                              \
-  void evaluate_##NAME##_packs(const ForceElements& elements, const BodyState<double>* bodies, \
-                               const Signal<double>* signals, const ForceArrays& out);         \
-  }
 // A force's file is compiled once for its description and for one element, and once per instruction set for many.
+#define LINKWORK_EVALUATE_PACKS(NAME)                                                          \
+  void evaluate_##NAME##_packs(const ForceElements& elements, const BodyState<double>* bodies, \
+                               const Signal<double>* signals, const ForceArrays& out)
+#define LINKWORK_EVALUATE_FORCE_LANES(NAME) \
+  void evaluate_##NAME##_lanes(const ForceLanes& elements, const ForceArrays& out)
+#define LINKWORK_DECLARE_FORCE(ISA, NAME) \
+  namespace ISA {                         \
+  LINKWORK_EVALUATE_PACKS(NAME);          \
+  LINKWORK_EVALUATE_FORCE_LANES(NAME);    \
+  }
+#define LINKWORK_FORCE_EVALUATION(ISA, NAME) \
+  ForceEvaluation { &ISA::evaluate_##NAME##_packs, &ISA::evaluate_##NAME##_lanes }
 #if defined(LINKWORK_ISA)
 #define LINKWORK_DEFINE_FORCE(NAME, STRUCT)
-#define LINKWORK_DEFINE_FORCE_PACKS(NAME, STRUCT)                                                                \
-  namespace LINKWORK_ISA {                                                                                       \
-  __attribute__((flatten)) void evaluate_##NAME##_packs(const ForceElements& elements,                           \
-                                                        const BodyState<double>* bodies,                         \
-                                                        const Signal<double>* signals, const ForceArrays& out) { \
-    simd::LINKWORK_ISA::evaluate_force_packs<STRUCT>(elements, bodies, signals, out);                            \
-  }                                                                                                              \
+#define LINKWORK_DEFINE_FORCE_PACKS(NAME, STRUCT)                                       \
+  namespace LINKWORK_ISA {                                                              \
+  __attribute__((flatten)) LINKWORK_EVALUATE_PACKS(NAME) {                              \
+    simd::LINKWORK_ISA::evaluate_force_packs<STRUCT>(elements, bodies, signals, out);   \
+  }                                                                                     \
+  __attribute__((flatten)) LINKWORK_EVALUATE_FORCE_LANES(NAME) {                        \
+    simd::LINKWORK_ISA::evaluate_force_lanes<STRUCT>(elements, out);                    \
+  }                                                                                     \
   }
 #else
 #define LINKWORK_DEFINE_FORCE(NAME, STRUCT) \
   ForceKind NAME##_force() { return make_force_kind<STRUCT>(); }
 #if LINKWORK_X86
-#define LINKWORK_DEFINE_FORCE_PACKS(NAME, STRUCT)                                                    \
-  LINKWORK_EVALUATE_PACKS(v2, NAME)                                                                  \
-  LINKWORK_EVALUATE_PACKS(v3, NAME)                                                                  \
-  LINKWORK_EVALUATE_PACKS(v4, NAME)                                                                  \
-  ForceKind NAME##_force() {                                                                         \
-    return make_force_kind<STRUCT>(                                                                  \
-        {&v2::evaluate_##NAME##_packs, &v3::evaluate_##NAME##_packs, &v4::evaluate_##NAME##_packs}); \
+#define LINKWORK_DEFINE_FORCE_PACKS(NAME, STRUCT)                                                                    \
+  LINKWORK_DECLARE_FORCE(v2, NAME)                                                                                   \
+  LINKWORK_DECLARE_FORCE(v3, NAME)                                                                                   \
+  LINKWORK_DECLARE_FORCE(v4, NAME)                                                                                   \
+  ForceKind NAME##_force() {                                                                                         \
+    return make_force_kind<STRUCT>({LINKWORK_FORCE_EVALUATION(v2, NAME), LINKWORK_FORCE_EVALUATION(v3, NAME),        \
+                                    LINKWORK_FORCE_EVALUATION(v4, NAME)});                                           \
   }
 #else
 #define LINKWORK_DEFINE_FORCE_PACKS(NAME, STRUCT) \
-  LINKWORK_EVALUATE_PACKS(v2, NAME)               \
-  ForceKind NAME##_force() { return make_force_kind<STRUCT>({&v2::evaluate_##NAME##_packs}); }
+  LINKWORK_DECLARE_FORCE(v2, NAME)                \
+  ForceKind NAME##_force() { return make_force_kind<STRUCT>({LINKWORK_FORCE_EVALUATION(v2, NAME)}); }
 #endif
 #endif
 

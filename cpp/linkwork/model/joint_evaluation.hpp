@@ -1,8 +1,8 @@
 #pragma once
 
-#include "linkwork/math/pack.hpp"
 #include "linkwork/math/rotation.hpp"
 #include "linkwork/model/joint_kind.hpp"
+#include "linkwork/model/lane_loads.hpp"
 
 /// The loop over the joints of one kind, `width` at a time. Compiled once per instruction set; without contraction to
 /// fused operations, so that all of them give the same numbers to the last bit.
@@ -23,15 +23,6 @@ LINKWORK_INLINE BodyState<Pack> gather_state(const int* body, const double* q, c
   return {Vec3<Pack>(position[0], position[1], position[2]),
           rotation_matrix<Pack>(Vec4<Pack>(position[3], position[4], position[5], position[6])),
           Vec3<Pack>(velocity[0], velocity[1], velocity[2]), Vec3<Pack>(velocity[3], velocity[4], velocity[5])};
-}
-
-/// From the places of its parts.
-LINKWORK_INLINE Attachment<Pack> load_attachment(const double* const* parts) {
-  Attachment<Pack> at;
-  Pack* to[] = {at.s_i.data(), at.s_j.data(), at.C_i.data(), at.C_j.data()};
-  LINKWORK_UNROLL for (int part = 0; part < 4; ++part)
-    for (int k = 0; k < attachment_parts[part]; ++k) to[part][k].v = load_native(parts[part] + k * width);
-  return at;
 }
 
 LINKWORK_INLINE const double* place_of(const AttachmentPart& part, long joint) { return part.from + part.step * joint; }
@@ -160,44 +151,20 @@ LINKWORK_INLINE void evaluate_joints(const JointArrays& joints, const double* q,
   if (joints.streamed) end_stream();
 }
 
-/// Numbers that stand `width` by `width`.
-template <int count>
-LINKWORK_INLINE void load_lanes_of(const double* from, Pack* out) {
-  LINKWORK_UNROLL for (int k = 0; k < count; ++k)
-    out[k].v = load_native(from + k * width);
-}
-/// In place, of memory that is aligned to lines.
-LINKWORK_INLINE Pack* packs(double* from) { return reinterpret_cast<Pack*>(from); }
-
-LINKWORK_INLINE BodyState<Pack> load_state(const double* from, Pack* velocity) {
-  BodyState<Pack> state;
-  load_lanes_of<3>(from, state.r.data());
-  load_lanes_of<9>(from + 3 * width, state.A.data());
-  load_lanes_of<6>(from + 12 * width, velocity);
-  state.r_dot = Vec3<Pack>(velocity[0], velocity[1], velocity[2]);
-  state.omega = Vec3<Pack>(velocity[3], velocity[4], velocity[5]);
-  return state;
-}
-
 /// One joint of all lanes after the other.
 template <class Joint>
 LINKWORK_INLINE void evaluate_joint_lanes(const JointLanes& joints, const ConstraintArrays& out) {
   constexpr int rows = Joint::rows;
   Signal<Pack> parameters[max_joint_parameters];
   for (int joint = 0; joint < joints.count; ++joint) {
-    const double* given = joints.parameters + 3l * width * joints.parameter_count * joint;
-    for (int p = 0; p < joints.parameter_count; ++p, given += 3 * width)
-      parameters[p] = {Pack(load_native(given)), Pack(load_native(given + width)),
-                       Pack(load_native(given + 2 * width))};
+    load_parameters(joints.parameters, joints.parameter_count, joint, parameters);
     Pack v_i[6], v_j[6];
-    const BodyState<Pack> i = load_state(joints.states + 18l * width * joints.body_i[joint], v_i);
-    const BodyState<Pack> j = load_state(joints.states + 18l * width * joints.body_j[joint], v_j);
+    const BodyState<Pack> i = load_state(joints.states, joints.body_i[joint], v_i);
+    const BodyState<Pack> j = load_state(joints.states, joints.body_j[joint], v_j);
     const long row = static_cast<long>(joints.row[joint]) * width;
     Pack *D = packs(out.D + joints.D[joint] * width), *Phi_t = packs(out.Phi_t + row);
-    const double* s_i = joints.attachment + static_cast<long>(attachment_size) * width * joint;
-    const double* attachment[4] = {s_i, s_i + 3 * width, s_i + 6 * width, s_i + 15 * width};
     Joint::template evaluate<Pack>(
-        load_attachment(attachment), parameters, i, j,
+        load_attachment_of(joints.attachment, joint), parameters, i, j,
         Rows<Pack, rows>{packs(out.Phi + row), Phi_t, packs(out.gamma + row), D, D + 6 * rows});
     multiply<rows>(D, D + 6 * rows, v_i, v_j, Phi_t, packs(out.Phi_dot + row));
   }

@@ -101,7 +101,6 @@ void stop(const Attachment<Real>& at, const ForceParameters<Real>& parameters, c
   out.switches[1] = parameters[0].value - x;
   const auto above = out.switches[0] > Real(0);
   const decltype(above) beyond = above | (out.switches[1] > Real(0));
-  if (!any(beyond)) return;
   const Signal<Real> lower = parameters[0], upper = parameters[1];
   const Real depth = x - select(above, upper.value, lower.value);  // negative below
   const Real spring = parameters[2].value * depth, damper = parameters[3].value * abs(depth) * rate;

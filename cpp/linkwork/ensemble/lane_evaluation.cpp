@@ -1,0 +1,324 @@
+#include "linkwork/ensemble/lane_evaluation.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "linkwork/model/force_kind.hpp"
+
+namespace linkwork {
+namespace {
+
+EvaluateForceLanes lanes_of(int kind, int level) { return force_kinds()[kind].lanes[level]; }
+
+}  // namespace
+
+LaneEvaluation::LaneEvaluation(const LaneStructure& structure, const InstructionSet& instructions,
+                               const std::vector<Dynamics*>& mechanisms)
+    : structure_(structure),
+      kernels_(lane_kernels(instructions)),
+      layout_{kernels_.width},
+      level_(instructions.level),
+      mechanisms_(mechanisms),
+      user_forces_(mechanisms),
+      driven_(layout_.width) {
+  list_posed_bodies();
+  allocate();
+  for (int l = 0; l < layout_.width; ++l) load(l, mechanism(l));
+}
+
+const Dynamics& LaneEvaluation::mechanism(int l) const {
+  return *mechanisms_[std::min(l, static_cast<int>(mechanisms_.size()) - 1)];
+}
+
+void LaneEvaluation::replace(int l, Dynamics& mechanism) {
+  mechanisms_[l] = &mechanism;
+  user_forces_.replace(l, mechanism);
+  load(l, mechanism);
+}
+
+// --- what does not change ---
+
+void LaneEvaluation::list_posed_bodies() {
+  for (const LaneStructure::Forces& it : structure_.forces) {
+    if (lanes_of(it.kind, level_)) continue;
+    for (const std::vector<int>* bodies : {&it.body_i, &it.body_j})
+      posed_.insert(posed_.end(), bodies->begin(), bodies->end());
+  }
+  std::sort(posed_.begin(), posed_.end());
+  posed_.erase(std::unique(posed_.begin(), posed_.end()), posed_.end());
+}
+
+void LaneEvaluation::allocate() {
+  const int n = structure_.bodies;
+  layout_.size(at_.D, structure_.D_size);
+  for (Numbers* rows : {&at_.Phi, &at_.Phi_t, &at_.Phi_dot, &at_.gamma}) layout_.size(*rows, structure_.rows);
+  layout_.size(at_.g, velocity_size * (n + 1));
+  for (Numbers* one : {&at_.potential, &at_.power}) layout_.size(*one, 1);
+  layout_.size(gravity_, 3);
+  layout_.size(mass_, 10l * n);
+  layout_.size(states_, 18 * (n + 1));
+  for (Numbers* rows : {&inerter_gamma_, &inerter_values_, &inertance_}) layout_.size(*rows, structure_.inerters);
+  for (Numbers* variables : {&last_, &next_, &rate_}) layout_.size(*variables, structure_.history_size);
+  for (const LaneStructure::Joints& it : structure_.joints)
+    allocate(joints_.emplace_back(), std::ssize(it.joint), joint_kinds()[it.kind].info.parameters.size());
+  for (const LaneStructure::InerterRows& it : structure_.inerter_rows) {
+    allocate(inerters_.emplace_back(), std::ssize(it.row), 0);
+    inerter_rows_.push_back(force_kinds()[it.kind].inertia_rows().evaluate_lanes[level_]);
+  }
+  for (const LaneStructure::Forces& it : structure_.forces)
+    allocate(forces_.emplace_back(), std::ssize(it.body_i), force_kinds()[it.kind].info.parameters.size());
+}
+
+void LaneEvaluation::allocate(Elements& elements, std::ptrdiff_t count, std::size_t parameter_count) const {
+  elements.parameter_count = static_cast<int>(parameter_count);
+  layout_.size(elements.attachments, attachment_size * count);
+  layout_.size(elements.parameters, 3 * count * elements.parameter_count);
+}
+
+void LaneEvaluation::load(int l, const Dynamics& mechanism) {
+  const System& system = mechanism.system();
+  apart_ = apart_ || needs_lane_by_lane(system);
+  driven_[l].clear();
+  layout_.give(system.model().gravity().data(), 3, l, gravity_, 0);
+  for (int body = 0; body < structure_.bodies; ++body)
+    layout_.give(&system.mass_blocks()[body].m, 10, l, mass_, 10l * body);
+  load_joints(l, system.model());
+  load_inerters(l, system);
+  load_forces(l, system);
+}
+
+bool LaneEvaluation::needs_lane_by_lane(const System& system) const {
+  const Model& model = system.model();
+  return !posed_.empty() || !structure_.special.empty() || structure_.history_size > 0 || !model.signals().empty() ||
+         !model.joint_forces().empty() || !model.user_forces().empty();
+}
+
+void LaneEvaluation::load_joints(int l, const Model& model) {
+  for (std::size_t kind = 0; kind < joints_.size(); ++kind) {
+    Elements& to = joints_[kind];
+    const std::vector<int>& joints = structure_.joints[kind].joint;
+    for (std::ptrdiff_t k = 0; k < std::ssize(joints); ++k) {
+      const Element& joint = model.joints()[joints[k]];
+      layout_.give(joint.at.s_i.data(), attachment_size, l, to.attachments, attachment_size * k);
+      const Parameter* given = model.joint_parameters().data() + joint.first_parameter;
+      for (int p = 0; p < to.parameter_count; ++p) load_parameter(l, given[p], to, to.parameter_count * k + p);
+    }
+  }
+}
+
+void LaneEvaluation::load_inerters(int l, const System& system) {
+  const Inerters& inerters = system.inerters();
+  for (std::size_t kind = 0; kind < inerters_.size(); ++kind) {
+    const std::vector<int>& rows = structure_.inerter_rows[kind].row;
+    for (std::ptrdiff_t k = 0; k < std::ssize(rows); ++k) {
+      const Element& inerter = inerters.element(system.model(), rows[k]);
+      layout_.give(inerter.at.s_i.data(), attachment_size, l, inerters_[kind].attachments, attachment_size * k);
+      *layout_.place(inertance_, rows[k], l) = inerters.inertance(static_cast<std::size_t>(rows[k]));
+    }
+  }
+}
+
+void LaneEvaluation::load_forces(int l, const System& system) {
+  for (std::size_t kind = 0; kind < forces_.size(); ++kind) {
+    Elements& to = forces_[kind];
+    const Batch& batch = system.force_batches()[structure_.forces[kind].kind];
+    for (std::ptrdiff_t k = 0; k < std::ssize(batch.attachment); ++k)
+      layout_.give(batch.attachment[k].s_i.data(), attachment_size, l, to.attachments, attachment_size * k);
+    for (std::ptrdiff_t p = 0; p < std::ssize(batch.parameters); ++p) load_parameter(l, batch.parameters[p], to, p);
+  }
+}
+
+void LaneEvaluation::load_parameter(int l, const Parameter& parameter, Elements& to, std::ptrdiff_t place) {
+  const double constant[3] = {parameter.constant, 0.0, 0.0};
+  layout_.give(constant, 3, l, to.parameters, 3 * place);
+  if (parameter.signal >= 0) driven_[l].push_back({parameter.signal, layout_.place(to.parameters, 3 * place, l)});
+}
+
+// --- at states ---
+
+template <class Action>
+void LaneEvaluation::each_lane(const LaneGuard& guard, Action action) {
+  for (int l = 0; l < static_cast<int>(mechanisms_.size()); ++l)
+    if (guard.steps(l)) action(l);
+}
+
+/// `action(system, q, v, history, evaluation)` of one lane, at the state where it was begun.
+template <class Action>
+void LaneEvaluation::apart(int l, LaneGuard& guard, Action action) {
+  const LaneUserForces::Place& here = user_forces_.place(l);
+  const System& system = mechanisms_[l]->system();
+  do_apart(
+      [&] {
+        action(system, here.y.head(system.q_size()), here.y.segment(system.q_size(), system.v_size()),
+               mechanisms_[l]->history(), *here.at);
+      },
+      [&](std::string why) { guard.leave(l, here.t, std::move(why)); });
+}
+
+void LaneEvaluation::evaluate(const Numbers& t, const Numbers& y, LaneGuard& guard) {
+  kernels_.states(structure_.bodies, y.data(), states_.data());
+  kernels_.body_forces(structure_.bodies, mass_.data(), gravity_.data(), y.data(), at_.g.data(), at_.potential.data());
+  layout_.clear(at_.g, std::ptrdiff_t{velocity_size} * structure_.bodies, velocity_size);
+  layout_.clear(at_.power, 0, 1);
+  if (apart_) begin_apart(t, y, guard);
+  evaluate_rows();
+  evaluate_forces(guard);
+}
+
+void LaneEvaluation::evaluate_constraints(const Numbers& t, const Numbers& y, LaneGuard& guard) {
+  kernels_.states(structure_.bodies, y.data(), states_.data());
+  if (apart_) begin_apart(t, y, guard);
+  evaluate_rows();
+}
+
+void LaneEvaluation::begin_apart(const Numbers& t, const Numbers& y, LaneGuard& guard) {
+  each_lane(guard, [&](int l) {
+    LaneUserForces::Place& here = user_forces_.place(l);
+    here.t = t[l];
+    here.y.resize(structure_.y_size());
+    layout_.take(y, l, 0, here.y);
+    here.at = &mechanisms_[l]->begin_elsewhere(here.t, here.y);
+    apart(l, guard, [&](const System& system, auto q, auto v, const VectorXd& history, Evaluation& at) {
+      system.evaluate_signals(here.t, at);
+      system.evaluate_special_joints(q, v, history, at);
+    });
+    if (!guard.steps(l)) return;
+    give_signals(l, *here.at);
+    give_special_joints(l, *here.at);
+    layout_.give(mechanisms_[l]->history().data(), structure_.history_size, l, last_, 0);
+  });
+}
+
+/// Functions of time among the parameters.
+void LaneEvaluation::give_signals(int l, const Evaluation& at) {
+  for (const Driven& it : driven_[l]) {
+    const Signal<double>& signal = at.signals[it.signal];
+    it.to[0] = signal.value;
+    it.to[layout_.width] = signal.rate;
+    it.to[2l * layout_.width] = signal.acceleration;
+  }
+}
+
+void LaneEvaluation::give_special_joints(int l, const Evaluation& at) {
+  const System& system = mechanisms_[l]->system();
+  for (const int joint : structure_.special) {
+    const int row = system.model().joint_rows()[joint], rows = system.model().joint_rows()[joint + 1] - row;
+    layout_.give(at.Phi.data() + row, rows, l, at_.Phi, row);
+    layout_.give(at.Phi_t.data() + row, rows, l, at_.Phi_t, row);
+    layout_.give(at.Phi_dot.data() + row, rows, l, at_.Phi_dot, row);
+    layout_.give(at.gamma.data() + row, rows, l, at_.gamma, row);
+    for (const int index : system.joint_blocks(joint)) {
+      const ConstraintBlock& block = system.blocks()[index];
+      layout_.give(at.D.data() + block.offset, std::ptrdiff_t{velocity_size} * rows, l, at_.D, block.offset);
+    }
+  }
+}
+
+/// Joints and inerters.
+void LaneEvaluation::evaluate_rows() {
+  const ConstraintArrays out{at_.Phi.data(), at_.Phi_t.data(), at_.Phi_dot.data(), at_.gamma.data(), at_.D.data()};
+  for (std::size_t kind = 0; kind < joints_.size(); ++kind) {
+    const LaneStructure::Joints& joints = structure_.joints[kind];
+    const Elements& numbers = joints_[kind];
+    joint_kinds()[joints.kind].evaluate_lanes[level_](
+        {static_cast<int>(joints.joint.size()), joints.body_i.data(), joints.body_j.data(), numbers.attachments.data(),
+         numbers.parameters.data(), numbers.parameter_count, joints.row.data(), joints.D.data(), states_.data()},
+        out);
+  }
+  for (std::size_t kind = 0; kind < inerters_.size(); ++kind) {
+    const LaneStructure::InerterRows& rows = structure_.inerter_rows[kind];
+    double* const unused = inerter_values_.data();
+    inerter_rows_[kind]({static_cast<int>(rows.row.size()), rows.body_i.data(), rows.body_j.data(),
+                         inerters_[kind].attachments.data(), nullptr, 0, rows.row.data(), rows.D.data(),
+                         states_.data()},
+                        {unused, unused, unused, inerter_gamma_.data(), at_.D.data()});
+  }
+  for (const std::ptrdiff_t D : structure_.dropped_D) layout_.clear(at_.D, D, velocity_size);
+}
+
+void LaneEvaluation::take_inerters(int l, Evaluation& out) const {
+  layout_.take(at_.D, l, structure_.inerter_D,
+               Eigen::Map<VectorXd>(out.D.data() + structure_.inerter_D, structure_.inerter_D_size));
+}
+
+// --- forces, in the order of System::evaluate ---
+
+void LaneEvaluation::evaluate_forces(LaneGuard& guard) {
+  const ForceArrays out{at_.g.data(), last_.data(),         next_.data(),     rate_.data(),
+                        nullptr,      at_.potential.data(), at_.power.data(), nullptr};
+  if (!posed_.empty()) each_lane(guard, [&](int l) { pose_bodies(l, *user_forces_.place(l).at); });
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    const LaneStructure::Forces& of = structure_.forces[k];
+    if (const EvaluateForceLanes evaluate = lanes_of(of.kind, level_))
+      evaluate({static_cast<int>(of.body_i.size()), of.body_i.data(), of.body_j.data(), forces_[k].attachments.data(),
+                forces_[k].parameters.data(), forces_[k].parameter_count, of.history.data(), states_.data()},
+               out);
+    else evaluate_lane_by_lane(of.kind, guard);
+  }
+  if (structure_.history_size > 0) each_lane(guard, [&](int l) { take_history(l, *user_forces_.place(l).at); });
+  kernels_.inertia_forces(structure_.blocks.data() + structure_.joint_blocks,
+                          std::ssize(structure_.blocks) - structure_.joint_blocks, structure_.rows, inertance_.data(),
+                          inerter_gamma_.data(), at_.D.data(), at_.g.data());
+  if (apart_) evaluate_other_forces(guard);
+}
+
+/// For force elements that are evaluated one by one.
+void LaneEvaluation::pose_bodies(int l, Evaluation& at) const {
+  constexpr std::ptrdiff_t size = sizeof(BodyState<double>) / sizeof(double);
+  for (const int body : posed_)
+    layout_.take(states_, l, size * body, Eigen::Map<VectorXd>(at.bodies[body].r.data(), size));
+}
+
+void LaneEvaluation::evaluate_lane_by_lane(int kind, LaneGuard& guard) {
+  each_lane(guard, [&](int l) {
+    apart(l, guard, [&](const System& system, auto, auto, const VectorXd& history, Evaluation& at) {
+      take_forces(l, at);
+      system.evaluate_elements_of(static_cast<std::size_t>(kind),
+                                  {at.g.data(), history.data(), at.history.data(), at.history_rate.data(),
+                                   at.switches.data(), &at.potential, &at.power},
+                                  at);
+      give_forces(l, at);
+    });
+  });
+}
+
+/// Of force elements that are evaluated in lanes.
+void LaneEvaluation::take_history(int l, Evaluation& at) const {
+  for (const LaneStructure::Forces& of : structure_.forces) {
+    if (force_kinds()[of.kind].history == HistoryKind::none || !lanes_of(of.kind, level_)) continue;
+    for (const std::ptrdiff_t variable : of.history) {
+      at.history[variable] = next_[variable * layout_.width + l];
+      at.history_rate[variable] = rate_[variable * layout_.width + l];
+    }
+  }
+}
+
+/// The user's own.
+void LaneEvaluation::evaluate_other_forces(LaneGuard& guard) {
+  const auto has_any = [](const Dynamics* it) {
+    return !it->system().model().joint_forces().empty() || !it->system().model().user_forces().empty();
+  };
+  if (std::none_of(mechanisms_.begin(), mechanisms_.end(), has_any)) return;
+  each_lane(guard, [&](int l) {
+    apart(l, guard, [&](const System& system, auto q, auto v, const VectorXd& history, Evaluation& at) {
+      take_forces(l, at);
+      system.evaluate_joint_forces(user_forces_.place(l).t, q, v, history, at);
+    });
+  });
+  if (!user_forces_.none()) user_forces_.add(guard);
+  each_lane(guard, [&](int l) { give_forces(l, *user_forces_.place(l).at); });
+}
+
+void LaneEvaluation::take_forces(int l, Evaluation& at) const {
+  layout_.take(at_.g, l, 0, at.g);
+  at.potential = at_.potential[l];
+  at.power = at_.power[l];
+}
+
+void LaneEvaluation::give_forces(int l, const Evaluation& at) {
+  layout_.give(at.g.data(), velocity_size * structure_.bodies, l, at_.g, 0);
+  at_.potential[l] = at.potential;
+  at_.power[l] = at.power;
+}
+
+}  // namespace linkwork
