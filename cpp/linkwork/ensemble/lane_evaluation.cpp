@@ -228,10 +228,10 @@ void LaneEvaluation::evaluate_rows() {
   for (std::size_t kind = 0; kind < inerters_.size(); ++kind) {
     const LaneStructure::InerterRows& rows = structure_.inerter_rows[kind];
     double* const unused = inerter_values_.data();
-    inerter_rows_[kind]({static_cast<int>(rows.row.size()), rows.body_i.data(), rows.body_j.data(),
-                         inerters_[kind].attachments.data(), nullptr, 0, rows.row.data(), rows.D.data(),
-                         states_.data()},
-                        {unused, unused, unused, inerter_gamma_.data(), at_.D.data()});
+    inerter_rows_[kind](
+        {static_cast<int>(rows.row.size()), rows.body_i.data(), rows.body_j.data(), inerters_[kind].attachments.data(),
+         nullptr, 0, rows.row.data(), rows.D.data(), states_.data()},
+        {unused, unused, unused, inerter_gamma_.data(), at_.D.data()});
   }
   for (const std::ptrdiff_t D : structure_.dropped_D) layout_.clear(at_.D, D, velocity_size);
 }

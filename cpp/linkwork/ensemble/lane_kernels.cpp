@@ -187,8 +187,8 @@ void add(int count, const double* chosen, const double* dx, double* x) {
 #define LINKWORK_NAME(ISA) LINKWORK_JOIN(lane_kernels_, ISA)
 
 extern const LaneKernels LINKWORK_NAME(LINKWORK_ISA);
-const LaneKernels LINKWORK_NAME(LINKWORK_ISA) = {
-    width,    &states, &body_forces, &inertia_forces, &rates,       &normalize, &combine,
-    &weigh,   &largest, &residuals,   &motion,         &free_motion, &add};
+const LaneKernels LINKWORK_NAME(LINKWORK_ISA) = {width,      &states,      &body_forces, &inertia_forces, &rates,
+                                                 &normalize, &combine,     &weigh,       &largest,        &residuals,
+                                                 &motion,    &free_motion, &add};
 
 }  // namespace linkwork

@@ -128,7 +128,8 @@ LINKWORK_INLINE void evaluate_force_lanes(const ForceLanes& elements, const Forc
     const BodyState<Pack> i = load_state(elements.states, body_i, velocity);
     const BodyState<Pack> j = load_state(elements.states, body_j, velocity);
     HistoryVariable<Pack> history;
-    const long variable = Force::history == HistoryKind::none ? 0 : static_cast<long>(elements.history[element]) * width;
+    const long variable =
+        Force::history == HistoryKind::none ? 0 : static_cast<long>(elements.history[element]) * width;
     if constexpr (Force::history != HistoryKind::none) history.last.v = load_native(out.last + variable);
     Wrenches<Pack> wrenches;
     Force::template evaluate<Pack>(load_attachment_of(elements.attachment, element), ForceParameters<Pack>(parameters),

@@ -207,26 +207,26 @@ int force_kind_index(const std::string& name);
   ForceEvaluation { &ISA::evaluate_##NAME##_packs, &ISA::evaluate_##NAME##_lanes }
 #if defined(LINKWORK_ISA)
 #define LINKWORK_DEFINE_FORCE(NAME, STRUCT)
-#define LINKWORK_DEFINE_FORCE_PACKS(NAME, STRUCT)                                       \
-  namespace LINKWORK_ISA {                                                              \
-  __attribute__((flatten)) LINKWORK_EVALUATE_PACKS(NAME) {                              \
-    simd::LINKWORK_ISA::evaluate_force_packs<STRUCT>(elements, bodies, signals, out);   \
-  }                                                                                     \
-  __attribute__((flatten)) LINKWORK_EVALUATE_FORCE_LANES(NAME) {                        \
-    simd::LINKWORK_ISA::evaluate_force_lanes<STRUCT>(elements, out);                    \
-  }                                                                                     \
+#define LINKWORK_DEFINE_FORCE_PACKS(NAME, STRUCT)                                     \
+  namespace LINKWORK_ISA {                                                            \
+  __attribute__((flatten)) LINKWORK_EVALUATE_PACKS(NAME) {                            \
+    simd::LINKWORK_ISA::evaluate_force_packs<STRUCT>(elements, bodies, signals, out); \
+  }                                                                                   \
+  __attribute__((flatten)) LINKWORK_EVALUATE_FORCE_LANES(NAME) {                      \
+    simd::LINKWORK_ISA::evaluate_force_lanes<STRUCT>(elements, out);                  \
+  }                                                                                   \
   }
 #else
 #define LINKWORK_DEFINE_FORCE(NAME, STRUCT) \
   ForceKind NAME##_force() { return make_force_kind<STRUCT>(); }
 #if LINKWORK_X86
-#define LINKWORK_DEFINE_FORCE_PACKS(NAME, STRUCT)                                                                    \
-  LINKWORK_DECLARE_FORCE(v2, NAME)                                                                                   \
-  LINKWORK_DECLARE_FORCE(v3, NAME)                                                                                   \
-  LINKWORK_DECLARE_FORCE(v4, NAME)                                                                                   \
-  ForceKind NAME##_force() {                                                                                         \
-    return make_force_kind<STRUCT>({LINKWORK_FORCE_EVALUATION(v2, NAME), LINKWORK_FORCE_EVALUATION(v3, NAME),        \
-                                    LINKWORK_FORCE_EVALUATION(v4, NAME)});                                           \
+#define LINKWORK_DEFINE_FORCE_PACKS(NAME, STRUCT)                                                             \
+  LINKWORK_DECLARE_FORCE(v2, NAME)                                                                            \
+  LINKWORK_DECLARE_FORCE(v3, NAME)                                                                            \
+  LINKWORK_DECLARE_FORCE(v4, NAME)                                                                            \
+  ForceKind NAME##_force() {                                                                                  \
+    return make_force_kind<STRUCT>({LINKWORK_FORCE_EVALUATION(v2, NAME), LINKWORK_FORCE_EVALUATION(v3, NAME), \
+                                    LINKWORK_FORCE_EVALUATION(v4, NAME)});                                    \
   }
 #else
 #define LINKWORK_DEFINE_FORCE_PACKS(NAME, STRUCT) \
