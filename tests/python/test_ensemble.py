@@ -24,7 +24,9 @@ from linkwork.studies.variants import Changed
 pytestmark = pytest.mark.filterwarnings("ignore")
 
 
-def many(models: Sequence[lw.Model], t_end: float, step: float, **options: Any) -> lw.EnsembleResult:
+def many(
+    models: Sequence[lw.Model], t_end: float, step: float | None = None, **options: Any
+) -> lw.EnsembleResult:
     return lw.simulate_many(
         models, None, t_end, step, **{"deterministic": True, "progress": False, **options}
     )
@@ -425,10 +427,39 @@ def far_apart(mass: float) -> lw.Model:
     return model
 
 
-def test_mechanisms_without_joints_are_simulated_alone() -> None:
-    found = many([mechanisms.torque_free_top()], 5e-3, 1e-4)
-    assert set(found.alone) == {0}
-    assert bits(found.member(0)) == bits(alone(mechanisms.torque_free_top(), 5e-3, 1e-4))
+def unconnected(speed: float, inertance: float = 0.0) -> lw.Model:
+    """A body that flies through air, and another on a spring and stops; or with an inerter between them."""
+    model = lw.Model(name="unconnected")
+    ball = model.body("ball", mass=0.5, inertia=((0.2, 0.01, 0), (0.01, 0.25, 0.02), (0, 0.02, 0.3)),
+                      position=(0, 0, 1), velocity=(speed, 0, 3), omega=(0.3, -2, speed))  # fmt: skip
+    load = model.body("load", mass=3.0, inertia=(0.3, 0.1, 0.2), position=(1, 0, 0), omega=(1, 2, 3))
+    model.drag("ground", ball, at=(0, 0, 1.1), coefficient=0.1)
+    model.spring_damper(ball, load, at=((0.1, 0, 1), (1, 0, 0.1)), stiffness=20.0, damping=0.1)
+    model.translational_stop("ground", load, at=(1, 0, 0), axis=(1, 0, 0), lower=-0.01, upper=0.01,
+                             stiffness=500.0, damping=1.0)  # fmt: skip
+    if inertance:
+        model.inerter(ball, load, at=((0, 0, 1), (1, 0.1, 0)), inertance=inertance)
+    return model
+
+
+@pytest.mark.parametrize("inertance", [0.0, 0.3])
+@pytest.mark.parametrize("stabilization", ["sampled_baumgarte", "projection"])
+def test_mechanisms_without_joints_run_in_lanes(stabilization: str, inertance: float) -> None:
+    models = [unconnected(0.5 * k, inertance) for k in range(9)]
+    options: dict[str, Any] = {"stabilization": stabilization, "record_every": 10, "violation_limit": 1e-6}
+    found = many(models, 0.2, 1e-3, **options)
+    assert found.alone == {}
+    for k, model in enumerate(models):
+        single = alone(model, 0.2, 1e-3, **options)
+        assert bits(found.member(k)) == bits(single)
+        assert single.verdict is not None and found.accuracy[k] == single.verdict.error
+
+
+def test_mechanisms_without_joints_follow_tolerances_in_lanes() -> None:
+    tops = variants(mechanisms.torque_free_top(), 5, seed=2)
+    found = many(tops, 0.5, rtol=1e-8)
+    assert found.alone == {}
+    assert all(bits(found.member(k)) == bits(alone(top, 0.5, rtol=1e-8)) for k, top in enumerate(tops))
 
 
 @pytest.mark.parametrize("stabilization", ["sampled_baumgarte", "projection"])

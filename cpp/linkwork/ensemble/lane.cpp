@@ -70,7 +70,7 @@ void Lane::watch_redundant_rows(double t, const VectorXd& y) {
 }
 
 void Lane::watch_limits(double t, const VectorXd& Phi, const VectorXd& Phi_dot) {
-  const auto beyond = [](const VectorXd& violation, double limit) { return violation.cwiseAbs().maxCoeff() > limit; };
+  const auto beyond = [](const VectorXd& violation, double limit) { return (violation.array().abs() > limit).any(); };
   if (beyond(Phi, limits_[0])) leave(t, "positions are violated by more than their violation_limit");
   else if (beyond(Phi_dot, limits_[1])) leave(t, "velocities are violated by more than their violation_limit");
 }

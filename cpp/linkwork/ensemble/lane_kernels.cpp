@@ -77,6 +77,21 @@ void inertia_forces(const ConstraintBlock* blocks, std::ptrdiff_t count, int fir
   }
 }
 
+// In the order of operations of System::multiply_inverse_mass.
+void accelerate_freely(int bodies, const double* inverse_mass, const double* a, double* x) {
+  for (long body = 0; body < bodies; ++body) {
+    const auto inverse = get_vector<10>(inverse_mass, 10 * body);
+    const auto from = get_vector<6>(a, 6 * body);
+    Eigen::Matrix<Pack, 6, 1> to;
+    for (int k = 0; k < 3; ++k) {
+      const auto row = inverse.segment<3>(1 + 3 * k);
+      to[k] = inverse[0] * from[k];
+      to[3 + k] = row[0] * from[3] + row[1] * from[4] + row[2] * from[5];
+    }
+    put_vector(x, 6 * body, to);
+  }
+}
+
 void rates(int bodies, const double* y, const double* v_dot, double* y_dot) {
   const long q_size = 7l * bodies;
   for (long body = 0; body < bodies; ++body) {
@@ -187,8 +202,8 @@ void add(int count, const double* chosen, const double* dx, double* x) {
 #define LINKWORK_NAME(ISA) LINKWORK_JOIN(lane_kernels_, ISA)
 
 extern const LaneKernels LINKWORK_NAME(LINKWORK_ISA);
-const LaneKernels LINKWORK_NAME(LINKWORK_ISA) = {width,      &states,      &body_forces, &inertia_forces, &rates,
-                                                 &normalize, &combine,     &weigh,       &largest,        &residuals,
-                                                 &motion,    &free_motion, &add};
+const LaneKernels LINKWORK_NAME(LINKWORK_ISA) = {
+    width,  &states,  &body_forces, &inertia_forces, &accelerate_freely, &rates, &normalize, &combine,
+    &weigh, &largest, &residuals,   &motion,         &free_motion,       &add};
 
 }  // namespace linkwork

@@ -19,6 +19,7 @@ LaneProjection::LaneProjection(LaneStepper& stepper, const std::vector<Dynamics*
 
 void LaneProjection::stabilize(const AlignedDoubles& t, LaneGuard& guard) {
   if (!projects_positions(kind_) && !projects_velocities(kind_)) return;
+  if (lanes_.front().mechanism->system().row_count() == 0) return;
   stepper_.evaluate(t, guard);
   here_ = true;
   factorized_ = false;

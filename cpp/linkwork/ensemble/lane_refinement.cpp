@@ -19,7 +19,7 @@ void LaneRefinement::replace(int l, Dynamics& mechanism) {
 }
 
 void LaneRefinement::load(std::size_t l) {
-  refined_[l] = mechanisms_[l]->formulation().refines();
+  refined_[l] = structure_.connected() && mechanisms_[l]->formulation().refines();
   needed_ = std::find(refined_.begin(), refined_.end(), true) != refined_.end();
   if (!needed_) return;
   const std::ptrdiff_t width = kernels_.width;

@@ -13,6 +13,10 @@ LaneSolver::LaneSolver(const LaneStructure& structure, const InstructionSet& ins
       kernels_(lane_kernels(instructions)),
       elimination_(lane_elimination(instructions)),
       far_apart_(kernels_.width, 0) {
+  if (!factorizes()) {
+    size(inverse_mass_, 10l * structure_.bodies);
+    return;
+  }
   const block::SymbolicFactorization& symbolic = structure_.symbolic;
   size(mass_, 10l * structure_.bodies);
   size(mass_factors_, 9l * symbolic.mass_factor_count);
@@ -34,6 +38,7 @@ void LaneSolver::size(AlignedDoubles& numbers, std::ptrdiff_t count) const {
 }
 
 void LaneSolver::load(int l, const Dynamics& mechanism) {
+  if (!factorizes()) return load_inverse_mass(l, mechanism.system());
   const System& system = mechanism.formulation().inertia().system();
   const auto give = [&](const double* from, std::ptrdiff_t count, AlignedDoubles& to, std::ptrdiff_t first) {
     for (std::ptrdiff_t k = 0; k < count; ++k) to[(first + k) * kernels_.width + l] = from[k];
@@ -52,6 +57,15 @@ void LaneSolver::load(int l, const Dynamics& mechanism) {
   if (!far_apart_[l] || !r_1_.empty()) return;
   for (AlignedDoubles* velocities : {&r_1_, &dx_}) size(*velocities, velocity_size * structure_.bodies);
   for (AlignedDoubles* rows : {&r_2_, &dlambda_}) size(*rows, structure_.multipliers());
+}
+
+void LaneSolver::load_inverse_mass(int l, const System& system) {
+  for (int body = 0; body < structure_.bodies; ++body) {
+    double* to = inverse_mass_.data() + 10l * body * kernels_.width + l;
+    const Mat3<double> inverse = system.inverse_inertia(body);
+    to[0] = system.inverse_mass(body);
+    for (int k = 0; k < 9; ++k) to[(1l + k) * kernels_.width] = inverse(k / 3, k % 3);
+  }
 }
 
 LaneData LaneSolver::data(const double* D) {
@@ -84,6 +98,7 @@ void LaneSolver::leave_out(double* lambda) const {
 }
 
 void LaneSolver::factorize_and_solve(const Problem& problem) {
+  if (!factorizes()) return solve(problem);
   const LaneData at = data(problem.D);
   elimination_.factor(at, problem.a, problem.b, smallest_.data());
   leave_out(problem.lambda);
@@ -92,6 +107,7 @@ void LaneSolver::factorize_and_solve(const Problem& problem) {
 }
 
 void LaneSolver::solve(const Problem& problem) {
+  if (!factorizes()) return kernels_.accelerate_freely(structure_.bodies, inverse_mass_.data(), problem.a, problem.x);
   const LaneData at = data(problem.D);
   elimination_.forward(at, problem.a, problem.b);
   leave_out(problem.lambda);

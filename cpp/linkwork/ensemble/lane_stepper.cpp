@@ -173,7 +173,7 @@ void LaneStepper::factorize_and_solve(const Numbers& a, const Numbers& t, bool f
   solver_.factorize_and_solve(all);
   bool looked = false;
   each_lane(guard, [&](int l) {
-    guard.note(l, t[l], solver_.smallest_pivot(l), first);
+    if (solver_.factorizes()) guard.note(l, t[l], solver_.smallest_pivot(l), first);
     looked = looked || (first && guard.looked(l));
   });
   if (looked) solve_as_looked(guard);

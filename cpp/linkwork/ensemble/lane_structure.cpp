@@ -162,7 +162,6 @@ std::string LaneStructure::refusal_of_numbers(const Dynamics& dynamics) {
   if (!formulation_info(options.formulation).lanes || !linear_solver_info(options.linear_solver).lanes)
     return "lanes have formulation 'standard' by linear solver 'block' only";
   if (std::isfinite(options.violation_limit[2])) return "lanes do not watch a violation_limit of accelerations";
-  if (system.row_count() == 0) return "it has no joints";
   const auto trusted = [](const auto& force) { return force->trusted(); };
   const auto& forces = system.model().user_forces();
   if (!std::all_of(forces.begin(), forces.end(), trusted))
@@ -172,6 +171,7 @@ std::string LaneStructure::refusal_of_numbers(const Dynamics& dynamics) {
 
 std::string LaneStructure::refusal(const Dynamics& dynamics) {
   if (std::string why = refusal_of_numbers(dynamics); !why.empty()) return why;
+  if (dynamics.unconnected()) return "";
   const block::SymbolicFactorization symbolic = factorize_symbolically(dynamics);
   if (!symbolic.hubs.empty()) return "it has a body with very many joints";
   if (symbolic.widest_front > widest_front) return "its loops are too large";

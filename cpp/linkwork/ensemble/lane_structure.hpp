@@ -16,6 +16,8 @@ class LaneStructure {
  public:
   explicit LaneStructure(const Dynamics& dynamics);
 
+  /// Whether there are any joints or inerters.
+  bool connected() const { return multipliers() > 0; }
   /// Why lanes cannot run this, in words that end a sentence; empty where they can.
   static std::string refusal(const Dynamics& dynamics);
   /// The same of one whose structure they can.

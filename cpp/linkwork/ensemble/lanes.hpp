@@ -62,6 +62,8 @@ struct LaneKernels {
   /// g += sum b gamma d^T of inerters, whose blocks these are; row `first` is that of the first one.
   void (*inertia_forces)(const ConstraintBlock* blocks, std::ptrdiff_t count, int first, const double* inertance,
                          const double* gamma, const double* D, double* g);
+  /// x = M^-1 a of bodies without joints and inerters; `inverse_mass`: 10 a body, 1/m and J^-1 row by row.
+  void (*accelerate_freely)(int bodies, const double* inverse_mass, const double* a, double* x);
   /// q_dot = N(q) v and v_dot, without the work.
   void (*rates)(int bodies, const double* y, const double* v_dot, double* y_dot);
   /// Every p to unit length.

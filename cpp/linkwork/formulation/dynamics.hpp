@@ -93,6 +93,8 @@ class Dynamics {
   void trace() { traces_ = true; }
   /// Roundoff in solutions must not show where only relative errors of this size are tolerated.
   void require_accuracy(double relative);
+  /// No joints and no inerters: there is nothing to factorize.
+  bool unconnected() const { return system_.row_count() == 0 && system_.inerters().empty(); }
   /// Factorizes ahead of the first solution, which else does both.
   void factorize();
 
@@ -157,7 +159,6 @@ class Dynamics {
   void check_kkt() const;
   void check_deterministic() const;
   /// M is that of the bodies alone, each by itself.
-  bool unconnected() const { return system_.row_count() == 0 && system_.inerters().empty(); }
   Gains gains_or(Gains defaults) const;
   int evaluations_on_the_clock() const;
   void rates(const ConstVector& b, MutableVector y_dot);
