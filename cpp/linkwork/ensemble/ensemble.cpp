@@ -45,30 +45,33 @@ void Ensemble::run_pack(const LaneStructure& structure, const std::vector<Lane*>
   pack.run(look);
 }
 
-/// Lanes whose redundant equations are other ones now, and the same for all of them.
-void Ensemble::run_moved(const std::vector<Lane*>& lanes, const std::function<void()>& look) {
+/// Lanes whose redundant equations are other ones now, and the same for all of them; none where lanes cannot have them.
+std::unique_ptr<LaneStructure> Ensemble::run_moved(const std::vector<Lane*>& lanes, const std::function<void()>& look) {
   Lane& first = **std::find_if(lanes.begin(), lanes.end(), [](const Lane* lane) { return lane->moves(); });
-  if (std::string why = LaneStructure::refusal(first.dynamics()); !why.empty())
-    return first.leave(steps_.time(first.joins_at()), why);
-  const LaneStructure structure(first.dynamics());
+  if (std::string why = LaneStructure::refusal(first.dynamics()); !why.empty()) {
+    first.leave(steps_.time(first.joins_at()), why);
+    return nullptr;
+  }
+  auto structure = std::make_unique<LaneStructure>(first.dynamics());
   std::vector<Lane*> moved;
   for (Lane* lane : lanes)
-    if (lane->moves() && structure.same(lane->dynamics())) {
+    if (lane->moves() && structure->same(lane->dynamics())) {
       lane->wait();
       moved.push_back(lane);
     }
-  run_pack(structure, moved, look);
+  run_pack(*structure, moved, look);
+  return structure;
 }
 
 /// Runs that have ended, for their verdicts.
-void Ensemble::judge(const LaneStructure& structure, const std::vector<Lane*>& lanes,
+void Ensemble::judge(const std::vector<const LaneStructure*>& structures, const std::vector<Lane*>& lanes,
                      const std::function<void()>& look) {
   std::vector<LaneRun*> ended;
   for (const Lane* lane : lanes)
     if (lane->run() && lane->alive()) ended.push_back(lane->run());
   if (ended.empty()) return;
   const InstructionSet fitting = instruction_set_for(static_cast<int>(ended.size()), widest_);
-  judge_runs(structure, fitting, ended, tableau_, look);
+  judge_runs(structures, fitting, ended, tableau_, look);
 }
 
 void Ensemble::run_task(const Task& task, const std::function<void()>& look) {
@@ -86,9 +89,15 @@ void Ensemble::run_task(const Task& task, const std::function<void()>& look) {
   }
   if (alive.empty()) return;
   run_pack(task.group->structure, alive, look);
+  std::vector<std::unique_ptr<LaneStructure>> later;
+  std::vector<const LaneStructure*> structures{&task.group->structure};
   while (std::any_of(alive.begin(), alive.end(), [](const Lane* lane) { return lane->moves(); }))
-    run_moved(alive, look);
-  judge(task.group->structure, alive, look);
+    if (auto structure = run_moved(alive, look)) {
+      const auto same_rows = [&](const LaneStructure* it) { return it->dropped == structure->dropped; };
+      if (std::none_of(structures.begin(), structures.end(), same_rows))
+        structures.push_back(later.emplace_back(std::move(structure)).get());
+    }
+  judge(structures, alive, look);
   for (std::size_t k = 0; k < members.size(); ++k)
     members_[members[k]] = {lanes[k]->take_frames(), lanes[k]->reason(), lanes[k]->left_at()};
 }

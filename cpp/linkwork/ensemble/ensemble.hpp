@@ -42,8 +42,9 @@ class Ensemble {
   void refuse_distrusted();
   void run_task(const Task& task, const std::function<void()>& look);
   void run_pack(const LaneStructure& structure, const std::vector<Lane*>& lanes, const std::function<void()>& look);
-  void judge(const LaneStructure& structure, const std::vector<Lane*>& lanes, const std::function<void()>& look);
-  void run_moved(const std::vector<Lane*>& lanes, const std::function<void()>& look);
+  void judge(const std::vector<const LaneStructure*>& structures, const std::vector<Lane*>& lanes,
+             const std::function<void()>& look);
+  std::unique_ptr<LaneStructure> run_moved(const std::vector<Lane*>& lanes, const std::function<void()>& look);
 
   std::vector<Dynamics*> dynamics_;
   std::vector<LaneRun*> runs_;

@@ -96,6 +96,46 @@ void LaneRetake::note(int l, double t, double pivot, bool) {
 
 namespace {
 
+using StepsOfRuns = std::vector<std::vector<const KeptStep*>>;
+
+/// Takes each step by lanes that leave out the rows which its run left out.
+class RetakeByRows {
+ public:
+  RetakeByRows(const std::vector<const LaneStructure*>& structures, const InstructionSet& instructions,
+               const std::vector<LaneRun*>& runs, const ButcherTableau& tableau)
+      : structures_(structures), instructions_(instructions), runs_(runs), tableau_(tableau) {}
+
+  std::vector<RetakenSteps> retake(const StepsOfRuns& steps, int divisions, const std::function<void()>& look) const {
+    std::vector<RetakenSteps> out;
+    for (const auto& of_run : steps) out.emplace_back(of_run.size());
+    for (const LaneStructure* structure : structures_) retake(*structure, steps, divisions, look, out);
+    return out;
+  }
+
+ private:
+  void retake(const LaneStructure& structure, const StepsOfRuns& all, int divisions, const std::function<void()>& look,
+              std::vector<RetakenSteps>& out) const {
+    StepsOfRuns steps(all.size());
+    std::vector<std::vector<std::size_t>> places(all.size());
+    for (std::size_t run = 0; run < all.size(); ++run)
+      for (std::size_t k = 0; k < all[run].size(); ++k) {
+        if (all[run][k]->left_out != structure.dropped) continue;
+        steps[run].push_back(all[run][k]);
+        places[run].push_back(k);
+      }
+    if (std::all_of(steps.begin(), steps.end(), [](const auto& of_run) { return of_run.empty(); })) return;
+    LaneRetake lanes(structure, instructions_, runs_, tableau_);
+    std::vector<RetakenSteps> found = lanes.retake(steps, divisions, look);
+    for (std::size_t run = 0; run < all.size(); ++run)
+      for (std::size_t k = 0; k < places[run].size(); ++k) out[run][places[run][k]] = std::move(found[run][k]);
+  }
+
+  const std::vector<const LaneStructure*>& structures_;
+  const InstructionSet& instructions_;
+  const std::vector<LaneRun*>& runs_;
+  const ButcherTableau& tableau_;
+};
+
 /// What a run found on its way, which taking steps again changes.
 class Findings {
  public:
@@ -118,15 +158,15 @@ class Findings {
 
 // Runs whose steps are divided otherwise than those of the first, and those whose judging fails, are judged by
 // themselves by whoever asks for it.
-void judge_runs(const LaneStructure& structure, const InstructionSet& instructions, const std::vector<LaneRun*>& runs,
-                const ButcherTableau& tableau, const std::function<void()>& look) {
+void judge_runs(const std::vector<const LaneStructure*>& structures, const InstructionSet& instructions,
+                const std::vector<LaneRun*>& runs, const ButcherTableau& tableau, const std::function<void()>& look) {
   std::vector<std::unique_ptr<Findings>> findings;
   for (const LaneRun* run : runs) findings.push_back(std::make_unique<Findings>(run->dynamics));
   std::vector<RunJudge> judges;
   judges.reserve(runs.size());
   for (LaneRun* run : runs) judges.emplace_back(run->sampling, run->dynamics, in_parts(make_runge_kutta(tableau)));
-  LaneRetake lanes(structure, instructions, runs, tableau);
-  std::vector<std::vector<const KeptStep*>> steps(runs.size());
+  const RetakeByRows lanes(structures, instructions, runs, tableau);
+  StepsOfRuns steps(runs.size());
   const int divisions = judges.front().divisions();
   for (std::size_t k = 0; k < runs.size(); ++k)
     if (judges[k].divisions() == divisions) steps[k] = judges[k].steps();

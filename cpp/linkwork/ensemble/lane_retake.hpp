@@ -51,8 +51,9 @@ class LaneRetake final : private LaneGuard {
   std::vector<Lane> lanes_;
 };
 
-/// Judges runs of a structure, at most as many as registers have lanes, with the errors of their steps side by side.
-void judge_runs(const LaneStructure& structure, const InstructionSet& instructions, const std::vector<LaneRun*>& runs,
-                const ButcherTableau& tableau, const std::function<void()>& look);
+/// Judges runs, at most as many as registers have lanes, with the errors of their steps side by side. `structures`: what
+/// they had on their way, which differ in the rows that are left out.
+void judge_runs(const std::vector<const LaneStructure*>& structures, const InstructionSet& instructions,
+                const std::vector<LaneRun*>& runs, const ButcherTableau& tableau, const std::function<void()>& look);
 
 }  // namespace linkwork
