@@ -5,6 +5,7 @@ from __future__ import annotations
 import statistics
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,7 @@ import numpy as np
 from linkwork import _core
 from linkwork.arguments import whole
 from linkwork.benchmark.articulated import articulated
-from linkwork.benchmark.rollout import rollout_seconds
+from linkwork.benchmark.rollout import Measure, rollouts
 from linkwork.benchmark.subject import Subject
 from linkwork.benchmark.timing import WINDOW_SECONDS, Timing
 from linkwork.equations.system import System
@@ -73,32 +74,48 @@ def measure_lanes(
 def _measured(name: str, model: Model, threads: Sequence[int], rounds: int) -> Lanes:
     lanes, core = _core.lane_count(), model.compiled()
     y = np.concatenate([core.q0, core.v0])
-    peers = threads if name == "chain" else ()
-    rollouts = {count: rollout_seconds(model, _turning(model, y), count) for count in peers}
-    single, exact = System(model), System(model, deterministic=True)
-    timings = [Timing(single, 0.0, y, rounds), Timing(exact, 0.0, y, rounds)]
+    timings = [
+        Timing(System(model), 0.0, y, rounds),
+        Timing(System(model, deterministic=True), 0.0, y, rounds),
+    ]
     packs = {count: _packs(model, count * lanes) for count in threads}
     difference = max(_difference(name, model, y, it, count) for count, it in packs.items())
     once = _core.time_lanes(packs[threads[0]], 3, threads[0])[0]
     repetitions = max(1, round(WINDOW_SECONDS / max(once, 1e-7)))
-    samples: dict[int, list[float]] = {count: [] for count in threads}
+
+    def in_lanes(count: int) -> float:
+        return float(_core.time_lanes(packs[count], repetitions, count)[0]) / (count * lanes)
+
     peer = articulated(model, threads)
-    evaluations: dict[int, list[float]] = {count: [] for count in peer.seconds}
-    for _ in range(rounds):
-        for timing in timings:
-            timing.measure()
-        for count, pack in packs.items():
-            seconds, _found = _core.time_lanes(pack, repetitions, count)
-            samples[count].append(1e9 * seconds / (count * lanes))
-        for count, evaluation in peer.seconds.items():
-            evaluations[count].append(1e9 * evaluation())
+    with rollouts(model, _turning(model, y), threads if name == "chain" else ()) as mujoco:
+        sides: list[dict[int, Measure]] = [
+            {count: partial(in_lanes, count) for count in threads},
+            mujoco,
+            peer.seconds,
+        ]
+        samples: list[dict[int, list[float]]] = [{count: [] for count in side} for side in sides]
+        for _ in range(rounds):
+            for timing in timings:
+                timing.measure()
+            for side, found in zip(sides, samples, strict=True):
+                for count, measure in side.items():
+                    found[count].append(1e9 * measure())
+    packed, stepped, evaluated = (
+        {count: statistics.median(times) for count, times in found.items()} for found in samples
+    )
     alone, deterministic = (1e9 * it.seconds["whole"] for it in timings)
     return Lanes(
-        name, model.body_count, lanes, alone, deterministic,
-        {count: statistics.median(times) for count, times in samples.items()}, difference,
-        {count: 1e9 * seconds for count, seconds in rollouts.items() if seconds is not None},
-        {count: statistics.median(times) for count, times in evaluations.items()}, peer.solves,
-    )  # fmt: skip
+        name,
+        model.body_count,
+        lanes,
+        alone,
+        deterministic,
+        packed,
+        difference,
+        stepped,
+        evaluated,
+        peer.solves,
+    )
 
 
 def _turning(model: Model, y: Any) -> Any:

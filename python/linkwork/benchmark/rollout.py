@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -11,7 +14,9 @@ from linkwork.arrays import Floats
 from linkwork.errors import LinkworkError
 from linkwork.modeling.model import Model
 
-__all__ = ["rollout_seconds"]
+__all__ = ["rollouts"]
+
+Measure = Callable[[], float]
 
 #: Chains that are stepped at a time for each thread, and how often.
 BATCH, STEPS = 32, 50
@@ -20,21 +25,25 @@ BATCH, STEPS = 32, 50
 AGREES = 1e-8
 
 
-def rollout_seconds(model: Model, turning: Floats, threads: int) -> float | None:
-    """Wall time of one step of one chain, one evaluation by Euler's method [s]; None: there is no MuJoCo.
+@contextmanager
+def rollouts(model: Model, turning: Floats, threads: Sequence[int]) -> Iterator[dict[int, Measure]]:
+    """Measures by threads: wall time of one step of one chain, one evaluation by Euler's method [s].
 
     model    linkwork's chain of rods of 1 m along x, joined by hinges about y
     turning  the angular acceleration of each link about y by linkwork [rad/s2], at rest
 
-    LinkworkError: MuJoCo has other accelerations.
+    No measures without threads or MuJoCo. LinkworkError: it has other accelerations.
     """
     try:
         import mujoco
         from mujoco import rollout
     except ImportError:
-        return None
+        threads = ()
+    if not threads:
+        yield {}
+        return
     own = mujoco.MjModel.from_xml_string(_mjcf(model))
-    data = [mujoco.MjData(own) for _ in range(threads)]
+    data = [mujoco.MjData(own) for _ in range(max(threads))]
     mujoco.mj_forward(own, data[0])
     apart = float(np.abs(np.cumsum(data[0].qacc) - turning).max()) / float(np.abs(turning).max())
     if not apart < AGREES:
@@ -42,12 +51,19 @@ def rollout_seconds(model: Model, turning: Floats, threads: int) -> float | None
     kind: Any = mujoco.mjtState.mjSTATE_FULLPHYSICS
     start = np.zeros(mujoco.mj_stateSize(own, kind))
     mujoco.mj_getState(own, data[0], start, kind)
-    many = np.tile(start, (BATCH * threads, 1))
-    with rollout.Rollout(nthread=threads if threads > 1 else 0) as pool:
-        pool.rollout(own, data, many, nstep=STEPS)
+
+    def measure(pool: Any, count: int) -> float:
+        many = np.tile(start, (BATCH * count, 1))
         started = time.perf_counter()
-        pool.rollout(own, data, many, nstep=STEPS)
+        pool.rollout(own, data[:count], many, nstep=STEPS)
         return (time.perf_counter() - started) / (len(many) * STEPS)
+
+    with ExitStack() as pools:
+        found: dict[int, Measure] = {}
+        for count in threads:
+            pool = pools.enter_context(rollout.Rollout(nthread=count if count > 1 else 0))
+            found[count] = partial(measure, pool, count)
+        yield found
 
 
 def _mjcf(model: Model) -> str:
