@@ -7,8 +7,6 @@
 /// contraction: all of them give the same numbers to the last bit, whatever is beside an element.
 namespace linkwork::simd::LINKWORK_ISA {
 
-constexpr int max_force_parameters = 12;
-
 static_assert(sizeof(BodyState<double>) == 18 * sizeof(double) && sizeof(Attachment<double>) == 24 * sizeof(double));
 
 LINKWORK_INLINE BodyState<Pack> gather_body(const int* body, const BodyState<double>* bodies, const long* element) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <stdexcept>
 #include <vector>
 
 #include "linkwork/math/instruction_set.hpp"
@@ -176,9 +177,15 @@ ForceKind make_force_kind() {
   return kind;
 }
 
+/// An evaluation of several elements at a time holds their parameters in an array of this size.
+constexpr std::size_t max_force_parameters = 12;
+
+/// A std::logic_error, when the list of kinds is first read: more parameters than max_force_parameters.
 template <class Force>
 ForceKind make_force_kind(const std::array<ForceEvaluation, max_instruction_sets>& levels) {
   ForceKind kind{Force::info(), Force::history, switches_of<Force>()};
+  if (kind.info.parameters.size() > max_force_parameters)
+    throw std::logic_error("force '" + kind.info.name + "' has too many parameters to be evaluated several at a time");
   for (std::size_t level = 0; level < levels.size(); ++level) {
     kind.packs[level] = levels[level].packs;
     kind.lanes[level] = levels[level].lanes;

@@ -89,8 +89,9 @@ def _check_limits(model: Model, t_end: float) -> None:
     Looked for at many times of the run; of the user's own functions, which may be dear or have a memory, at
     its start only. The run itself looks in every evaluation.
     """
-    functions, times = model._functions, np.linspace(0.0, t_end, SAMPLES).tolist()
-    for what, signal, constant, least_signal, least, than in model.compiled().limited():
+    limited = model.compiled().limited()
+    functions, times = model._functions, np.linspace(0.0, t_end, SAMPLES).tolist() if limited else []
+    for what, signal, constant, least_signal, least, than in limited:
         given = [functions[place] for place in (signal, least_signal) if place >= 0]
         for t in times[:1] if any(isinstance(it, Callback) for it in given) else times:
             value = functions[signal].evaluate(t)[0] if signal >= 0 else constant
