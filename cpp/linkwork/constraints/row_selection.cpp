@@ -68,6 +68,7 @@ class Selection {
         tolerance_(tolerance) {
     rows_.resize(loops.component_count());
     for (int place = 0; place < loops.row_count(); ++place) rows_[loops.component_of_row(place)].push_back(place);
+    list_joints();
     preferred_.resize(loops.row_count());
     for (int place = 0; place < loops.row_count(); ++place)
       preferred_[place] = !prefer_closing || loops.closing(joint_of(place));
@@ -243,10 +244,13 @@ class Selection {
     columns_.erase(std::unique(columns_.begin(), columns_.end()), columns_.end());
     const auto count = static_cast<Eigen::Index>(rows.size());
     A_.setZero(count, static_cast<Eigen::Index>(columns_.size()));
-    for (Eigen::Index k = 0; k < count; ++k)
-      for (SparseRows::InnerIterator it(D, rows[k]); it; ++it)
-        A_(k, std::lower_bound(columns_.begin(), columns_.end(), static_cast<int>(it.col())) - columns_.begin()) =
-            it.value();
+    for (Eigen::Index k = 0; k < count; ++k) {
+      auto column = columns_.begin();
+      for (SparseRows::InnerIterator it(D, rows[k]); it; ++it) {
+        column = std::lower_bound(column, columns_.end(), static_cast<int>(it.col()));
+        A_(k, column - columns_.begin()) = it.value();
+      }
+    }
     qr_.compute(A_);
     qr_.setThreshold(tolerance_);
     MatrixXd N = MatrixXd::Zero(count, count - qr_.rank());
@@ -255,21 +259,29 @@ class Selection {
     return N;
   }
 
+  void list_joints() {
+    const auto& first = solver_.system().model().joint_rows();
+    first_of_.resize(first.size());
+    for (int place = 0, joint = 0; place < loops_.row_count(); ++place) {
+      const int row = loops_.rows()[place];
+      while (first[joint + 1] <= row) ++joint;
+      joint_of_.push_back(joint);
+      if (first[joint] == row) first_of_[joint] = place;
+    }
+  }
+
   std::vector<int> rows_at(Places places) const {
     for (int& place : places) place = loops_.rows()[place];
     return places;
   }
 
-  int joint_of(int place) const { return solver_.system().model().joint_of_row(loops_.rows()[place]); }
+  int joint_of(int place) const { return joint_of_[place]; }
 
   /// Places of a joint's rows.
   Places rows_of(int joint) const {
     const auto& first = solver_.system().model().joint_rows();
-    const int row = first[joint], count = first[joint + 1] - row;
-    Places out(count);
-    std::iota(
-        out.begin(), out.end(),
-        static_cast<int>(std::lower_bound(loops_.rows().begin(), loops_.rows().end(), row) - loops_.rows().begin()));
+    Places out(first[joint + 1] - first[joint]);
+    std::iota(out.begin(), out.end(), first_of_[joint]);
     return out;
   }
 
@@ -278,9 +290,11 @@ class Selection {
   LoopPose &assembled_, &perturbed_;
   const PerturbedPose& found_;
   double tolerance_;
-  std::vector<Places> rows_;  ///< per component
-  VectorXd preferred_;        ///< per row of the loops: 1 for joints that close loops, else 0
-  std::vector<int> columns_;  ///< these three at hand: memory of many small loops
+  std::vector<Places> rows_;   ///< per component
+  std::vector<int> joint_of_;  ///< per row of the loops
+  std::vector<int> first_of_;  ///< of each joint in them: its first row
+  VectorXd preferred_;         ///< per row of the loops: 1 for joints that close loops, else 0
+  std::vector<int> columns_;   ///< of the loop at hand, as what follows: memory for many
   MatrixXd A_;
   Eigen::ColPivHouseholderQR<MatrixXd> qr_;
 };
