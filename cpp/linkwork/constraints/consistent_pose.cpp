@@ -124,25 +124,31 @@ bool all(const std::vector<char>& of_components) {
   return std::find(of_components.begin(), of_components.end(), 0) == of_components.end();
 }
 
-/// `row_lengths`, where given, make a pose that satisfies its constraints good enough, though the last step was long:
-/// along motions that the constraints hardly resist, of which long rows of loops have many, steps only shrink by a part.
+/// Of rows at a pose near by.
+struct RowScales {
+  VectorXd compliance, lengths;
+};
+
+/// With scales a pose that satisfies its constraints is good enough, though the last step was long: along motions that
+/// the constraints hardly resist, of which long rows of loops have many, steps only shrink by a part.
 ConsistentPose project_positions(MassWeightedLeastSquares& solver, const ClosedLoops& loops,
                                  const Components& components, const TimedPose& pose, Evaluation& at,
-                                 const VectorXd* row_lengths = nullptr) {
+                                 const RowScales* scales = nullptr) {
   const System& system = solver.system();
   VectorXd q = pose.q;
   const VectorXd rest = VectorXd::Zero(system.v_size());
-  VectorXd step(system.v_size()), lambda(system.row_count());
+  VectorXd step(system.v_size()), lambda(system.row_count()), e;
   ConsistentPose out{q, std::vector<char>(components.count(), 0)};
   for (int k = 0; k < most_steps && !all(out.reached); ++k) {
     system.evaluate_constraints(pose.t, q, rest, pose.history, at);
-    if (row_lengths) out.reached = components.satisfied(at.Phi, *row_lengths);
-    if (row_lengths && all(out.reached)) break;
-    if (!solver.factorize_and_solve(at, compliance(system, loops, at), rest, -at.Phi, step, lambda)) break;
+    if (scales) out.reached = components.satisfied(at.Phi, scales->lengths);
+    if (scales && all(out.reached)) break;
+    if (!scales) e = compliance(system, loops, at);
+    if (!solver.factorize_and_solve(at, scales ? scales->compliance : e, rest, -at.Phi, step, lambda)) break;
     if (!step.allFinite()) break;
     std::vector<double> factors = components.sizes(step);
     for (std::size_t c = 0; c < factors.size(); ++c) {
-      out.reached[c] = (row_lengths && out.reached[c]) || factors[c] <= components.last_step(c);
+      out.reached[c] = (scales && out.reached[c]) || factors[c] <= components.last_step(c);
       factors[c] = std::min(1.0, longest_step / std::max(factors[c], longest_step));
     }
     components.multiply(factors, step);
@@ -153,10 +159,10 @@ ConsistentPose project_positions(MassWeightedLeastSquares& solver, const ClosedL
 }
 
 /// A random velocity less its part that the constraints resist; three times, for epsilon.
-VectorXd allowed_velocity(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const Evaluation& at,
+VectorXd allowed_velocity(MassWeightedLeastSquares& solver, const VectorXd& e, const Evaluation& at,
                           VectorXd velocity) {
   const System& system = solver.system();
-  const VectorXd e = compliance(system, loops, at), none = VectorXd::Zero(system.row_count());
+  const VectorXd none = VectorXd::Zero(system.row_count());
   VectorXd momentum(system.v_size()), lambda(system.row_count());
   system.multiply_mass(at, velocity, momentum);
   if (!solver.factorize_and_solve(at, e, momentum, none, velocity, lambda)) return VectorXd::Zero(system.v_size());
@@ -179,7 +185,8 @@ VectorXd random_velocity(const System& system, std::uint64_t seed) {
 
 VectorXd random_allowed_velocity(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const Evaluation& at,
                                  std::uint64_t seed) {
-  return allowed_velocity(solver, loops, at, random_velocity(solver.system(), seed));
+  const System& system = solver.system();
+  return allowed_velocity(solver, compliance(system, loops, at), at, random_velocity(system, seed));
 }
 
 ConsistentPose project_positions(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const TimedPose& pose) {
@@ -197,8 +204,9 @@ PerturbedPose perturb(MassWeightedLeastSquares& solver, const ClosedLoops& loops
   const System& system = solver.system();
   const Components components(system, loops);
   system.evaluate_constraints(0.0, q, VectorXd::Zero(system.v_size()), system.initial_history(), at);
-  const VectorXd lengths = row_lengths(system, at), random = random_velocity(system, 1);
-  VectorXd velocity = allowed_velocity(solver, loops, at, random);
+  const RowScales scales = {compliance(system, loops, at), row_lengths(system, at)};
+  const VectorXd random = random_velocity(system, 1);
+  VectorXd velocity = allowed_velocity(solver, scales.compliance, at, random);
 
   PerturbedPose out{{q, std::vector<char>(components.count(), 0)}, std::vector<char>(components.count(), 0)};
   std::vector<double> unit = components.sizes(velocity);
@@ -211,7 +219,7 @@ PerturbedPose perturb(MassWeightedLeastSquares& solver, const ClosedLoops& loops
     VectorXd moved = q;
     move(system, step * velocity, moved);
     const TimedPose near = {0.0, moved, system.initial_history()};
-    const ConsistentPose found = project_positions(solver, loops, components, near, at, &lengths);
+    const ConsistentPose found = project_positions(solver, loops, components, near, at, &scales);
     const std::vector<double> way = components.distances(q, found.q);
     std::vector<char> news(components.count());
     for (std::size_t c = 0; c < news.size(); ++c)

@@ -69,20 +69,26 @@ double tolerance_of_geometry(const System& system, const ClosedLoops& loops, con
 }
 
 /// Fills in which joints have reactions that the motion does not tell: those with rows in a kernel of D^T at either
-/// pose.
+/// pose. Where all have some at the perturbed one, as in planar mechanisms, the assembled one has nothing to add.
 void find_unique(MassWeightedLeastSquares& solver, const ClosedLoops& loops, Evaluation& assembled,
                  Evaluation& perturbed, RankReport& report) {
+  const Model& model = solver.system().model();
+  std::vector<int> joint_of;
+  for (const int row : loops.rows()) joint_of.push_back(model.joint_of_row(row));
   std::vector<char> members(loops.row_count(), 0);
+  const auto note = [&] {
+    for (int place = 0; place < loops.row_count(); ++place)
+      if (members[place]) report.unique[joint_of[place]] = 0;
+  };
   const auto kernel = make_kernel(solver, loops, perturbed, report);
   if (kernel->regular()) kernel->mark_members(members);
   else std::fill(members.begin(), members.end(), 1);
-  if (report.singular_rows.empty()) {
-    ConstraintKernel at_start(solver, loops, assembled, report.redundant_rows);
-    if (at_start.regular()) at_start.mark_members(members);
-  }
-  const Model& model = solver.system().model();
-  for (int place = 0; place < loops.row_count(); ++place)
-    if (members[place]) report.unique[model.joint_of_row(loops.rows()[place])] = 0;
+  note();
+  const auto unique = [&](int joint) { return report.unique[joint] != 0; };
+  if (!report.singular_rows.empty() || std::none_of(joint_of.begin(), joint_of.end(), unique)) return;
+  ConstraintKernel at_start(solver, loops, assembled, report.redundant_rows);
+  if (at_start.regular()) at_start.mark_members(members);
+  note();
 }
 
 /// Fills in the report: rows that are redundant at the assembled and at a perturbed pose, and those that are dependent
