@@ -1,4 +1,5 @@
 #include <cmath>
+#include <utility>
 
 #include "exclusive.hpp"
 #include "linkwork/assembly/force_elements.hpp"
@@ -388,13 +389,14 @@ py::dict right_hand_side_times(Dynamics& dynamics, double t, const ConstVector& 
   return out;
 }
 
-py::tuple residual_scales(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
+py::tuple residuals(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
   const System& system = dynamics.system();
   check_size(q, system.q_size(), "q");
   check_size(v, system.v_size(), "v");
   Evaluation at = system.make_evaluation();
   system.evaluate(t, q, v, dynamics.history(), at);
-  return py::make_tuple(row_lengths(system, at), characteristic_rate(system, at, v), roundoff_of_positions(system, q));
+  const double rate = characteristic_rate(system, at, v), roundoff = roundoff_of_positions(system, q);
+  return py::make_tuple(std::move(at.Phi), std::move(at.Phi_dot), row_lengths(system, at), rate, roundoff);
 }
 
 void bind_measurements(py::class_<Dynamics>& dynamics) {
@@ -475,9 +477,9 @@ void bind_formulation(py::module_& module) {
       .def("evaluate", exclusive(&evaluate), py::arg("t"), py::arg("q"), py::arg("v"), py::arg("history") = py::none(),
            "M (n, 6, 6), D (compressed rows), inerters (rows), inertance, Phi, Phi_t, Phi_dot, gamma, g, potential, "
            "force_power, history.")
-      .def("residual_scales", exclusive(&residual_scales), py::arg("t"), py::arg("q"), py::arg("v"),
-           "(row lengths, rate [1/s], roundoff) that residuals are relative to: Phi / length and Phi_dot / length / "
-           "rate are parts of the size and speed of the mechanism, known to the roundoff of its positions.")
+      .def("residuals", exclusive(&residuals), py::arg("t"), py::arg("q"), py::arg("v"),
+           "(Phi, Phi_dot, row lengths, rate [1/s], roundoff): Phi / length and Phi_dot / length / rate are parts of "
+           "the size and speed of the mechanism, known to the roundoff of its positions.")
       .def("accelerations", exclusive(&accelerations), py::arg("t"), py::arg("q"), py::arg("v"),
            py::arg("history") = py::none(), "(v_dot, multipliers) of the mechanism itself, without stabilization.")
       .def("derivative", exclusive(&derivative), py::arg("t"), py::arg("y"), py::arg("history") = py::none(),

@@ -368,14 +368,14 @@ class Dynamics:
         """
         So many right-hand sides at y = (q, v), reactions included, for others to time.
         """
-    def residual_scales(
+    def residuals(
         self,
         t: typing.SupportsFloat | typing.SupportsIndex,
         q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
         v: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
     ) -> tuple:
         """
-        (row lengths, rate [1/s], roundoff) that residuals are relative to: Phi / length and Phi_dot / length / rate are parts of the size and speed of the mechanism, known to the roundoff of its positions.
+        (Phi, Phi_dot, row lengths, rate [1/s], roundoff): Phi / length and Phi_dot / length / rate are parts of the size and speed of the mechanism, known to the roundoff of its positions.
         """
     def right_hand_side_times(
         self,

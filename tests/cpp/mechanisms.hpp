@@ -36,6 +36,21 @@ inline Model four_bar(bool flat = false) {
   return model;
 }
 
+/// A row of four-bars with posts and beams of 1 m, on hinges about z: three redundant equations each, one motion of all.
+inline Model ladder(int loops) {
+  Model model;
+  for (int k = 0; k <= loops; ++k) {
+    model.add_body("post " + std::to_string(k), body_at({1.0 * k, 0.5, 0.0}));
+    join(model, "revolute", "pin " + std::to_string(k), ground, k, {1.0 * k, 0, 0});
+  }
+  for (int k = 0; k < loops; ++k) {
+    const int beam = model.add_body("beam " + std::to_string(k), body_at({k + 0.5, 1.0, 0.0}));
+    join(model, "revolute", "left " + std::to_string(k), k, beam, {1.0 * k, 1, 0});
+    join(model, "revolute", "right " + std::to_string(k), k + 1, beam, {k + 1.0, 1, 0});
+  }
+  return model;
+}
+
 /// A door of this size on two hinges about z; on the ground the upper one is off by this part of the size. Both hold at
 /// first if `placed`, else the door is made for hinges that are not off.
 inline Model door(double size, const Vec3<double>& off, bool placed = false) {

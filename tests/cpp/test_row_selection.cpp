@@ -41,9 +41,10 @@ TEST_CASE("the rows to leave out belong to a joint that closes a loop, and leave
   const ClosedLoops loops(system, at, tolerance);
   const VectorXd q = model.initial_q(), history = system.initial_history();
   MassWeightedLeastSquares solver(system);
-  const PerturbedPose found = perturb(solver, loops, q, {1});
-  const LoopPose assembled(system, loops, {0.0, q, history}, tolerance);
-  const LoopPose perturbed(system, loops, {0.0, found.q, history}, tolerance);
+  Evaluation scratch = system.make_evaluation();
+  const PerturbedPose found = perturb(solver, loops, q, {1}, scratch);
+  LoopPose assembled(system, loops, {0.0, q, history}, tolerance);
+  LoopPose perturbed(system, loops, {0.0, found.q, history}, tolerance);
   const Places rows = redundant_rows(solver, loops, assembled, perturbed, found, tolerance);
   REQUIRE(rows.size() == 3);
   for (const int place : rows) CHECK(loops.closing(model.joint_of_row(loops.rows()[place])));

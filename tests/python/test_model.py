@@ -192,7 +192,9 @@ def test_a_bad_element_is_refused_by_name_and_value(case: str) -> None:
     assert "\n" not in message
 
 
-def test_the_bad_one_of_many_joints_is_named() -> None:
+@pytest.mark.parametrize("piece", [arrays.PIECE, 20])
+def test_the_bad_one_of_many_joints_is_named(piece: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(arrays, "PIECE", piece)
     model = lw.Model()
     links = model.bodies("link", **BODY, position=np.zeros((100, 3)))
     axes = np.tile((0.0, 0, 1), (99, 1))
@@ -313,6 +315,23 @@ def test_joints_that_are_worked_through_in_pieces_are_those_of_one_piece(
     monkeypatch.setattr(arrays, "PIECE", 3)  # the last has one joint
     in_pieces.joints(kind.name, *many, **arguments(kind))
     assert in_pieces.hash() == whole.hash()
+
+
+@pytest.mark.parametrize("frames", ["space", "body"])
+def test_lists_of_a_place_for_each_joint_are_arrays_of_them_in_pieces(
+    frames: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    at, axis = np.random.default_rng(6).normal(size=(2, 7, 3))
+    if frames == "body":
+        at, axis = np.stack([at, 2 * at]), np.stack([axis, 3 * axis])
+    whole, in_pieces = two_bodies(), two_bodies()
+    many = ["crank"] * 7, "rod"
+    whole.joints("revolute", *many, at=at, axis=axis, frames=frames)
+    monkeypatch.setattr(arrays, "PIECE", 3)
+    in_pieces.joints("revolute", *many, at=at.tolist(), axis=axis.tolist(), frames=frames)
+    assert in_pieces.hash() == whole.hash()
+    with pytest.raises(lw.ModelError, match=r"shape \(6, 3\), not \(3,\) or \(7, 3\)"):
+        in_pieces.joints("spherical", *many, at=at[..., :6, :], frames=frames)
 
 
 def test_bodies_do_not_depend_on_how_their_arrays_lie_in_memory() -> None:

@@ -92,3 +92,14 @@ def test_the_derivative_moves_the_bodies_and_damps_violations(mechanism: Mechani
     at = Equations.at(mechanism, 0.0, q, v)
     residual = at.D @ v_dot - at.gamma + 2 * alpha * at.Phi_dot + beta**2 * at.Phi
     assert np.abs(residual).max() <= 1e-9 * (np.abs(at.D) @ np.abs(v_dot) + np.abs(at.gamma)).max()
+
+
+@pytest.mark.parametrize("make", [lw.mechanisms.bricard, driven_pendulum])
+def test_residuals_are_those_of_the_evaluation_at_the_same_state(make: Callable[[], lw.Model]) -> None:
+    dynamics, rng = lw.System(make()).compiled(), np.random.default_rng(3)
+    q, v = np.split(lw.System(make()).initial_state(), [7 * make().body_count])
+    q, v = q + 1e-3 * rng.normal(size=q.shape), v + rng.normal(size=v.shape)
+    evaluation = dynamics.evaluate(0.2, q, v)
+    Phi, Phi_dot, lengths, rate, _ = dynamics.residuals(0.2, q, v)
+    assert (Phi == evaluation["Phi"]).all() and (Phi_dot == evaluation["Phi_dot"]).all()
+    assert lengths.shape == Phi.shape and lengths.min() > 0 and rate > 0

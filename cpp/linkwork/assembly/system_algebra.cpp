@@ -83,10 +83,11 @@ VectorXd System::delassus_diagonal(const Evaluation& at) const {
   VectorXd delassus = VectorXd::Zero(row_count());
   for (const ConstraintBlock& block : blocks_) {
     const BlockOfD D = block_of(at, block);
+    const double m = inverse_mass(block.body);
+    const Mat3<double> J = inverse_inertia(block.body);
     for (int k = 0; k < block.rows; ++k) {
       const Vec3<double> rotation = D.row(k).tail<3>();
-      delassus[block.row + k] += inverse_mass(block.body) * D.row(k).head<3>().squaredNorm() +
-                                 rotation.dot(inverse_inertia(block.body) * rotation);
+      delassus[block.row + k] += m * D.row(k).head<3>().squaredNorm() + rotation.dot(J * rotation);
     }
   }
   return delassus;

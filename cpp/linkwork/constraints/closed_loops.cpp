@@ -160,12 +160,14 @@ SparseRows ClosedLoops::scaled_D(const Evaluation& at, VectorXd* lengths) const 
   D.reserve(std::ptrdiff_t{2} * velocity_size * row_count());
   if (lengths) lengths->setOnes(row_count());
   std::vector<std::pair<int, double>> row;
-  for (int place = 0; place < row_count(); ++place) {
+  const std::vector<int>& first_row = system_->model().joint_rows();
+  for (int place = 0, joint = 0; place < row_count(); ++place) {
     D.startVec(place);
     const int number = rows_[place];
+    while (first_row[joint + 1] <= number) ++joint;
     double squares = 0.0, largest[2] = {0.0, 0.0};  // of translations and rotations
     row.clear();
-    for (const int index : system_->joint_blocks(system_->model().joint_of_row(number))) {
+    for (const int index : system_->joint_blocks(joint)) {
       const ConstraintBlock& block = system_->blocks()[index];
       for (int c = 0; c < 6; ++c) {
         const double value = at.D[block.offset + 6 * (number - block.row) + c];

@@ -16,6 +16,7 @@ constexpr double epsilon = 1e-10;
 constexpr double yielding = 1e20;
 constexpr double converged = 1e-10;  // last step [rad, or m relative to the size of the component]
 constexpr double roundoff = 64 * std::numeric_limits<double>::epsilon();
+constexpr double few_roundings = 4 * std::numeric_limits<double>::epsilon();
 constexpr int most_steps = 20;
 constexpr double longest_step = 0.5;
 constexpr double immobile = 1e-5;  // part of a random velocity that the constraints allow
@@ -32,6 +33,18 @@ class Components {
 
   /// Size of a step that can be the last: far from the origin that of the roundoff of positions.
   double last_step(std::size_t c) const { return std::max(converged, roundoff * reach_[c] / length_[c]); }
+
+  /// Whether all rows of each component are satisfied, but for a few roundings of its positions.
+  std::vector<char> satisfied(const VectorXd& Phi, const VectorXd& row_lengths) const {
+    std::vector<char> out(count(), 1);
+    for (int place = 0; place < loops_.row_count(); ++place) {
+      const auto c = static_cast<std::size_t>(loops_.component_of_row(place));
+      const int row = loops_.rows()[place];
+      const double least = few_roundings * std::max(1.0, reach_[c] / length_[c]);
+      if (!(std::abs(Phi[row]) <= least * row_lengths[row])) out[c] = 0;
+    }
+    return out;
+  }
 
   std::size_t count() const { return static_cast<std::size_t>(loops_.component_count()); }
 
@@ -107,20 +120,35 @@ VectorXd compliance(const System& system, const ClosedLoops& loops, const Evalua
   return e;
 }
 
+bool all(const std::vector<char>& of_components) {
+  return std::find(of_components.begin(), of_components.end(), 0) == of_components.end();
+}
+
+/// Of rows at a pose near by.
+struct RowScales {
+  VectorXd compliance, lengths;
+};
+
+/// With scales a pose that satisfies its constraints is good enough, though the last step was long: along motions that
+/// the constraints hardly resist, of which long rows of loops have many, steps only shrink by a part.
 ConsistentPose project_positions(MassWeightedLeastSquares& solver, const ClosedLoops& loops,
-                                 const Components& components, const TimedPose& pose, Evaluation& at) {
+                                 const Components& components, const TimedPose& pose, Evaluation& at,
+                                 const RowScales* scales = nullptr) {
   const System& system = solver.system();
   VectorXd q = pose.q;
   const VectorXd rest = VectorXd::Zero(system.v_size());
-  VectorXd step(system.v_size()), lambda(system.row_count());
+  VectorXd step(system.v_size()), lambda(system.row_count()), e;
   ConsistentPose out{q, std::vector<char>(components.count(), 0)};
-  for (int k = 0; k < most_steps && std::find(out.reached.begin(), out.reached.end(), 0) != out.reached.end(); ++k) {
+  for (int k = 0; k < most_steps && !all(out.reached); ++k) {
     system.evaluate_constraints(pose.t, q, rest, pose.history, at);
-    if (!solver.factorize_and_solve(at, compliance(system, loops, at), rest, -at.Phi, step, lambda)) break;
+    if (scales) out.reached = components.satisfied(at.Phi, scales->lengths);
+    if (scales && all(out.reached)) break;
+    if (!scales) e = compliance(system, loops, at);
+    if (!solver.factorize_and_solve(at, scales ? scales->compliance : e, rest, -at.Phi, step, lambda)) break;
     if (!step.allFinite()) break;
     std::vector<double> factors = components.sizes(step);
     for (std::size_t c = 0; c < factors.size(); ++c) {
-      out.reached[c] = factors[c] <= components.last_step(c);
+      out.reached[c] = (scales && out.reached[c]) || factors[c] <= components.last_step(c);
       factors[c] = std::min(1.0, longest_step / std::max(factors[c], longest_step));
     }
     components.multiply(factors, step);
@@ -131,13 +159,14 @@ ConsistentPose project_positions(MassWeightedLeastSquares& solver, const ClosedL
 }
 
 /// A random velocity less its part that the constraints resist; three times, for epsilon.
-VectorXd allowed_velocity(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const Evaluation& at,
+VectorXd allowed_velocity(MassWeightedLeastSquares& solver, const VectorXd& e, const Evaluation& at,
                           VectorXd velocity) {
   const System& system = solver.system();
-  const VectorXd e = compliance(system, loops, at), none = VectorXd::Zero(system.row_count());
+  const VectorXd none = VectorXd::Zero(system.row_count());
   VectorXd momentum(system.v_size()), lambda(system.row_count());
-  if (!solver.factorize(at, e)) return VectorXd::Zero(system.v_size());
-  for (int k = 0; k < 3; ++k) {
+  system.multiply_mass(at, velocity, momentum);
+  if (!solver.factorize_and_solve(at, e, momentum, none, velocity, lambda)) return VectorXd::Zero(system.v_size());
+  for (int k = 0; k < 2; ++k) {
     system.multiply_mass(at, velocity, momentum);
     solver.solve(momentum, none, velocity, lambda);
   }
@@ -156,22 +185,28 @@ VectorXd random_velocity(const System& system, std::uint64_t seed) {
 
 VectorXd random_allowed_velocity(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const Evaluation& at,
                                  std::uint64_t seed) {
-  return allowed_velocity(solver, loops, at, random_velocity(solver.system(), seed));
+  const System& system = solver.system();
+  return allowed_velocity(solver, compliance(system, loops, at), at, random_velocity(system, seed));
 }
 
 ConsistentPose project_positions(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const TimedPose& pose) {
   Evaluation at = solver.system().make_evaluation();
-  return project_positions(solver, loops, Components(solver.system(), loops), pose, at);
+  return project_positions(solver, loops, pose, at);
+}
+
+ConsistentPose project_positions(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const TimedPose& pose,
+                                 Evaluation& scratch) {
+  return project_positions(solver, loops, Components(solver.system(), loops), pose, scratch);
 }
 
 PerturbedPose perturb(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const VectorXd& q,
-                      const std::vector<int>& freedoms) {
+                      const std::vector<int>& freedoms, Evaluation& at) {
   const System& system = solver.system();
   const Components components(system, loops);
-  Evaluation at = system.make_evaluation();
   system.evaluate_constraints(0.0, q, VectorXd::Zero(system.v_size()), system.initial_history(), at);
+  const RowScales scales = {compliance(system, loops, at), row_lengths(system, at)};
   const VectorXd random = random_velocity(system, 1);
-  VectorXd velocity = allowed_velocity(solver, loops, at, random);
+  VectorXd velocity = allowed_velocity(solver, scales.compliance, at, random);
 
   PerturbedPose out{{q, std::vector<char>(components.count(), 0)}, std::vector<char>(components.count(), 0)};
   std::vector<double> unit = components.sizes(velocity);
@@ -184,7 +219,7 @@ PerturbedPose perturb(MassWeightedLeastSquares& solver, const ClosedLoops& loops
     VectorXd moved = q;
     move(system, step * velocity, moved);
     const TimedPose near = {0.0, moved, system.initial_history()};
-    const ConsistentPose found = project_positions(solver, loops, components, near, at);
+    const ConsistentPose found = project_positions(solver, loops, components, near, at, &scales);
     const std::vector<double> way = components.distances(q, found.q);
     std::vector<char> news(components.count());
     for (std::size_t c = 0; c < news.size(); ++c)

@@ -25,6 +25,9 @@ struct TimedPose {
 /// Projects positions onto the constraints, which may be redundant: Gauss-Newton steps in the metric of the masses,
 ///   dq = -M^-1 D^T (D M^-1 D^T + E)^-1 Phi,   E a tiny part of the diagonal.
 ConsistentPose project_positions(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const TimedPose& pose);
+/// The same with an evaluation of the solver's system, whatever it holds, as scratch memory.
+ConsistentPose project_positions(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const TimedPose& pose,
+                                 Evaluation& scratch);
 
 /// A random pose near the pose `q`, consistent at t = 0, the same in every run: a step along a random velocity that the
 /// constraints allow, projected onto them. Components without such a velocity are not `mobile` and stay: they have no
@@ -33,7 +36,7 @@ struct PerturbedPose : ConsistentPose {
   std::vector<char> mobile;
 };
 PerturbedPose perturb(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const VectorXd& q,
-                      const std::vector<int>& freedoms);
+                      const std::vector<int>& freedoms, Evaluation& scratch);
 
 /// A random velocity that the constraints allow at an evaluation, the same for the same seed.
 VectorXd random_allowed_velocity(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const Evaluation& at,

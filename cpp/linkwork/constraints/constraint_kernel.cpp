@@ -4,7 +4,7 @@
 
 namespace linkwork {
 
-ConstraintKernel::ConstraintKernel(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const Evaluation& at,
+ConstraintKernel::ConstraintKernel(MassWeightedLeastSquares& solver, const ClosedLoops& loops, Evaluation& at,
                                    const std::vector<int>& dependent)
     : solver_(solver),
       loops_(loops),

@@ -12,9 +12,13 @@ namespace linkwork {
 /// Vectors are over these rows and refer to rows of unit length in the metric M^-1.
 class ConstraintKernel {
  public:
-  /// `dependent` are constraint rows in loops. One kernel at a time may use a solver.
-  ConstraintKernel(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const Evaluation& at,
+  /// `dependent` are constraint rows in loops: their D is out of the evaluation while there is the kernel. One kernel at
+  /// a time may use a solver.
+  ConstraintKernel(MassWeightedLeastSquares& solver, const ClosedLoops& loops, Evaluation& at,
                    const std::vector<int>& dependent);
+  ~ConstraintKernel() { dropped_.put_back(at_); }
+  ConstraintKernel(const ConstraintKernel&) = delete;
+  ConstraintKernel& operator=(const ConstraintKernel&) = delete;
 
   int size() const { return dropped_.count(); }
   const std::vector<int>& dependent() const { return dropped_.rows(); }  ///< ascending
@@ -34,7 +38,7 @@ class ConstraintKernel {
 
   MassWeightedLeastSquares& solver_;
   const ClosedLoops& loops_;
-  Evaluation at_;
+  Evaluation& at_;
   VectorXd scale_, a_, b_, x_, lambda_;
   DroppedRows dropped_;
   Refinement refinement_;

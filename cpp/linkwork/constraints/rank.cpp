@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "linkwork/constraints/closed_loops.hpp"
 #include "linkwork/constraints/consistent_pose.hpp"
@@ -32,10 +34,11 @@ Places complement(const Places& places, int count) {
 /// The kernel by its values at the redundant rows, and where that leaves a singular matrix (a dead center) at the
 /// singular ones, too.
 std::unique_ptr<ConstraintKernel> make_kernel(MassWeightedLeastSquares& solver, const ClosedLoops& loops,
-                                              const Evaluation& at, const RankReport& report) {
+                                              Evaluation& at, const RankReport& report) {
   std::vector<int> rows = report.redundant_rows;
   auto kernel = std::make_unique<ConstraintKernel>(solver, loops, at, rows);
   if (kernel->regular() || report.singular_rows.empty()) return kernel;
+  kernel.reset();
   rows.insert(rows.end(), report.singular_rows.begin(), report.singular_rows.end());
   return std::make_unique<ConstraintKernel>(solver, loops, at, rows);
 }
@@ -51,50 +54,87 @@ std::vector<int> degrees_of_freedom(const System& system, const ClosedLoops& loo
   return out;
 }
 
+/// What is left of each row of Phi, relative to the size of the mechanism.
+VectorXd residuals(const System& system, const Evaluation& at) {
+  return at.Phi.cwiseQuotient(row_lengths(system, at)).cwiseAbs();
+}
+
 /// The least tolerance that does not tell errors of the given geometry from its rank: joints that are off by a little
 /// can be assembled but for a residual, and singular values of that size mean nothing.
-double tolerance_of_geometry(const System& system, const ClosedLoops& loops, const VectorXd& q) {
-  Evaluation at = system.make_evaluation();
-  system.evaluate_constraints(0.0, q, VectorXd::Zero(system.v_size()), system.initial_history(), at);
-  const VectorXd residuals = at.Phi.cwiseQuotient(row_lengths(system, at)).cwiseAbs();
+double tolerance_of_geometry(const System& system, const ClosedLoops& loops, const Evaluation& at) {
+  const VectorXd left = residuals(system, at);
   double most = 0.0;
-  for (const int row : loops.rows()) most = std::max(most, residuals[row]);
+  for (const int row : loops.rows()) most = std::max(most, left[row]);
   return std::min(residual_margin * most, coarsest);
 }
 
+/// Fills in which joints have reactions that the motion does not tell: those with rows in a kernel of D^T at either
+/// pose. Where all have some at the perturbed one, as in planar mechanisms, the assembled one has nothing to add.
+void find_unique(MassWeightedLeastSquares& solver, const ClosedLoops& loops, Evaluation& assembled,
+                 Evaluation& perturbed, RankReport& report) {
+  const Model& model = solver.system().model();
+  std::vector<int> joint_of;
+  for (const int row : loops.rows()) joint_of.push_back(model.joint_of_row(row));
+  std::vector<char> members(loops.row_count(), 0);
+  const auto note = [&] {
+    for (int place = 0; place < loops.row_count(); ++place)
+      if (members[place]) report.unique[joint_of[place]] = 0;
+  };
+  const auto kernel = make_kernel(solver, loops, perturbed, report);
+  if (kernel->regular()) kernel->mark_members(members);
+  else std::fill(members.begin(), members.end(), 1);
+  note();
+  const auto unique = [&](int joint) { return report.unique[joint] != 0; };
+  if (!report.singular_rows.empty() || std::none_of(joint_of.begin(), joint_of.end(), unique)) return;
+  ConstraintKernel at_start(solver, loops, assembled, report.redundant_rows);
+  if (at_start.regular()) at_start.mark_members(members);
+  note();
+}
+
 /// Fills in the report: rows that are redundant at the assembled and at a perturbed pose, and those that are dependent
-/// at the assembled one only.
-void find_redundancy(const System& given, const ClosedLoops& loops, double tolerance, RankReport& report) {
-  MassWeightedLeastSquares solver = MassWeightedLeastSquares::of_geometry(given);
+/// at the assembled one only. `reached`: the components that are assembled there.
+void find_redundancy(MassWeightedLeastSquares& solver, const ClosedLoops& loops, LoopPose& assembled,
+                     const std::vector<char>& reached, double tolerance, RankReport& report) {
   const System& system = solver.system();
   const auto row = [&](int place) { return loops.rows()[place]; };
-  const ConsistentPose start = project_positions(solver, loops, {0.0, report.q, system.initial_history()});
-  report.q = start.q;
-  tolerance = std::max(tolerance, tolerance_of_geometry(system, loops, report.q));
-  const LoopPose assembled(system, loops, {0.0, report.q, system.initial_history()}, tolerance);
-  if (assembled.dependent.empty()) return;
   std::vector<int> freedoms = degrees_of_freedom(system, loops, assembled.dependent);
   for (std::size_t c = 0; c < freedoms.size(); ++c)
-    if (!start.reached[c]) freedoms[c] = 0;  // it comes to no rest: there is no other pose to look at
-  const PerturbedPose found = perturb(solver, loops, report.q, freedoms);
+    if (!reached[c]) freedoms[c] = 0;  // it comes to no rest: there is no other pose to look at
+  Evaluation at = system.make_evaluation();
+  const PerturbedPose found = perturb(solver, loops, report.q, freedoms, at);
   report.q = found.q;
-  const LoopPose perturbed(system, loops, {0.0, report.q, system.initial_history()}, tolerance);
+  system.evaluate_constraints(0.0, report.q, VectorXd::Zero(system.v_size()), system.initial_history(), at);
+  LoopPose perturbed(loops, std::move(at), tolerance);
   const Places redundant = redundant_rows(solver, loops, assembled, perturbed, found, tolerance);
   for (const int place : redundant) report.redundant_rows.push_back(row(place));
 
   const Places kept = complement(redundant, loops.row_count());
   for (const int k : dependent_rows(loops, select_rows(assembled.D, kept), tolerance))
     report.singular_rows.push_back(row(kept[k]));
-  std::vector<char> members(loops.row_count(), 0);
-  const auto kernel = make_kernel(solver, loops, perturbed.at, report);
-  if (kernel->regular()) kernel->mark_members(members);
-  else std::fill(members.begin(), members.end(), 1);
-  if (report.singular_rows.empty()) {
-    ConstraintKernel at_start(solver, loops, assembled.at, report.redundant_rows);
-    if (at_start.regular()) at_start.mark_members(members);
+  find_unique(solver, loops, assembled.at, perturbed.at, report);
+}
+
+/// Looks at the loops from the evaluation `at` of the pose in the report on. Where that satisfies all constraints it is
+/// the assembled pose; else `at` becomes the evaluation of that.
+void examine_loops(const System& given, const ClosedLoops& loops, double tolerance, Evaluation& at,
+                   RankReport& report) {
+  std::optional<MassWeightedLeastSquares> solver;
+  std::vector<char> reached(loops.component_count(), 1);
+  if (!(residuals(given, at).maxCoeff() <= assembled)) {
+    solver = MassWeightedLeastSquares::of_geometry(given);
+    const System& system = solver->system();
+    ConsistentPose start = project_positions(*solver, loops, {0.0, report.q, system.initial_history()}, at);
+    report.q = std::move(start.q);
+    reached = std::move(start.reached);
+    system.evaluate_constraints(0.0, report.q, VectorXd::Zero(system.v_size()), system.initial_history(), at);
+    tolerance = std::max(tolerance, tolerance_of_geometry(system, loops, at));
   }
-  for (int place = 0; place < loops.row_count(); ++place)
-    if (members[place]) report.unique[system.model().joint_of_row(row(place))] = 0;
+  LoopPose pose(loops, std::move(at), tolerance);
+  if (!pose.dependent.empty()) {
+    if (!solver) solver = MassWeightedLeastSquares::of_geometry(given);
+    find_redundancy(*solver, loops, pose, reached, tolerance, report);
+  }
+  at = std::move(pose.at);
 }
 
 }  // namespace
@@ -123,10 +163,7 @@ RankReport examine_rank(const System& given, Evaluation& at, double least_tolera
   const double tolerance = std::max(least_tolerance, roundoff_of_positions(given, report.q));
   given.evaluate_constraints(0.0, report.q, VectorXd::Zero(given.v_size()), given.initial_history(), at);
   const ClosedLoops loops(given, at, tolerance);
-  const bool consistent =
-      report.rows == 0 || at.Phi.cwiseQuotient(row_lengths(given, at)).cwiseAbs().maxCoeff() <= assembled;
-  if (loops.row_count() > 0 && !(consistent && dependent_rows(loops, loops.scaled_D(at), tolerance).empty()))
-    find_redundancy(given, loops, tolerance, report);
+  if (loops.row_count() > 0) examine_loops(given, loops, tolerance, at, report);
   report.rank = report.rows - static_cast<int>(report.redundant_rows.size());
   report.degrees_of_freedom = given.v_size() - report.rank;
   return report;

@@ -46,7 +46,7 @@ void take_branches_from(VectorXd& Phi, const ClosedLoops& loops) {
 }
 
 /// The redundant rows as they would be chosen at a pose, with those outside of the loops.
-std::vector<int> choose(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const LoopPose& pose,
+std::vector<int> choose(MassWeightedLeastSquares& solver, const ClosedLoops& loops, LoopPose& pose,
                         const std::vector<int>& redundant) {
   const std::vector<char> all(loops.component_count(), 1);
   const PerturbedPose found{{{}, all}, all};
@@ -95,7 +95,7 @@ RedundancyExamination examine_redundancy(const System& given, const TimedPose& h
   out.contradicts = reached && largest(at.Phi) > remaining * before;
   if (out.contradicts) out.joints = joints_with_residuals(system.model(), at.Phi);
   if (!out.consistent) return out;
-  const LoopPose pose(system, loops, {here.t, out.q, here.history}, rank_tolerance);
+  LoopPose pose(system, loops, {here.t, out.q, here.history}, rank_tolerance);
   out.choice = choose(solver, loops, pose, redundant);
   out.changed = out.choice.size() < redundant.size();
   return out;

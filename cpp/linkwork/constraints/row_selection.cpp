@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <utility>
 
 #include "linkwork/constraints/constraint_kernel.hpp"
 #include "linkwork/linear/block/kept_orders.hpp"
@@ -57,8 +58,8 @@ struct ComponentPose {
 /// Finds the redundant rows of the loops, component by component.
 class Selection {
  public:
-  Selection(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const LoopPose& assembled,
-            const LoopPose& perturbed, const PerturbedPose& found, double tolerance, bool prefer_closing)
+  Selection(MassWeightedLeastSquares& solver, const ClosedLoops& loops, LoopPose& assembled, LoopPose& perturbed,
+            const PerturbedPose& found, double tolerance, bool prefer_closing)
       : solver_(solver),
         loops_(loops),
         assembled_(assembled),
@@ -67,6 +68,7 @@ class Selection {
         tolerance_(tolerance) {
     rows_.resize(loops.component_count());
     for (int place = 0; place < loops.row_count(); ++place) rows_[loops.component_of_row(place)].push_back(place);
+    list_joints();
     preferred_.resize(loops.row_count());
     for (int place = 0; place < loops.row_count(); ++place)
       preferred_[place] = !prefer_closing || loops.closing(joint_of(place));
@@ -139,7 +141,7 @@ class Selection {
   }
 
   /// Components share no body, so one solution gives a vector of the kernel of each.
-  std::vector<ComponentPose> components_at(const LoopPose& pose) {
+  std::vector<ComponentPose> components_at(LoopPose& pose) {
     std::vector<ComponentPose> out(rows_.size());
     std::vector<Places> order(rows_.size());  // places in pose.dependent
     std::size_t most = 0;
@@ -234,22 +236,38 @@ class Selection {
   }
 
   /// Orthonormal basis of ker A^T, A some rows of D.
-  MatrixXd left_kernel(const SparseRows& D, const Places& rows) const {
-    std::vector<int> columns;
+  MatrixXd left_kernel(const SparseRows& D, const Places& rows) {
+    columns_.clear();
     for (const int row : rows)
-      for (SparseRows::InnerIterator it(D, row); it; ++it) columns.push_back(static_cast<int>(it.col()));
-    std::sort(columns.begin(), columns.end());
-    columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+      for (SparseRows::InnerIterator it(D, row); it; ++it) columns_.push_back(static_cast<int>(it.col()));
+    std::sort(columns_.begin(), columns_.end());
+    columns_.erase(std::unique(columns_.begin(), columns_.end()), columns_.end());
     const auto count = static_cast<Eigen::Index>(rows.size());
-    MatrixXd A = MatrixXd::Zero(count, static_cast<Eigen::Index>(columns.size()));
-    for (Eigen::Index k = 0; k < count; ++k)
-      for (SparseRows::InnerIterator it(D, rows[k]); it; ++it)
-        A(k, std::lower_bound(columns.begin(), columns.end(), static_cast<int>(it.col())) - columns.begin()) =
-            it.value();
-    Eigen::ColPivHouseholderQR<MatrixXd> qr(A);
-    qr.setThreshold(tolerance_);
-    const Eigen::Index dependent = count - qr.rank();
-    return qr.householderQ() * MatrixXd::Identity(count, count).rightCols(dependent);
+    A_.setZero(count, static_cast<Eigen::Index>(columns_.size()));
+    for (Eigen::Index k = 0; k < count; ++k) {
+      auto column = columns_.begin();
+      for (SparseRows::InnerIterator it(D, rows[k]); it; ++it) {
+        column = std::lower_bound(column, columns_.end(), static_cast<int>(it.col()));
+        A_(k, column - columns_.begin()) = it.value();
+      }
+    }
+    qr_.compute(A_);
+    qr_.setThreshold(tolerance_);
+    MatrixXd N = MatrixXd::Zero(count, count - qr_.rank());
+    N.bottomRows(N.cols()).setIdentity();
+    N.applyOnTheLeft(qr_.householderQ());
+    return N;
+  }
+
+  void list_joints() {
+    const auto& first = solver_.system().model().joint_rows();
+    first_of_.resize(first.size());
+    for (int place = 0, joint = 0; place < loops_.row_count(); ++place) {
+      const int row = loops_.rows()[place];
+      while (first[joint + 1] <= row) ++joint;
+      joint_of_.push_back(joint);
+      if (first[joint] == row) first_of_[joint] = place;
+    }
   }
 
   std::vector<int> rows_at(Places places) const {
@@ -257,26 +275,28 @@ class Selection {
     return places;
   }
 
-  int joint_of(int place) const { return solver_.system().model().joint_of_row(loops_.rows()[place]); }
+  int joint_of(int place) const { return joint_of_[place]; }
 
   /// Places of a joint's rows.
   Places rows_of(int joint) const {
     const auto& first = solver_.system().model().joint_rows();
-    const int row = first[joint], count = first[joint + 1] - row;
-    Places out(count);
-    std::iota(
-        out.begin(), out.end(),
-        static_cast<int>(std::lower_bound(loops_.rows().begin(), loops_.rows().end(), row) - loops_.rows().begin()));
+    Places out(first[joint + 1] - first[joint]);
+    std::iota(out.begin(), out.end(), first_of_[joint]);
     return out;
   }
 
   MassWeightedLeastSquares& solver_;
   const ClosedLoops& loops_;
-  const LoopPose &assembled_, &perturbed_;
+  LoopPose &assembled_, &perturbed_;
   const PerturbedPose& found_;
   double tolerance_;
-  std::vector<Places> rows_;  ///< per component
-  VectorXd preferred_;        ///< per row of the loops: 1 for joints that close loops, else 0
+  std::vector<Places> rows_;   ///< per component
+  std::vector<int> joint_of_;  ///< per row of the loops
+  std::vector<int> first_of_;  ///< of each joint in them: its first row
+  VectorXd preferred_;         ///< per row of the loops: 1 for joints that close loops, else 0
+  std::vector<int> columns_;   ///< of the loop at hand, as what follows: memory for many
+  MatrixXd A_;
+  Eigen::ColPivHouseholderQR<MatrixXd> qr_;
 };
 
 /// Numbers for rows next to each other that have the same bodies.
@@ -302,17 +322,24 @@ Places dependent_rows(const ClosedLoops& loops, const SparseRows& A, double tole
   return dependent_columns(transposed, tolerance, neighbors_on_same_bodies(A), block::kept_orders(loops.system()));
 }
 
-LoopPose::LoopPose(const System& system, const ClosedLoops& loops, const TimedPose& pose, double tolerance)
-    : at(system.make_evaluation()) {
+namespace {
+
+Evaluation constraints_at(const System& system, const TimedPose& pose) {
+  Evaluation at = system.make_evaluation();
   system.evaluate_constraints(pose.t, pose.q, VectorXd::Zero(system.v_size()), pose.history, at);
-  look_for_interruption();
-  D = loops.scaled_D(at);
-  look_for_interruption();
-  dependent = dependent_rows(loops, D, tolerance);
+  return at;
 }
 
-Places redundant_rows(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const LoopPose& assembled,
-                      const LoopPose& perturbed, const PerturbedPose& found, double tolerance, bool prefer_closing) {
+}  // namespace
+
+LoopPose::LoopPose(const System& system, const ClosedLoops& loops, const TimedPose& pose, double tolerance)
+    : LoopPose(loops, constraints_at(system, pose), tolerance) {}
+
+LoopPose::LoopPose(const ClosedLoops& loops, Evaluation given, double tolerance)
+    : at(std::move(given)), D(loops.scaled_D(at)), dependent(dependent_rows(loops, D, tolerance)) {}
+
+Places redundant_rows(MassWeightedLeastSquares& solver, const ClosedLoops& loops, LoopPose& assembled,
+                      LoopPose& perturbed, const PerturbedPose& found, double tolerance, bool prefer_closing) {
   return Selection(solver, loops, assembled, perturbed, found, tolerance, prefer_closing).run();
 }
 

@@ -17,6 +17,8 @@ Places dependent_rows(const ClosedLoops& loops, const SparseRows& A, double tole
 /// The loops at one pose: D, and the rows that depend on the others.
 struct LoopPose {
   LoopPose(const System& system, const ClosedLoops& loops, const TimedPose& pose, double tolerance);
+  /// With the evaluation of the constraints there.
+  LoopPose(const ClosedLoops& loops, Evaluation at, double tolerance);
   Evaluation at;
   SparseRows D;  ///< rows of unit length
   Places dependent;
@@ -25,8 +27,7 @@ struct LoopPose {
 /// The rows to leave out because they are dependent at the assembled and at the perturbed pose, ascending. There is a
 /// choice: rows of joints that close loops come first, and among these the ones that leave the others best conditioned
 /// at both poses. Without `prefer_closing` the best conditioned are chosen whatever their joints.
-Places redundant_rows(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const LoopPose& assembled,
-                      const LoopPose& perturbed, const PerturbedPose& found, double tolerance,
-                      bool prefer_closing = true);
+Places redundant_rows(MassWeightedLeastSquares& solver, const ClosedLoops& loops, LoopPose& assembled,
+                      LoopPose& perturbed, const PerturbedPose& found, double tolerance, bool prefer_closing = true);
 
 }  // namespace linkwork

@@ -45,7 +45,7 @@ std::vector<int> joints_of(const Model& model, const std::vector<int>& rows) {
 }
 
 /// Joints of the rows of which the near rows are combinations.
-std::vector<int> involved_joints(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const Evaluation& at,
+std::vector<int> involved_joints(MassWeightedLeastSquares& solver, const ClosedLoops& loops, Evaluation& at,
                                  const std::vector<int>& redundant, const std::vector<int>& near) {
   std::vector<int> dependent = redundant;
   dependent.insert(dependent.end(), near.begin(), near.end());
@@ -64,7 +64,7 @@ std::vector<int> involved_joints(MassWeightedLeastSquares& solver, const ClosedL
 }
 
 /// The redundant rows as they would be chosen in this pose; none where their number would be another.
-std::vector<int> choose_here(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const LoopPose& pose,
+std::vector<int> choose_here(MassWeightedLeastSquares& solver, const ClosedLoops& loops, LoopPose& pose,
                              const std::vector<int>& redundant) {
   const std::size_t present = static_cast<std::size_t>(loops.row_count()) - kept_places(loops, redundant).size();
   if (present == 0 || pose.dependent.size() != present) return {};
@@ -91,7 +91,7 @@ PoseExamination examine_pose(const System& given, const TimedPose& here, const s
   PoseExamination out;
   if (loops.row_count() == 0) return out;
   const VectorXd q = project_positions(solver, loops, here).q;
-  const LoopPose pose(system, loops, {here.t, q, here.history}, rank_tolerance);
+  LoopPose pose(system, loops, {here.t, q, here.history}, rank_tolerance);
   out.rows = near_rows(loops, pose.D, redundant, near);
   if (out.rows.empty()) return out;
   out.joints = involved_joints(solver, loops, pose.at, redundant, out.rows);
@@ -108,7 +108,7 @@ std::vector<int> choose_redundant_rows(const System& given, const TimedPose& her
   Evaluation at = system.make_evaluation();
   system.evaluate_constraints(here.t, here.q, VectorXd::Zero(system.v_size()), here.history, at);
   const ClosedLoops loops(system, at, rank_tolerance);
-  const LoopPose pose(system, loops, {here.t, project_positions(solver, loops, here).q, here.history}, rank_tolerance);
+  LoopPose pose(system, loops, {here.t, project_positions(solver, loops, here).q, here.history}, rank_tolerance);
   return choose_here(solver, loops, pose, present);
 }
 

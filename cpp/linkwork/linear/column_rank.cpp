@@ -52,8 +52,12 @@ class SingletonElimination {
         columns.push_back(static_cast<int>(column));
       }
     const auto rows = static_cast<Eigen::Index>(std::count(row_left_.begin(), row_left_.end(), 1));
-    if (rows == A_.rows() && std::ssize(columns) == A_.cols()) return std::move(by_rows_);
-    RowMatrix out(rows, static_cast<Eigen::Index>(columns.size()));
+    RowMatrix out;
+    if (rows == A_.rows() && std::ssize(columns) == A_.cols()) {
+      out.swap(by_rows_);  // matrices of Eigen 3.4 are copied where they are moved
+      return out;
+    }
+    out.resize(rows, static_cast<Eigen::Index>(columns.size()));
     out.reserve(A_.nonZeros());
     int place = 0;
     for (int row = 0; row < A_.rows(); ++row) {

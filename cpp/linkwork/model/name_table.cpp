@@ -26,7 +26,7 @@ int number_in(const std::string& name, const std::string& prefix) {
 void NameTable::check_free(const std::string& name) const {
   if (name.empty()) throw ModelError("empty_name", std::string(what_) + ": the name is empty; give it one");
   if (index_.empty()) return;
-  if (find(name) >= 0 || index_.count(name)) throw_taken(name);
+  if (index_.count(name) || (name.back() == ']' && find(name) >= 0)) throw_taken(name);
 }
 
 void NameTable::throw_taken(const std::string& name) const {
@@ -58,6 +58,10 @@ void NameTable::add(const Names& names, int count) {
   if (names.group()) return add_group(names.prefix(), count);
   std::unordered_set<std::string_view> seen;
   if (count > 1) seen.reserve(names.each().size());
+  if (count > size_) {
+    groups_.reserve(groups_.size() + names.each().size());
+    index_.reserve(index_.size() + names.each().size());
+  }
   for (const std::string& name : names.each()) {
     check_free(name);
     if (!seen.insert(name).second) throw_taken(name);

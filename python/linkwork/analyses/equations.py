@@ -58,7 +58,8 @@ class Equations:
         self.rank = self.dynamics.rank()
         self.independent = np.delete(np.arange(self.rank.rows), self.rank.redundant_rows)
         self.length = _size(self.core)
-        self.row_lengths, rate, self.rounding = self.dynamics.residual_scales(0.0, self.core.q0, self.core.v0)
+        found = self.dynamics.residuals(0.0, self.core.q0, self.core.v0)
+        self.row_lengths, rate, self.rounding = found[2:]
         self.rate = rate if rate > AT_REST else 1.0  #: of its motion, or of what its forces would do [1/s]
         self.joint_of_row = np.repeat(np.arange(self.core.joint_count), np.diff(self.core.joint_rows))
         self.holonomic = self._holonomic()

@@ -93,7 +93,7 @@ def _reach(system: System, y: Floats) -> Floats:
     core = system.model.compiled()
     count, size = core.body_count, extent(core).size
     v = np.abs(y[7 * count :]).reshape(-1, 6)
-    _, rate, _ = system.compiled().residual_scales(0.0, y[: 7 * count], y[7 * count :])
+    *_, rate, _ = system.compiled().residuals(0.0, y[: 7 * count], y[7 * count :])
     speed, spin = max(size * rate, v[:, :3].max()), max(rate, v[:, 3:].max())
     pose, rate = [size] * 3 + [1.0] * 4, [speed] * 3 + [spin] * 3
     return np.concatenate([np.tile(pose, count), np.tile(rate, count)])

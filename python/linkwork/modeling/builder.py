@@ -18,7 +18,7 @@ from linkwork.modeling.coordinates import JointCoordinate, coordinate_of, coordi
 from linkwork.modeling.elements import KINDS, Elements, Role, kind_info, placed, with_parameters
 from linkwork.modeling.handles import BodiesLike, Body, BodyLike, Force, Joint, Range
 from linkwork.modeling.methods import ForceMethods, JointMethods
-from linkwork.modeling.placement import Attachment, Frames, Place, Subject
+from linkwork.modeling.placement import Attachment, Frames, Subject
 from linkwork.modeling.shapes import Shape, Shapes, ShapesLike
 from linkwork.modeling.special import CouplerData, CurveData, SpecialJointMethods
 from linkwork.modeling.user_forces import UserForceMethods
@@ -562,10 +562,9 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         bodies = pairs(a, b, Subject(kind, name, False, 1))
         each = [] if several is None else _names_of_all(kind, several, len(bodies))
         subject = Subject(kind, name, group, len(bodies), each)
-        first, second = self._bodies.poses(bodies[:, 0]), self._bodies.poses(bodies[:, 1])
         arguments = dict(arguments)
         arguments = functions.broken(arguments, arguments.pop("breaks", ()), subject.who(0))
-        self._add(placed(info, Place(subject, first, second, frames == "body"), bodies, arguments))
+        self._add(placed(info, subject, bodies, self._bodies.poses, frames == "body", arguments))
 
     def _add(self, elements: Elements) -> None:
         self._functions |= elements.add_to(self._core)

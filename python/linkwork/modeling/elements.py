@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -14,7 +14,7 @@ from linkwork.arguments import UNREADABLE, one_of
 from linkwork.arrays import Floats, Indices
 from linkwork.errors import OptionError, about, nearest
 from linkwork.functions import TimeFunction, as_time_function
-from linkwork.modeling.placement import PLACEMENTS, Attachment, Place, Subject
+from linkwork.modeling.placement import PLACEMENTS, Attachment, Poses, Subject, attach
 
 Role = Literal["joint", "force"]
 
@@ -88,29 +88,34 @@ def kind_info(role: Role, name: str) -> _core.KindInfo:
     return KINDS[role][one_of(name, KINDS[role], f"{role} kind", "unknown_kind")]
 
 
-def placed(info: _core.KindInfo, place: Place, bodies: Indices, arguments: Mapping[str, Any]) -> Elements:
-    """Elements from the arguments of their placement and their parameters."""
+def placed(
+    info: _core.KindInfo,
+    subject: Subject,
+    bodies: Indices,
+    poses: Callable[[Indices], Poses],
+    in_bodies: bool,
+    arguments: Mapping[str, Any],
+) -> Elements:
+    """Elements from the arguments of their placement, in space or `in_bodies`, and their parameters."""
     if info.placement not in PLACEMENTS:
         message = f"{info.name} joints are added one by one, by linkwork.Model.{info.name}"
         raise OptionError(message, code="one_by_one")
     where = {what: value for what, value in arguments.items() if what not in info.parameters}
-    return with_parameters(info, place.subject, bodies, _attachment(info, place, where), arguments)
+    _check_names(info, subject, where)
+    place = attach(PLACEMENTS[info.placement], subject, bodies, poses, in_bodies, where)
+    return with_parameters(info, subject, bodies, place, arguments)
 
 
-def _attachment(info: _core.KindInfo, place: Place, where: Mapping[str, Any]) -> Attachment:
+def _check_names(info: _core.KindInfo, subject: Subject, where: Mapping[str, Any]) -> None:
     """ModelError: an argument that there is not, or one that is missing."""
-    placement = PLACEMENTS[info.placement]
-    arguments = list(inspect.signature(placement).parameters.values())[1:]
+    arguments = list(inspect.signature(PLACEMENTS[info.placement]).parameters.values())[1:]
     known = [it.name for it in arguments] + list(info.parameters)
     for name in where:
         if name not in known:
-            place.subject.refuse(
-                0, f"'{name}' is none of its arguments{nearest(name, known)}", "argument", name
-            )
+            subject.refuse(0, f"'{name}' is none of its arguments{nearest(name, known)}", "argument", name)
     for it in arguments:
         if it.default is it.empty and it.name not in where:
-            place.subject.refuse(0, f"{it.name} is missing", "missing", it.name)
-    return placement(place, **where)
+            subject.refuse(0, f"{it.name} is missing", "missing", it.name)
 
 
 def with_parameters(

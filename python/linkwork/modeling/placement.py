@@ -2,20 +2,22 @@
 
 A user places an element in space at the initial pose (`frames="space"`) or in the coordinates of its two
 bodies (`frames="body"`, every argument a pair: in a, in b). Each way of placing is one entry of PLACEMENTS;
-the compiled kinds of joints and forces name theirs. Everything works on k elements at once.
+the compiled kinds of joints and forces name theirs. Everything works on k elements at once, of large groups
+on some thousand: what is computed on the way then fits into a cache.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal, NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import rotation
-from linkwork.arrays import Floats, pieces
+from linkwork.arguments import UNREADABLE
+from linkwork.arrays import Floats, Indices, pieces
 from linkwork.errors import ModelError
 
 Pair = tuple[Floats, Floats]
@@ -36,11 +38,18 @@ class Subject:
     group: bool
     count: int
     each: Sequence[str] = ()  # names of their own for the members of a group
+    first: int = 0  # of a part of a group: number of its first member, ...
+    total: int | None = None  # ... and of how many, which arguments may have
+
+    def part(self, piece: slice) -> Subject:
+        """Some members of this group; arguments are those of all."""
+        some = {"count": piece.stop - piece.start, "each": self.each[piece]}
+        return replace(self, **some, first=piece.start, total=self.count)
 
     def member(self, k: int) -> str:
         if self.each:
             return self.each[k]
-        return f"{self.name}[{k}]" if self.group else self.name
+        return f"{self.name}[{self.first + k}]" if self.group else self.name
 
     @property
     def names(self) -> str | list[str]:
@@ -69,10 +78,12 @@ class Subject:
             given = np.asarray(value, dtype=float)
         except (TypeError, ValueError, OverflowError):
             self.refuse(0, f"{what} {value!r:.80} is not made of numbers", "not_a_number", what)
-        if given.shape not in ((size,), (self.count, size)):
-            each = f" or ({self.count}, {size})" if self.group else ""
+        total = self.count if self.total is None else self.total
+        if given.shape not in ((size,), (total, size)):
+            each = f" or ({total}, {size})" if self.group else ""
             self.refuse(0, f"{what} has shape {given.shape}, not ({size},){each}", "shape", what)
-        array = np.broadcast_to(given, (self.count, size))
+        own = given if given.ndim == 1 else given[self.first : self.first + self.count]
+        array = np.broadcast_to(own, (self.count, size))
         self.check(
             np.isfinite(array).all(axis=1),
             lambda k: f"{what} {text(array[k])} is not finite",
@@ -128,9 +139,6 @@ class Poses:
         """r + A s"""
         return self.r + turn(self.A, s)
 
-    def __getitem__(self, piece: slice) -> Poses:
-        return Poses(self.r[piece], self.A[piece])
-
     def body_point(self, p: Floats) -> Floats:
         """A^T (p - r)"""
         return turn(np.swapaxes(self.A, 1, 2), p - self.r)
@@ -143,6 +151,10 @@ class Attachment:
     origin: Floats  # (k, 2, 3) the points, in body coordinates
     frame: Floats  # (k, 2, 3, 3) the joint frames, in body coordinates; columns x, y, z
     distance: Floats  # (k,) of the two points at the initial pose
+
+    @classmethod
+    def empty(cls, k: int) -> Attachment:
+        return cls(np.empty((k, 2, 3)), np.empty((k, 2, 3, 3)), np.empty(k))
 
 
 @dataclass(frozen=True)
@@ -177,15 +189,11 @@ class Place:
 
     def attachment(self, points: Pair, frames: Pair) -> Attachment:
         """From points in body coordinates and frames (k, 3, 3) in space."""
-        k = self.subject.count
-        out = Attachment(np.empty((k, 2, 3)), np.empty((k, 2, 3, 3)), np.empty(k))
-        for piece in pieces(k):
-            part = Place(self.subject, self.a[piece], self.b[piece], self.in_bodies)
-            for end, body in enumerate((part.a, part.b)):
-                out.origin[piece, end] = points[end][piece]
-                out.frame[piece, end] = np.swapaxes(body.A, 1, 2) @ frames[end][piece]
-            between = part.separation(points[0][piece], points[1][piece])
-            out.distance[piece] = np.linalg.norm(between, axis=1)
+        out = Attachment.empty(self.subject.count)
+        for end, body in enumerate((self.a, self.b)):
+            out.origin[:, end] = points[end]
+            out.frame[:, end] = np.swapaxes(body.A, 1, 2) @ frames[end]
+        out.distance[:] = np.linalg.norm(self.separation(*points), axis=1)
         return out
 
     def separation(self, s_a: Floats, s_b: Floats) -> Floats:
@@ -341,6 +349,42 @@ PLACEMENTS: Mapping[str, Callable[..., Attachment]] = {
     "disc": disc,
     "plane": plane,
 }
+
+
+def attach(
+    placement: Callable[..., Attachment],
+    subject: Subject,
+    bodies: Indices,
+    poses: Callable[[Indices], Poses],
+    in_bodies: bool,
+    where: Mapping[str, Any],
+) -> Attachment:
+    """k elements between bodies (k, 2), which have these `poses`, by the arguments `where` of a placement."""
+
+    def attached(subject: Subject, bodies: Indices, where: Mapping[str, Any]) -> Attachment:
+        return placement(Place(subject, poses(bodies[:, 0]), poses(bodies[:, 1]), in_bodies), **where)
+
+    parts = list(pieces(subject.count))
+    if len(parts) <= 1:
+        return attached(subject, bodies, where)
+    out = Attachment.empty(subject.count)
+    where = {what: _as_arrays(value, subject.count) for what, value in where.items()}
+    for piece in parts:
+        part = attached(subject.part(piece), bodies[piece], where)
+        out.origin[piece], out.frame[piece], out.distance[piece] = part.origin, part.frame, part.distance
+    return out
+
+
+def _as_arrays(value: Any, count: int) -> Any:
+    """A list of a vector for each element, or a pair of such, as arrays: read once; what is none stays."""
+    if isinstance(value, list | tuple) and len(value) == 2:
+        return tuple(_as_arrays(part, count) for part in value)
+    if isinstance(value, list | tuple) and len(value) == count:
+        try:
+            return np.asarray(value, dtype=float)
+        except UNREADABLE:
+            return value
+    return value
 
 
 def turn(A: Floats, u: Floats) -> Floats:

@@ -15,11 +15,13 @@ import numpy as np
 from linkwork.modeling.model import Model
 
 
-def manifest(model: Model, given: Mapping[str, Any], chosen: Mapping[str, Any]) -> dict[str, Any]:
+def manifest(
+    model: Model, model_hash: str, given: Mapping[str, Any], chosen: Mapping[str, Any]
+) -> dict[str, Any]:
     """Versions, machine, model and options: `given` as the user wrote them, `chosen` with none left open."""
     return {
         "model": model.name,
-        "model_hash": model.hash(),
+        "model_hash": model_hash,
         "options": dict(chosen),
         "options_given": {name: _plain(value) for name, value in given.items()},
         **platform_facts(),

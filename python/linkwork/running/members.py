@@ -263,7 +263,7 @@ def _result(it: _Ready, frames: Mapping[str, Any], method: Method) -> Result:
     facts: dict[str, Any] = {"model": it.model.name, "lane": True}
     if not method.last_state:  # else nobody sees more of the result than its last state
         chosen = {"t_start": 0.0, **method.plan.chosen(), "integrator": integrator.name, **it.system.options}
-        facts = {**manifest(it.model, method.given, chosen), **facts}
+        facts = {**manifest(it.model, it.model.hash(), method.given, chosen), **facts}
     header = Header.of(
         it.model.compiled(), it.system.compiled(), facts, None, it.model.shapes, it.model.curves
     )

@@ -12,7 +12,6 @@ import numpy as np
 from linkwork import _core
 from linkwork.equations.assembly import Assembly
 from linkwork.integrators import Integrator
-from linkwork.modeling.model import Model
 from linkwork.motion.records import Resume, Snapshot
 from linkwork.options import without_threads
 
@@ -24,7 +23,7 @@ ASSEMBLED = "+assembled"
 
 
 def key(
-    model: Model,
+    model_hash: str,
     method: Any,
     choices: Mapping[str, Any],
     events: Sequence[tuple[str, _core.Event]],
@@ -35,7 +34,7 @@ def key(
     name = getattr(method, "__qualname__", type(method).__name__)
     parts = {
         "format": FORMAT,
-        "model": model.hash(),
+        "model": model_hash,
         "method": repr(method) if isinstance(method, Integrator) else name,
         "choices": {name: str(value) for name, value in sorted(without_threads(choices).items())},
         "events": [(label, event.signature) for label, event in events],

@@ -204,7 +204,8 @@ def _prepared(
     t_start = checks.start_time(start)
     stepped = what_steps(model, plan, given, options, start)
     method, options, system, assembly, breaks = stepped
-    key = resuming.key(model, method, {**plan.steps(), **system.options}, watched, given, assembly)
+    model_hash = model.hash()
+    key = resuming.key(model_hash, method, {**plan.steps(), **system.options}, watched, given, assembly)
     resume = resuming.of(start, key, plan.t_end)
     if start is not None:
         checks.check_start(model, system.compiled(), start, known=resume is not None)
@@ -219,7 +220,7 @@ def _prepared(
         run.resume(resume.checkpoint.state, resume.work)
     chosen = {"t_start": t_start, **plan.chosen(), "integrator": _name(method), **system.options}
     facts = {
-        **manifest(model, given, chosen),
+        **manifest(model, model_hash, given, chosen),
         "breaks": {"count": len(breaks), **plan.steps_with_breaks(breaks, t_start)},
         "constraints": checks.rank_numbers(system.compiled()),
         "assembled": assembly and str(assembly),

@@ -135,8 +135,8 @@ def _add(
     if isinstance(where, Attachment):
         model._add(with_parameters(info, subject, bodies, where, parameters))
     else:
-        place = Place(subject, poses(bodies[:, 0]), poses(bodies[:, 1]), records[0].frames == "body")  # type: ignore[attr-defined]
-        model._add(placed(info, place, bodies, {**where, **parameters}))
+        in_bodies = records[0].frames == "body"  # type: ignore[attr-defined]
+        model._add(placed(info, subject, bodies, poses, in_bodies, {**where, **parameters}))
 
 
 def _column(elements: Sequence[Placed], name: str) -> Any:
