@@ -407,7 +407,11 @@ void bind_measurements(py::class_<Dynamics>& dynamics) {
       .def("constraint_rates", &constraint_rates, py::arg("t"), py::arg("q"), py::arg("v"), py::arg("rows"),
            "Phi_t (k, rows) of some equations at k times and states.")
       .def("factorization_cost", exclusive(&factorization_cost),
-           "matrix_nonzeros (lower triangle), factor_nonzeros, flops, bytes of the last factorization; None: unknown.")
+           "matrix_nonzeros (lower triangle), factor_nonzeros, flops, bytes of the last factorization; None: unknown.");
+}
+
+void bind_times(py::class_<Dynamics>& dynamics) {
+  dynamics
       .def("right_hand_side_times", exclusive(&right_hand_side_times), py::arg("t"), py::arg("y"), py::arg("repeats"),
            "Times of so many right-hand sides at y = (q, v), together [s]: evaluate, assemble, factorize, solve, "
            "reactions, and the whole, which may be less than their sum.")
@@ -418,6 +422,14 @@ void bind_measurements(py::class_<Dynamics>& dynamics) {
            }),
            py::arg("t"), py::arg("y"), py::arg("repeats"),
            "So many right-hand sides at y = (q, v), reactions included, for others to time.")
+      .def("least_time_ahead", exclusive(+[](Dynamics& self, double t, const ConstVector& y, double seconds) {
+             const VectorXd full = with_work(self, y);
+             const py::gil_scoped_release release;
+             return least_time_ahead(self, t, full, seconds);
+           }),
+           py::arg("t"), py::arg("y"), py::arg("seconds"),
+           "Least time of a right-hand side at y = (q, v) [s], of those in so many seconds, two at least; a run that "
+           "sets out from there goes on as it would have without.")
       .def("redundancy_watch_time", exclusive(+[](Dynamics& self, double t, const ConstVector& y, int repeats) {
              const VectorXd full = with_work(self, y);
              const py::gil_scoped_release release;
@@ -490,6 +502,7 @@ void bind_formulation(py::module_& module) {
       .def("dependent_groups", &groups, py::arg("most"),
            "(row, rows that imply it, both in words) of the first redundant rows.");
   bind_measurements(dynamics);
+  bind_times(dynamics);
 }
 
 }  // namespace linkwork::python
