@@ -6,7 +6,7 @@ import warnings
 from collections import defaultdict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,7 @@ from linkwork.motion.summary import method
 from linkwork.motion.violations import joint_kinds, violations
 from linkwork.view.appearance import Scene, Solid, Span, scene
 from linkwork.view.encoding import Pack
+from linkwork.view.poses import add_poses, frames_of_piece, in_pieces
 
 if TYPE_CHECKING:
     from linkwork.results.result import Result
@@ -34,8 +35,8 @@ MOST_FRAMES = 2000
 #: Joints of which the coordinates can be plotted.
 COORDINATES = 100
 
-#: Share of the limit that poses may take; the rest is for what can be plotted.
-POSES = 0.6
+#: Share of the limit that poses may take; the rest is for what can be plotted, of so many bodies at least.
+POSES, FOLLOWED = 0.6, 6
 
 
 @dataclass(frozen=True)
@@ -43,7 +44,7 @@ class Choice:
     """What of a run goes into the page."""
 
     every: int  #: frames are every so manyth, and the last
-    bodies: NDArray[np.intp]  #: of which velocities can be plotted
+    bodies: NDArray[np.intp]  #: of which velocities can be plotted, and positions where poses are in pieces
     joints: NDArray[np.intp]  #: of which reactions can be plotted and drawn
 
     @classmethod
@@ -59,12 +60,22 @@ class Choice:
         every = max(1, -(-(count - 1) // (most - 1)))
         frames = -(-count // every) + 1
         left = limit - 14 * n * frames
-        share = min(1.0, left / max(1, frames * (24 * n + 24 * joints)))
-        return cls(every, _most(_travel(result), int(share * n)), _most(_load(result), int(share * joints)))
+        tracks, least = (14, min(FOLLOWED, n)) if in_pieces(frames, n) else (0, 0)
+        share = min(1.0, left / max(1, frames * ((24 + tracks) * n + 24 * joints)))
+        bodies = max(int(share * n), least)
+        return cls(every, _most(_travel(result), bodies), _most(_load(result), int(share * joints)))
 
 
-def document(result: Result, label: str, limit: float = LIMIT) -> tuple[dict[str, Any], str]:
-    """What the viewer reads as JSON, and the block of arrays that belongs to it.
+class Document(NamedTuple):
+    """A run in a page."""
+
+    facts: dict[str, Any]  #: what the viewer reads as JSON
+    block: str  #: of arrays
+    pieces: list[str]  #: blocks of poses; none where they are among the arrays
+
+
+def document(result: Result, label: str, limit: float = LIMIT) -> Document:
+    """What goes into a page of a result.
 
     OptionError: a result without frames, a limit that is too small.
     """
@@ -73,13 +84,13 @@ def document(result: Result, label: str, limit: float = LIMIT) -> tuple[dict[str
     header = result.header
     choice, pack = Choice.of(result, limit), Pack()
     drawn = scene(result)
-    precision = _add_frames(pack, result, choice)
+    pieces, precision = _add_frames(pack, result, choice)
     coordinates = _add_coordinates(pack, result, choice)
     pack.add("joints.bodies", header.joint_bodies, "i4")
     pack.add("joints.origin", header.joint_origin, "f4")
     manifest = result.manifest
     low, high = _extent(result, drawn)
-    return {
+    facts = {
         "label": label,
         "model": manifest.get("model") or "model",
         "method": _method(result),
@@ -101,7 +112,9 @@ def document(result: Result, label: str, limit: float = LIMIT) -> tuple[dict[str
         "events": [{"t": it.t, "name": it.name} for it in result.events][:200]
         + [{"t": it.t, "name": "singular pose"} for it in result.singular_poses],
         "arrays": pack.directory,
-    }, pack.text()
+        "pieces": {"count": len(pieces), "frames": frames_of_piece(header.body_count)} if pieces else None,
+    }
+    return Document(facts, pack.text(), pieces)
 
 
 def _joint_facts(header: Header, choice: Choice) -> dict[str, Any]:
@@ -131,12 +144,13 @@ def _thinned(result: Result, name: str, every: int) -> Floats:
     return np.concatenate([values, result.recorded(name, np.s_[-1:])])
 
 
-def _add_frames(pack: Pack, result: Result, choice: Choice) -> float:
-    """Times, poses, series; what is not an energy or violation quantized. The error of positions [m]."""
+def _add_frames(pack: Pack, result: Result, choice: Choice) -> tuple[list[str], float]:
+    """Times, poses, series; what is not an energy or violation quantized. See `add_poses`."""
     every = choice.every
     t = _thinned(result, "t", every)
     pack.add("t", t, "f8")
-    error = pack.add_quantized("q", continuous(_thinned(result, "q", every)))
+    shown = [*range(0, len(result), every)]
+    poses = add_poses(pack, result, shown + [len(result) - 1] * (shown[-1] != len(result) - 1), choice.bodies)
     for name, field in (("v", "v"), ("vdot", "vdot")):
         pack.add_quantized(name, _thinned(result, field, every)[:, choice.bodies])
     for part in ("force", "torque"):
@@ -148,7 +162,7 @@ def _add_frames(pack: Pack, result: Result, choice: Choice) -> float:
     pack.add("violation", _thinned(result, "violation", every).T, "f4")
     for name, values in zip(("gap", "askew"), joint_violations(result, choice), strict=True):
         pack.add_quantized(name, np.log10(np.maximum(values, 1e-17)))
-    return float(error[:, :3].max(initial=0.0))
+    return poses
 
 
 def _add_coordinates(pack: Pack, result: Result, choice: Choice) -> list[str]:
@@ -171,14 +185,6 @@ def _add_coordinates(pack: Pack, result: Result, choice: Choice) -> list[str]:
     for place, what in enumerate(("coordinate", "rate")):
         pack.add_quantized(what, thinned[..., place])
     return names
-
-
-def continuous(q: Floats) -> Floats:
-    """Euler parameters without jumps of sign: p and -p are the same pose."""
-    r, p = q[..., :3], q[..., 3:]
-    jumps = np.where(np.sum(p[1:] * p[:-1], axis=-1) < 0, -1.0, 1.0)
-    sign = np.concatenate([np.ones_like(p[:1, :, 0]), np.cumprod(jumps, axis=0)])
-    return np.concatenate([r, p * sign[..., None]], axis=-1)
 
 
 def joint_violations(result: Result, choice: Choice) -> tuple[Floats, Floats]:
