@@ -173,6 +173,19 @@ py::dict evaluate(const Dynamics& dynamics, double t, const ConstVector& q, cons
   return out;
 }
 
+py::tuple residuals(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
+  const System& system = dynamics.system();
+  check_size(q, system.q_size(), "q");
+  check_size(v, system.v_size(), "v");
+  check_moment(system, t, q, v);
+  Evaluation at = system.make_evaluation();
+  {
+    const py::gil_scoped_release release;
+    system.evaluate(t, q, v, dynamics.history(), at);
+  }
+  return py::make_tuple(at.Phi, at.Phi_dot);
+}
+
 py::tuple accelerations(Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v,
                         const History& history) {
   const WithHistory held(dynamics, history);
@@ -487,6 +500,8 @@ void bind_formulation(py::module_& module) {
       .def("evaluate", exclusive(&evaluate), py::arg("t"), py::arg("q"), py::arg("v"), py::arg("history") = py::none(),
            "M (n, 6, 6), D (compressed rows), inerters (rows), inertance, Phi, Phi_t, Phi_dot, gamma, g, potential, "
            "force_power, history.")
+      .def("residuals", exclusive(&residuals), py::arg("t"), py::arg("q"), py::arg("v"),
+           "(Phi, Phi_dot), without the rest of what `evaluate` gives, which takes ten times the memory.")
       .def("residual_scales", exclusive(&residual_scales), py::arg("t"), py::arg("q"), py::arg("v"),
            "(row lengths, rate [1/s], roundoff) that residuals are relative to: Phi / length and Phi_dot / length / "
            "rate are parts of the size and speed of the mechanism, known to the roundoff of its positions.")

@@ -386,6 +386,15 @@ class Dynamics:
         """
         (row lengths, rate [1/s], roundoff) that residuals are relative to: Phi / length and Phi_dot / length / rate are parts of the size and speed of the mechanism, known to the roundoff of its positions.
         """
+    def residuals(
+        self,
+        t: typing.SupportsFloat | typing.SupportsIndex,
+        q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        v: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+    ) -> tuple:
+        """
+        (Phi, Phi_dot), without the rest of what `evaluate` gives, which takes ten times the memory.
+        """
     def right_hand_side_times(
         self,
         t: typing.SupportsFloat | typing.SupportsIndex,

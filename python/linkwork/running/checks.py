@@ -133,19 +133,19 @@ def residuals(model: Model, dynamics: _core.Dynamics, at: Snapshot | None = None
     """Of positions and of velocities; without `at` at t = 0."""
     core = model.compiled()
     t, q, v = (0.0, core.q0, core.v0) if at is None else (at.t, np.ravel(at.q), np.ravel(at.v))
-    found = dynamics.evaluate(t, q, v)
+    Phi, Phi_dot = dynamics.residuals(t, q, v)
     lengths, rate, roundoff = dynamics.residual_scales(t, q, v)
     starts = core.joint_rows[:-1]
 
-    def of(level: str, key: str, scale: Floats) -> Residuals:
-        values = np.abs(found[key])
+    def of(level: str, found: Floats, scale: Floats) -> Residuals:
+        values = np.abs(found)
         if not len(starts):
             return Residuals(level, np.zeros(0), np.zeros(0), 0.0)
         relative = np.divide(values, scale, out=np.zeros(len(values)), where=values > 0)
         value, part = (np.maximum.reduceat(x, starts) for x in (values, relative))
         return Residuals(level, value, part, RESIDUAL_TOLERANCE + roundoff)
 
-    return [of("poses", "Phi", lengths), of("velocities", "Phi_dot", lengths * rate)]
+    return [of("poses", Phi, lengths), of("velocities", Phi_dot, lengths * rate)]
 
 
 def joint_residuals(
