@@ -32,8 +32,8 @@ LIMIT = 16e6
 #: More frames than a screen can show apart are left out.
 MOST_FRAMES = 2000
 
-#: Joints of which the coordinates can be plotted.
-COORDINATES = 100
+#: Joints of which the coordinates can be plotted; where poses are in pieces, as each is read by itself.
+COORDINATES, FEW_COORDINATES = 100, 20
 
 #: Share of the limit that poses may take; the rest is for what can be plotted, of so many bodies at least.
 POSES, FOLLOWED = 0.6, 6
@@ -46,6 +46,7 @@ class Choice:
     every: int  #: frames are every so manyth, and the last
     bodies: NDArray[np.intp]  #: of which velocities can be plotted, and positions where poses are in pieces
     joints: NDArray[np.intp]  #: of which reactions can be plotted and drawn
+    coordinates: int  #: of the first so many of them also coordinates
 
     @classmethod
     def of(cls, result: Result, limit: float) -> Choice:
@@ -60,10 +61,12 @@ class Choice:
         every = max(1, -(-(count - 1) // (most - 1)))
         frames = -(-count // every) + 1
         left = limit - 14 * n * frames
-        tracks, least = (14, min(FOLLOWED, n)) if in_pieces(frames, n) else (0, 0)
+        pieces = in_pieces(frames, n)
+        tracks, least = (14, min(FOLLOWED, n)) if pieces else (0, 0)
         share = min(1.0, left / max(1, frames * ((24 + tracks) * n + 24 * joints)))
         bodies = max(int(share * n), least)
-        return cls(every, _most(_travel(result), bodies), _most(_load(result), int(share * joints)))
+        loaded = _most(_load(result), int(share * joints))
+        return cls(every, _most(_travel(result), bodies), loaded, FEW_COORDINATES if pieces else COORDINATES)
 
 
 class Document(NamedTuple):
@@ -168,7 +171,7 @@ def _add_frames(pack: Pack, result: Result, choice: Choice) -> tuple[list[str], 
 def _add_coordinates(pack: Pack, result: Result, choice: Choice) -> list[str]:
     """Free coordinates of joints and their rates over full turns, from all frames; their names."""
     header, names, columns = result.header, [], []
-    for joint in choice.joints[:COORDINATES].tolist() if len(result) > 1 else []:
+    for joint in choice.joints[: choice.coordinates].tolist() if len(result) > 1 else []:
         known = known_coordinates(header.joint_kinds[joint])
         for which in known:
             with warnings.catch_warnings():  # frames too far apart: a plot of them is as doubtful as they are
@@ -234,17 +237,17 @@ def _extent(result: Result, drawn: Scene) -> tuple[Floats, Floats]:
         np.maximum.at(high, bodies, points)
     missing = ~np.isfinite(low)
     low, high = np.where(missing, 0.0, low), np.where(missing, 0.0, high)
-    every = max(1, len(result) // 40)
-    r, A = result.sampled_positions(every), rotation.matrix(result.recorded("q", np.s_[::every, :, 3:]))
-    ground = low[-1:], high[-1:]
-    found = list(ground) if any(body < 0 for body, _ in corners) else []
-    for corner in range(8):
-        s = np.where([(corner >> axis) & 1 for axis in range(3)], high[:n], low[:n])
-        found.append((r + np.einsum("kiab,ib->kia", A, s)).reshape(-1, 3))
-    everything = np.concatenate(found)
-    if not len(everything):
+    ends = [low[-1], high[-1]] if any(body < 0 for body, _ in corners) else []
+    middle, half = (low[:n] + high[:n]) / 2, (high[:n] - low[:n]) / 2
+    for frame in range(0, len(result) if n else 0, max(1, len(result) // 40)):
+        q = result.recorded("q", frame)  # one at a time: those of many bodies would take a GB
+        A = rotation.matrix(q[:, 3:])
+        center = q[:, :3] + np.einsum("iab,ib->ia", A, middle)
+        reach = np.einsum("iab,ib->ia", np.abs(A), half)
+        ends += [(center - reach).min(axis=0), (center + reach).max(axis=0)]
+    if not ends:
         return -np.ones(3), np.ones(3)
-    return everything.min(axis=0), everything.max(axis=0)
+    return np.min(ends, axis=0), np.max(ends, axis=0)
 
 
 def _of_each(function: Callable[[Shape], Any]) -> Callable[[Shape], Any]:
