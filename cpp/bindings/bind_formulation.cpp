@@ -393,10 +393,18 @@ py::tuple residuals(const Dynamics& dynamics, double t, const ConstVector& q, co
   const System& system = dynamics.system();
   check_size(q, system.q_size(), "q");
   check_size(v, system.v_size(), "v");
+  check_moment(system, t, q, v);
   Evaluation at = system.make_evaluation();
-  system.evaluate(t, q, v, dynamics.history(), at);
-  const double rate = characteristic_rate(system, at, v), roundoff = roundoff_of_positions(system, q);
-  return py::make_tuple(std::move(at.Phi), std::move(at.Phi_dot), row_lengths(system, at), rate, roundoff);
+  VectorXd lengths;
+  double rate = 0.0, roundoff = 0.0;
+  {
+    const py::gil_scoped_release release;
+    system.evaluate(t, q, v, dynamics.history(), at);
+    lengths = row_lengths(system, at);
+    rate = characteristic_rate(system, at, v);
+    roundoff = roundoff_of_positions(system, q);
+  }
+  return py::make_tuple(std::move(at.Phi), std::move(at.Phi_dot), std::move(lengths), rate, roundoff);
 }
 
 void bind_measurements(py::class_<Dynamics>& dynamics) {
@@ -409,7 +417,11 @@ void bind_measurements(py::class_<Dynamics>& dynamics) {
       .def("constraint_rates", &constraint_rates, py::arg("t"), py::arg("q"), py::arg("v"), py::arg("rows"),
            "Phi_t (k, rows) of some equations at k times and states.")
       .def("factorization_cost", exclusive(&factorization_cost),
-           "matrix_nonzeros (lower triangle), factor_nonzeros, flops, bytes of the last factorization; None: unknown.")
+           "matrix_nonzeros (lower triangle), factor_nonzeros, flops, bytes of the last factorization; None: unknown.");
+}
+
+void bind_times(py::class_<Dynamics>& dynamics) {
+  dynamics
       .def("right_hand_side_times", exclusive(&right_hand_side_times), py::arg("t"), py::arg("y"), py::arg("repeats"),
            "Times of so many right-hand sides at y = (q, v), together [s]: evaluate, assemble, factorize, solve, "
            "reactions, and the whole, which may be less than their sum.")
@@ -420,6 +432,14 @@ void bind_measurements(py::class_<Dynamics>& dynamics) {
            }),
            py::arg("t"), py::arg("y"), py::arg("repeats"),
            "So many right-hand sides at y = (q, v), reactions included, for others to time.")
+      .def("least_time_ahead", exclusive(+[](Dynamics& self, double t, const ConstVector& y, double seconds) {
+             const VectorXd full = with_work(self, y);
+             const py::gil_scoped_release release;
+             return least_time_ahead(self, t, full, seconds);
+           }),
+           py::arg("t"), py::arg("y"), py::arg("seconds"),
+           "Least time of a right-hand side at y = (q, v) [s], of those in so many seconds, two at least; a run that "
+           "sets out from there goes on as it would have without.")
       .def("redundancy_watch_time", exclusive(+[](Dynamics& self, double t, const ConstVector& y, int repeats) {
              const VectorXd full = with_work(self, y);
              const py::gil_scoped_release release;
@@ -492,6 +512,7 @@ void bind_formulation(py::module_& module) {
       .def("dependent_groups", &groups, py::arg("most"),
            "(row, rows that imply it, both in words) of the first redundant rows.");
   bind_measurements(dynamics);
+  bind_times(dynamics);
 }
 
 }  // namespace linkwork::python

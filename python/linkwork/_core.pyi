@@ -339,6 +339,15 @@ class Dynamics:
         """
         (k,) [J] at k states.
         """
+    def least_time_ahead(
+        self,
+        t: typing.SupportsFloat | typing.SupportsIndex,
+        y: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        seconds: typing.SupportsFloat | typing.SupportsIndex,
+    ) -> float:
+        """
+        Least time of a right-hand side at y = (q, v) [s], of those in so many seconds, two at least; a run that sets out from there goes on as it would have without.
+        """
     def rank(self) -> RankReport: ...
     def reactions(
         self,

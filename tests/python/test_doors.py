@@ -12,7 +12,7 @@ import pytest
 from linkwork import _core, mechanisms
 from linkwork.equations.stiffness import GROWTH
 from linkwork.integrators import METHODS
-from linkwork.running import duration
+from linkwork.running import forecast
 from small_mechanisms import slider_crank_at
 
 
@@ -122,11 +122,11 @@ def test_a_run_of_months_is_refused_before_its_first_step() -> None:
 
 
 def test_a_run_of_hours_is_told_and_runs(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(duration, "MANY_STEPS", 10)
-    monkeypatch.setattr(duration, "_evaluation", lambda system, start: 720.0)
+    monkeypatch.setattr(forecast, "LEAST_SECONDS", 1.0)
+    monkeypatch.setattr(forecast, "_evaluation_seconds", lambda system, start: 720.0)
     with pytest.warns(lw.LinkworkWarning, match=r"the run takes 10 steps, about 8 hours on this machine"):
         assert run(0.1, 1e-2).finished
-    monkeypatch.setattr(duration, "_evaluation", lambda system, start: 1.0)
+    monkeypatch.setattr(forecast, "_evaluation_seconds", lambda system, start: 1.0)
     run(0.1, 1e-2)
 
 

@@ -66,7 +66,7 @@ def test_poses_are_sent_without_jumps_of_sign() -> None:
     result = lw.simulate(model, t_end=1.0, step=1e-2)
     flipped = result.q.copy()
     flipped[::2, :, 3:] *= -1
-    from linkwork.view.run import continuous
+    from linkwork.view.poses import continuous
 
     smooth = continuous(flipped)[..., 3:]
     assert np.abs(np.diff(smooth, axis=0)).max() < 0.1
@@ -78,7 +78,7 @@ def test_poses_are_sent_without_jumps_of_sign() -> None:
 
 def test_frames_are_thinned_to_the_limit_and_keep_first_and_last(four_bar: lw.Result) -> None:
     limit = 20_000
-    found, block = document(four_bar, "", limit)
+    found, block, _ = document(four_bar, "", limit)
     raw = zlib.decompress(base64.b64decode(block))
     shown = found["frames"]["shown"]
     assert found["frames"]["recorded"] == len(four_bar) > 2 * shown > 4

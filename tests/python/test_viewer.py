@@ -484,7 +484,7 @@ def test_roundoff_is_drawn_as_zero(tab: chromium.Page, slider_crank: lw.Result, 
     """The slider moves along x; what is left along z is 1e-19 m and no curve of full height."""
     opened(tab, slider_crank.view(), tmp_path)
     largest = tab.evaluate("linkwork.runs[0].largestOf({ id: 'position' })")
-    tab.evaluate("for (const c of [0, 1, 2]) linkwork.runs[0].q.fill(0); linkwork.runs[0].q[2] = 1e-19; 1")
+    tab.evaluate("(() => { const { track } = linkwork.runs[0]; track.fill(0); track[2] = 1e-19 })()")
     tab.evaluate("linkwork.panels[2].choose('position'); 1")
     tab.drawn()
     assert tab.evaluate("linkwork.panels[2].plot.scales.y.max") >= 0.9e-9 * largest

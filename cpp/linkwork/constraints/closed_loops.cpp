@@ -7,6 +7,7 @@
 
 #include "linkwork/assembly/leaf_pruning.hpp"
 #include "linkwork/constraints/length_scale.hpp"
+#include "linkwork/math/interruption.hpp"
 
 namespace linkwork {
 namespace {
@@ -48,7 +49,9 @@ bool joins_many(const Model& model, int joint) {
 std::vector<char> prune_open_branches(const System& system, const VectorXd& scale, const Evaluation& at,
                                       double tolerance) {
   const std::vector<char> none(system.joint_count(), 0);
+  InterruptionMeter meter;
   const auto prunable = [&](const ConstraintBlock& block) {
+    meter.add(1);
     return independent(system.model(), at, scale, block, tolerance);
   };
   return prune_leaves(system, none, prunable).joints;

@@ -94,9 +94,13 @@ const VectorXd& characteristic_lengths(const System& system) {
   return system.kept()
       .get<CharacteristicLengths>([&] {
         look_for_interruption();
+        InterruptionMeter meter;
         ConnectedBodies connected(system);
         CharacteristicLengths found{VectorXd(system.body_count())};
-        for (int body = 0; body < system.body_count(); ++body) found.of_bodies[body] = connected.length(body);
+        for (int body = 0; body < system.body_count(); ++body) {
+          meter.add(1);
+          found.of_bodies[body] = connected.length(body);
+        }
         return found;
       })
       .of_bodies;

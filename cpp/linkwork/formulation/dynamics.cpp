@@ -70,7 +70,9 @@ Dynamics::Dynamics(const Model& model, const Options& options, const OnePath&)
       at_(system_.make_evaluation()) {
   use_threads();
   const FormulationInfo& info = formulation_info(options_.formulation);
+  look_for_interruption();
   rank_ = examine_rank(system_, at_);
+  look_for_interruption();
   if (rank_.redundant_rows.empty()) rank_.q.resize(0);  // for their groups
   options_.matrix_form = choose_form(info, options_, !rank_.redundant_rows.empty());
   options_.linear_solver = choose_solver(options_.matrix_form, info, options_, system_);
@@ -84,9 +86,11 @@ Dynamics::Dynamics(const Model& model, const Options& options, const OnePath&)
   check_kkt();
   const LinearSolverInfo& solver = linear_solver_info(options_.linear_solver);
   check_deterministic();
+  look_for_interruption();
   formulation_ = std::make_unique<WatchedFormulation>(
       system_, at_, now_, info.make(make_saddle_solver(options_.matrix_form, solver, system_), options_),
       DroppedRows(system_, rank_.redundant_rows));
+  look_for_interruption();
   if (!unconnected()) formulation_->start(info.needs_full_rank, info.needs_full_rank || solver.make_saddle);
   settle_threads();
   if (unconnected()) return;

@@ -1,5 +1,8 @@
 #include "linkwork/formulation/right_hand_side_times.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include "linkwork/constraints/redundancy_watch.hpp"
 #include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/linear/block/kept_orders.hpp"
@@ -73,6 +76,22 @@ RightHandSideTimes time_right_hand_sides(Dynamics& dynamics, double t, const Vec
 void repeat_right_hand_side(Dynamics& dynamics, double t, const VectorXd& y, int repeats) {
   RightHandSide f(dynamics, t, y);
   for (int k = 0; k < repeats; ++k) f.whole();
+}
+
+double least_time_ahead(Dynamics& dynamics, double t, const VectorXd& y, double seconds) {
+  const Unwatched unwatched(dynamics);
+  VectorXd y_dot(dynamics.y_size());
+  double least = std::numeric_limits<double>::infinity(), whole = 0.0;
+  for (int k = 0; k < 2 || whole < seconds; ++k) {
+    double one = 0.0;
+    timed(one, [&] {
+      dynamics.evaluate(t, y);
+      dynamics.rates(y_dot);
+    });
+    least = std::min(least, one);
+    whole += one;
+  }
+  return least;
 }
 
 double time_redundancy_watch(Dynamics& dynamics, double t, const VectorXd& y, int repeats) {

@@ -21,6 +21,10 @@ RightHandSideTimes time_right_hand_sides(Dynamics& dynamics, double t, const Vec
 /// So many right-hand sides, for others to time.
 void repeat_right_hand_side(Dynamics& dynamics, double t, const VectorXd& y, int repeats);
 
+/// The least time of a right-hand side at (t, y) [s], of two or more in so many seconds, on which a run is about to set
+/// out from there: nothing of it is remembered but its cost.
+double least_time_ahead(Dynamics& dynamics, double t, const VectorXd& y, double seconds);
+
 /// The time of so many looks at the redundant rows, as a run takes one at the end of each step [s].
 double time_redundancy_watch(Dynamics& dynamics, double t, const VectorXd& y, int repeats);
 

@@ -5,6 +5,7 @@
 
 #include "linkwork/formulation/not_finite.hpp"
 #include "linkwork/math/error.hpp"
+#include "linkwork/math/interruption.hpp"
 
 namespace linkwork {
 namespace {
@@ -32,6 +33,7 @@ void WatchedFormulation::analyze(const System& system, const Evaluation& typical
   minimum_norm_ = MinimumNorm(system, rows.delassus, dropped_);
   dropped_.take_out(at_);
   least_singular_value_ = LeastSingularValue(system, rows.delassus, dropped_);
+  look_for_interruption();
   formulation_->analyze(system, typical, rows);
 }
 

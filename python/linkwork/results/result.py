@@ -394,7 +394,8 @@ class Result:
         OptionError: not a whole number.
         """
         _check_every(every)
-        return self._field("q", np.s_[::every, :, :3])
+        frames = [self._field("q", frame)[:, :3] for frame in range(0, len(self), every)]
+        return np.array(frames).reshape(-1, self._header.body_count, 3)
 
     def sampled_reactions(self, every: int) -> Reaction:
         """Reactions (., J, 3) of every so manyth frame.

@@ -20,7 +20,8 @@ from linkwork.errors import OptionError
 if TYPE_CHECKING:
     from rich.progress import Progress
 
-#: What `simulate(progress=...)` takes: None or True shows a line, False shows nothing.
+#: What `simulate(progress=...)` takes: None or True shows a line, False shows nothing. True tells in any case
+#: what a large run will take, None where the line is shown.
 ProgressOption = Callable[["ProgressInfo"], object] | bool | None
 
 #: What a series of tasks takes: None shows a line, False shows nothing.
@@ -138,7 +139,7 @@ def counting(show: ShowOption, total: int) -> Iterator[Callable[[int, str], None
 
 def describe(info: ProgressInfo) -> str:
     """The numbers of the line: simulated time, rate, remaining time, step, violation."""
-    left = "" if info.remaining is None else f", {_duration(info.remaining)} left"
+    left = "" if info.remaining is None else f", {time_in_words(info.remaining)} left"
     step = "" if info.step is None else f", step {info.step:.3g} s"
     violation = "" if info.violation is None else f", violation {info.violation:.0e}"
     return f"t = {info.t:.4g} of {info.t_end:g} s, {_quantity(info.rate)} steps/s{left}{step}{violation}"
@@ -154,7 +155,7 @@ def fitting(text: str, width: int) -> str:
 
 
 def _left(elapsed: float, fraction: float) -> str:
-    return f", {_duration(elapsed * (1 / fraction - 1))} left" if 0 < fraction < 1 else ""
+    return f", {time_in_words(elapsed * (1 / fraction - 1))} left" if 0 < fraction < 1 else ""
 
 
 class _Display(Protocol):
@@ -183,6 +184,11 @@ def _shown(wanted: bool) -> Iterator[Callable[[float, float, Callable[[], str]],
     finally:
         for display in displays:
             display.close()
+
+
+def screen() -> bool:
+    """Whether somebody looks at a terminal or a notebook."""
+    return bool(_screens())
 
 
 def _screens() -> list[_Display]:
@@ -269,8 +275,11 @@ def _in_notebook() -> bool:
     return getattr(shell, "kernel", None) is not None
 
 
-def _duration(seconds: float) -> str:
-    """Seconds as people say them: 8 s, 3 min 20 s, 2 h 5 min."""
+def time_in_words(seconds: float) -> str:
+    """Seconds as people say them: 8 s, 3 min 20 s, 2 h 5 min, 8 hours, 3 days."""
+    for size, unit in ((365 * 86400, "years"), (86400, "days"), (3600, "hours")):
+        if seconds >= max(2 * size, 6 * 3600):
+            return f"{seconds / size:.2g} {unit}"
     whole = round(seconds)
     if whole < 60:
         return f"{whole} s"

@@ -116,7 +116,10 @@ class _Memory:
         return self.result({}) if self._pieces else None
 
     def result(self, statistics: Mapping[str, Any]) -> Result:
-        joined = {name: np.concatenate([piece[name] for piece in self._pieces]) for name in self._pieces[0]}
+        pieces, self._pieces = [dict(piece) for piece in self._pieces], []
+        joined = {  # field by field, or memory would have to hold everything twice
+            name: np.concatenate([piece.pop(name) for piece in pieces]) for name in list(pieces[0])
+        }
         checkpoint = self._checkpoints.of_frames()
         return Result(joined, self._header, statistics, events=self._occurrences, checkpoint=checkpoint)
 

@@ -8,7 +8,7 @@ import os
 import textwrap
 import time
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple, Unpack
 
 from numpy.typing import ArrayLike
@@ -25,7 +25,7 @@ from linkwork.motion.records import Snapshot
 from linkwork.options import TABLE, Options, Policy, check_name, check_option, names
 from linkwork.options.types import IntegratorName, described
 from linkwork.results.result import Result
-from linkwork.running import breakpoints, checks, duration, estimation, recording, resuming, schedule
+from linkwork.running import breakpoints, checks, estimation, forecast, recording, resuming, schedule
 from linkwork.running.events import Event, compile_events
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.manifest import manifest
@@ -35,6 +35,10 @@ from linkwork.running.recording import PythonStep
 __all__ = ["PythonStep", "check_run", "simulate", "what_steps"]
 
 log = logging.getLogger(__name__)
+
+#: What the run's statistics count, and what looks ahead of it count, too.
+COUNTED = ("evaluations", "factorizations", "solves", "iterations", "evaluate_time", "factorize_time",
+           "assemble_time", "solve_time")  # fmt: skip
 
 
 def simulate(
@@ -66,7 +70,7 @@ def simulate(
     t_end         end of the simulated time [s]
     step          [s] fixed, not longer than the run, or with rtol or atol the largest (None: no limit). What
                   would take hours is told before the first step by a LinkworkWarning, what would take more
-                  than a month is refused
+                  than a month is refused; manifest["forecast"] has time and memory of a large run
     integrator    how steps are taken. A name in linkwork.integrators.METHODS, a method as data, or
                   step(system, t, y, h); None: "rk4", or "dopri5" with rtol or atol
     rtol          relative tolerance: steps that follow it (bs32, dopri5, tsit5, dop853). The error of each
@@ -91,8 +95,9 @@ def simulate(
                   begin anew: a LinkworkWarning names them
     output        an HDF5 file that is written while the run goes on; the result then reads from it
     overwrite     whether `output` may replace a file that is there
-    progress      None: a line on a terminal or in a notebook after two seconds; False: nothing; or a function
-                  of ProgressInfo. Loggers "linkwork" and below tell of runs, too (level INFO)
+    progress      None: a line on a terminal or in a notebook after two seconds, and before the first step
+                  what a large run will take; True: that in any case; False: nothing; or a function of
+                  ProgressInfo. Loggers "linkwork" and below tell of runs, too (level INFO)
     assemble      correct initial poses and velocities that violate the joints a little. Up to 1/1000 of the
                   size and speed of the mechanism as by linkwork.assemble, larger violations are refused;
                   False: the run starts from them as they are, with a warning
@@ -134,7 +139,7 @@ def simulate(
                  "on_inaccurate": on_inaccurate, **options}  # fmt: skip
         prepared = _prepared(model, plan, given, options, compile_events(events, model), start)
         _check_output(output, overwrite)
-        duration.announce(prepared.system.model, options, prepared.method, plan.least_steps(t_start), start)
+        prepared = _looked_ahead(prepared, output)
     with Interrupts() as interrupts, path:
         result, estimator = _carried_out(prepared, output, progress, started, interrupts)
     if verify:
@@ -179,10 +184,17 @@ class Prepared:
     chosen: Mapping[str, Any]  # options with none left open
     facts: Mapping[str, Any]  # for the manifest
     key: str  # of checkpoints, see `resuming`
+    forecast: forecast.Forecast | None = None  # of a large run
+    looking: Mapping[str, float] = field(default_factory=dict)  # what it cost to make that, of the statistics
 
     @property
     def t_start(self) -> float:
         return checks.start_time(self.start)
+
+    def statistics(self) -> dict[str, Any]:
+        """Of the run so far, without the looks ahead of it."""
+        found = self.run.statistics()
+        return {**found, **{name: found[name] - cost for name, cost in self.looking.items()}}
 
     def header(self) -> Header:
         model = self.system.model
@@ -258,6 +270,17 @@ def what_steps(
     return Stepped(method, options, system, assembly, breaks)
 
 
+def _looked_ahead(it: Prepared, output: str | os.PathLike[str] | None) -> Prepared:
+    """With a forecast where it is large. OptionError: it would take months."""
+    before = it.run.statistics()
+    frames = it.plan.expected_frames(it.run)
+    found = forecast.look_ahead(it.system, it.plan, it.method, it.start, frames, output)
+    after = it.run.statistics()
+    cost = {name: after[name] - before[name] for name in COUNTED if after[name] != before[name]}
+    facts = it.facts if found is None else {**it.facts, "forecast": found.numbers()}
+    return replace(it, facts=facts, forecast=found, looking=cost)
+
+
 def prepared(
     model: Model, plan: schedule.Fixed | schedule.Adaptive, given: Mapping[str, Any], options: Options
 ) -> Prepared:
@@ -301,6 +324,8 @@ def _carried_out(
     model, run, plan, t_start = it.system.model, it.run, it.plan, it.t_start
     spent = {"setup_seconds": time.perf_counter() - started}
     log.info("%s: %g to %g s by %s", model.describe(), t_start, plan.t_end, _listed(it.chosen))
+    if it.forecast is not None:
+        forecast.announce(it.forecast, progress)
     with reporting(progress, plan.t_end, run.steps_total, t_start) as report:
         pieces = recording.pieces(run, interrupts, it.method, it.system)
         labels, warns = it.facts["events"], it.system.options["on_singular"] == "warn"
@@ -309,7 +334,7 @@ def _carried_out(
             spent["driver_seconds"] = recording.record(
                 run, pieces, recorder, report, labels, estimator, interrupts, warns=warns
             )
-            statistics = {**run.statistics(), **plan.steps_with_breaks(it.breaks, t_start)}
+            statistics = {**it.statistics(), **plan.steps_with_breaks(it.breaks, t_start)}
             driven = time.perf_counter()
             with interrupts.computing():
                 verdict = estimator.verdict(statistics)

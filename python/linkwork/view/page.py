@@ -7,7 +7,7 @@ import json
 import os
 import tempfile
 import webbrowser
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,7 +16,7 @@ import numpy as np
 
 from linkwork.arguments import check_suffix, is_number
 from linkwork.errors import OptionError, unwritable
-from linkwork.view.run import LIMIT, document
+from linkwork.view.run import LIMIT, Document, document
 
 if TYPE_CHECKING:
     from linkwork.results.result import Result
@@ -94,19 +94,27 @@ def view(results: Sequence[Result], labels: Sequence[str] = (), limit: float = L
     documents = [
         document(result, label, limit / len(results)) for result, label in zip(results, names, strict=True)
     ]
-    model = documents[0][0]["model"]
+    model = documents[0].facts["model"]
     return Page(
         _PAGE.format(
             title=html.escape(f"{model} - linkwork"),
             style=_bundled("viewer.css"),
             script=_bundled("viewer.js").replace("</script", "<\\/script"),
-            runs=json.dumps([run for run, _ in documents], separators=(",", ":")).replace("<", "\\u003c"),
+            runs=json.dumps([it.facts for it in documents], separators=(",", ":")).replace("<", "\\u003c"),
             blocks="\n".join(
-                f'<script id="block{number}" type="text/plain">{block}</script>'
-                for number, (_, block) in enumerate(documents)
+                f'<script id="{name}" type="text/plain">{block}</script>'
+                for number, it in enumerate(documents)
+                for name, block in _blocks(number, it)
             ),
         )
     )
+
+
+def _blocks(number: int, document: Document) -> Iterator[tuple[str, str]]:
+    """Of the run of that number, by their names in the page."""
+    yield f"block{number}", document.block
+    for place, piece in enumerate(document.pieces):
+        yield f"poses{number}-{place}", piece
 
 
 def _bundled(name: str) -> str:

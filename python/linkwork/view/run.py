@@ -6,7 +6,7 @@ import warnings
 from collections import defaultdict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,7 @@ from linkwork.motion.summary import method
 from linkwork.motion.violations import joint_kinds, violations
 from linkwork.view.appearance import Scene, Solid, Span, scene
 from linkwork.view.encoding import Pack
+from linkwork.view.poses import add_poses, frames_of_piece, in_pieces
 
 if TYPE_CHECKING:
     from linkwork.results.result import Result
@@ -31,11 +32,11 @@ LIMIT = 16e6
 #: More frames than a screen can show apart are left out.
 MOST_FRAMES = 2000
 
-#: Joints of which the coordinates can be plotted.
-COORDINATES = 100
+#: Joints of which the coordinates can be plotted; where poses are in pieces, as each is read by itself.
+COORDINATES, FEW_COORDINATES = 100, 20
 
-#: Share of the limit that poses may take; the rest is for what can be plotted.
-POSES = 0.6
+#: Share of the limit that poses may take; the rest is for what can be plotted, of so many bodies at least.
+POSES, FOLLOWED = 0.6, 6
 
 
 @dataclass(frozen=True)
@@ -43,8 +44,9 @@ class Choice:
     """What of a run goes into the page."""
 
     every: int  #: frames are every so manyth, and the last
-    bodies: NDArray[np.intp]  #: of which velocities can be plotted
+    bodies: NDArray[np.intp]  #: of which velocities can be plotted, and positions where poses are in pieces
     joints: NDArray[np.intp]  #: of which reactions can be plotted and drawn
+    coordinates: int  #: of the first so many of them also coordinates
 
     @classmethod
     def of(cls, result: Result, limit: float) -> Choice:
@@ -59,12 +61,24 @@ class Choice:
         every = max(1, -(-(count - 1) // (most - 1)))
         frames = -(-count // every) + 1
         left = limit - 14 * n * frames
-        share = min(1.0, left / max(1, frames * (24 * n + 24 * joints)))
-        return cls(every, _most(_travel(result), int(share * n)), _most(_load(result), int(share * joints)))
+        pieces = in_pieces(frames, n)
+        tracks, least = (14, min(FOLLOWED, n)) if pieces else (0, 0)
+        share = min(1.0, left / max(1, frames * ((24 + tracks) * n + 24 * joints)))
+        bodies = max(int(share * n), least)
+        loaded = _most(_load(result), int(share * joints))
+        return cls(every, _most(_travel(result), bodies), loaded, FEW_COORDINATES if pieces else COORDINATES)
 
 
-def document(result: Result, label: str, limit: float = LIMIT) -> tuple[dict[str, Any], str]:
-    """What the viewer reads as JSON, and the block of arrays that belongs to it.
+class Document(NamedTuple):
+    """A run in a page."""
+
+    facts: dict[str, Any]  #: what the viewer reads as JSON
+    block: str  #: of arrays
+    pieces: list[str]  #: blocks of poses; none where they are among the arrays
+
+
+def document(result: Result, label: str, limit: float = LIMIT) -> Document:
+    """What goes into a page of a result.
 
     OptionError: a result without frames, a limit that is too small.
     """
@@ -73,13 +87,13 @@ def document(result: Result, label: str, limit: float = LIMIT) -> tuple[dict[str
     header = result.header
     choice, pack = Choice.of(result, limit), Pack()
     drawn = scene(result)
-    precision = _add_frames(pack, result, choice)
+    pieces, precision = _add_frames(pack, result, choice)
     coordinates = _add_coordinates(pack, result, choice)
     pack.add("joints.bodies", header.joint_bodies, "i4")
     pack.add("joints.origin", header.joint_origin, "f4")
     manifest = result.manifest
     low, high = _extent(result, drawn)
-    return {
+    facts = {
         "label": label,
         "model": manifest.get("model") or "model",
         "method": _method(result),
@@ -101,7 +115,9 @@ def document(result: Result, label: str, limit: float = LIMIT) -> tuple[dict[str
         "events": [{"t": it.t, "name": it.name} for it in result.events][:200]
         + [{"t": it.t, "name": "singular pose"} for it in result.singular_poses],
         "arrays": pack.directory,
-    }, pack.text()
+        "pieces": {"count": len(pieces), "frames": frames_of_piece(header.body_count)} if pieces else None,
+    }
+    return Document(facts, pack.text(), pieces)
 
 
 def _joint_facts(header: Header, choice: Choice) -> dict[str, Any]:
@@ -131,12 +147,13 @@ def _thinned(result: Result, name: str, every: int) -> Floats:
     return np.concatenate([values, result.recorded(name, np.s_[-1:])])
 
 
-def _add_frames(pack: Pack, result: Result, choice: Choice) -> float:
-    """Times, poses, series; what is not an energy or violation quantized. The error of positions [m]."""
+def _add_frames(pack: Pack, result: Result, choice: Choice) -> tuple[list[str], float]:
+    """Times, poses, series; what is not an energy or violation quantized. See `add_poses`."""
     every = choice.every
     t = _thinned(result, "t", every)
     pack.add("t", t, "f8")
-    error = pack.add_quantized("q", continuous(_thinned(result, "q", every)))
+    shown = [*range(0, len(result), every)]
+    poses = add_poses(pack, result, shown + [len(result) - 1] * (shown[-1] != len(result) - 1), choice.bodies)
     for name, field in (("v", "v"), ("vdot", "vdot")):
         pack.add_quantized(name, _thinned(result, field, every)[:, choice.bodies])
     for part in ("force", "torque"):
@@ -148,13 +165,13 @@ def _add_frames(pack: Pack, result: Result, choice: Choice) -> float:
     pack.add("violation", _thinned(result, "violation", every).T, "f4")
     for name, values in zip(("gap", "askew"), joint_violations(result, choice), strict=True):
         pack.add_quantized(name, np.log10(np.maximum(values, 1e-17)))
-    return float(error[:, :3].max(initial=0.0))
+    return poses
 
 
 def _add_coordinates(pack: Pack, result: Result, choice: Choice) -> list[str]:
     """Free coordinates of joints and their rates over full turns, from all frames; their names."""
     header, names, columns = result.header, [], []
-    for joint in choice.joints[:COORDINATES].tolist() if len(result) > 1 else []:
+    for joint in choice.joints[: choice.coordinates].tolist() if len(result) > 1 else []:
         known = known_coordinates(header.joint_kinds[joint])
         for which in known:
             with warnings.catch_warnings():  # frames too far apart: a plot of them is as doubtful as they are
@@ -171,14 +188,6 @@ def _add_coordinates(pack: Pack, result: Result, choice: Choice) -> list[str]:
     for place, what in enumerate(("coordinate", "rate")):
         pack.add_quantized(what, thinned[..., place])
     return names
-
-
-def continuous(q: Floats) -> Floats:
-    """Euler parameters without jumps of sign: p and -p are the same pose."""
-    r, p = q[..., :3], q[..., 3:]
-    jumps = np.where(np.sum(p[1:] * p[:-1], axis=-1) < 0, -1.0, 1.0)
-    sign = np.concatenate([np.ones_like(p[:1, :, 0]), np.cumprod(jumps, axis=0)])
-    return np.concatenate([r, p * sign[..., None]], axis=-1)
 
 
 def joint_violations(result: Result, choice: Choice) -> tuple[Floats, Floats]:
@@ -228,17 +237,17 @@ def _extent(result: Result, drawn: Scene) -> tuple[Floats, Floats]:
         np.maximum.at(high, bodies, points)
     missing = ~np.isfinite(low)
     low, high = np.where(missing, 0.0, low), np.where(missing, 0.0, high)
-    every = max(1, len(result) // 40)
-    r, A = result.sampled_positions(every), rotation.matrix(result.recorded("q", np.s_[::every, :, 3:]))
-    ground = low[-1:], high[-1:]
-    found = list(ground) if any(body < 0 for body, _ in corners) else []
-    for corner in range(8):
-        s = np.where([(corner >> axis) & 1 for axis in range(3)], high[:n], low[:n])
-        found.append((r + np.einsum("kiab,ib->kia", A, s)).reshape(-1, 3))
-    everything = np.concatenate(found)
-    if not len(everything):
+    ends = [low[-1], high[-1]] if any(body < 0 for body, _ in corners) else []
+    middle, half = (low[:n] + high[:n]) / 2, (high[:n] - low[:n]) / 2
+    for frame in range(0, len(result) if n else 0, max(1, len(result) // 40)):
+        q = result.recorded("q", frame)  # one at a time: those of many bodies would take a GB
+        A = rotation.matrix(q[:, 3:])
+        center = q[:, :3] + np.einsum("iab,ib->ia", A, middle)
+        reach = np.einsum("iab,ib->ia", np.abs(A), half)
+        ends += [(center - reach).min(axis=0), (center + reach).max(axis=0)]
+    if not ends:
         return -np.ones(3), np.ones(3)
-    return everything.min(axis=0), everything.max(axis=0)
+    return np.min(ends, axis=0), np.max(ends, axis=0)
 
 
 def _of_each(function: Callable[[Shape], Any]) -> Callable[[Shape], Any]:

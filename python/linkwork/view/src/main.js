@@ -3,6 +3,7 @@
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
 import { Objects } from "./objects.js";
+import { leftOut } from "./left_out.js";
 import { Overlay } from "./overlay.js";
 import { Panel, figure } from "./panel.js";
 import { Player } from "./player.js";
@@ -15,8 +16,10 @@ const SECOND = { played: "first", overlaid: "second" };
 async function main() {
   const descriptions = JSON.parse(document.getElementById("runs").textContent);
   const blocks = await Promise.all(descriptions.map((_, k) => unpacked(document.getElementById(`block${k}`).textContent.trim())));
-  const runs = descriptions.map((it, k) => new Run(it, blocks[k]));
+  const text = (name) => document.getElementById(name).textContent.trim();
+  const runs = descriptions.map((it, k) => new Run(it, blocks[k], (number) => text(`poses${k}-${number}`)));
   runs.forEach((run, k) => (run.short = run.label && run.label.length <= 24 ? run.label : k ? SECOND.overlaid : SECOND.played));
+  await Promise.all(runs.map((run) => run.poses.ready()));
   new Page(document.getElementById("viewer"), runs);
 }
 
@@ -83,7 +86,9 @@ class Page {
     button.dataset.state = player.playing ? "pause" : "play";
     button.setAttribute("aria-label", player.playing ? "Pause" : "Play");
     const run = this.runs[0];
-    this.part("now").textContent = run.jointCount && !run.still ? `violation ${figure(run.violation[run.frame])}` : "";
+    const violation = run.jointCount && !run.still ? `violation ${figure(run.violation[run.frame])}` : "";
+    const broken = this.runs.find((it) => it.poses.error);
+    this.part("now").textContent = broken ? `frames cannot be read: ${broken.poses.error.message}` : player.behind ? "frames are being unpacked" : violation;
   }
 
   #transport() {
@@ -163,11 +168,18 @@ class Page {
     });
     this.part("shot").addEventListener("click", () => this.#screenshot());
     this.overlay = new Overlay(this.part("overlay"), world, this.runs);
+    world.rendered.push(() => this.#sayLeftOut());
     this.part("names-of").value = this.overlay.names;
     this.part("names-of").addEventListener("change", (event) => {
       this.overlay.names = event.target.value;
-      this.overlay.update();
+      world.changed();
     });
+  }
+
+  #sayLeftOut() {
+    const text = leftOut(this.runs[0], this.world, this.overlay).join(" · ");
+    const place = this.part("left-out");
+    if (place.textContent !== text) place.textContent = text;
   }
 
   async #screenshot() {
@@ -281,7 +293,7 @@ function layout(runs) {
   <div class="title"><h1>${escaped(run.model.replaceAll("_", " "))}</h1><p>${escaped(counts)}${run.method ? ` · ${escaped(run.method)}` : ""}${run.finished || run.still ? "" : ' · <em>not finished</em>'}</p></div>
   ${second}
   <div class="tools">
-    <select class="view" aria-label="view" title="Look from (F: show everything)"><option value="" hidden>View</option><option value="fit">everything</option>${VIEWS.map(([name, label]) => `<option value="${name}">${label}</option>`).join("")}</select>
+    <select class="view" aria-label="view" title="Look from (F: show everything)"><option value="" hidden>View</option><option value="fit">everything</option><option value="picked">what is picked</option>${VIEWS.map(([name, label]) => `<option value="${name}">${label}</option>`).join("")}</select>
     <button class="shot" title="Picture as PNG" aria-label="Picture as PNG"><svg viewBox="0 0 16 16" aria-hidden="true"><path d="M2 4.5h3l1.2-2h3.6l1.2 2h3v9H2zM8 6.2a2.9 2.9 0 1 0 0 5.8 2.9 2.9 0 0 0 0-5.8z"/></svg></button>
     <details class="menu"><summary>Show</summary>
       <div class="choices">
@@ -305,6 +317,7 @@ function layout(runs) {
   <div class="overlay"></div>
   <div class="tip" hidden></div>
   <div class="keys">
+    <div class="left-out"></div>
     <div class="arrow-key" hidden><span><i class="unique"></i>follows from the motion</span><span><i class="shared"></i>not unique: a share of least norm</span><span class="longest"></span></div>
     <div class="gap-key" hidden>violation <span>1e${GAP.low}</span><i style="background:linear-gradient(90deg, ${gaps})"></i><span>1e${GAP.high} m; angles times ${figure(run.lever)} m</span></div>
   </div>

@@ -1,5 +1,7 @@
 // What lies over the picture: names, inertial axes and gravity in a corner, a length to compare with.
 
+import { projection } from "./detail.js";
+
 const NAMES = 80; // at most so many are shown at once
 const CORNER = 34; // half the size of the axes' corner [pixels]
 
@@ -51,21 +53,21 @@ export class Overlay {
     const { run, world } = this;
     const out = [0, 0, 0];
     const wanted = [];
+    this.asked = 0; // names of what is in the picture, before most are left out
     const add = (text, at, kind) => wanted.length < NAMES && wanted.push({ text, at: world.projected(...at), kind });
     for (const [joint, text] of run.loose) add(`${run.joints.names[joint]}: ${text}`, run.jointPoint(joint, 1, out), "loose");
     const { selected } = world;
     if (selected?.kind === "body") add(run.bodies.names[selected.index], run.pose.subarray(7 * selected.index, 7 * selected.index + 3), "selected");
     if (selected?.kind === "joint") add(run.joints.names[selected.index], run.jointPoint(selected.index, 0, out), "selected");
     if (this.names === "bodies" || this.names === "all") {
-      for (let i = 0; i < run.bodyCount && wanted.length < NAMES; i++) {
-        if (!world.hidden.body.has(i)) add(run.bodies.names[i], run.pose.subarray(7 * i, 7 * i + 3), "body");
-      }
+      const place = (i) => run.pose.subarray(7 * i, 7 * i + 3);
+      for (const i of this.#some(run.bodyCount, "body", place)) add(run.bodies.names[i], place(i), "body");
     }
     if (this.names === "joints" || this.names === "all") {
-      for (let j = 0; j < run.jointCount && wanted.length < NAMES; j++) {
-        if (!world.hidden.joint.has(j)) add(run.joints.names[j], run.jointPoint(j, 0, out), "joint");
-      }
+      const place = (j) => run.jointPoint(j, 0, out);
+      for (const j of this.#some(run.jointCount, "joint", place)) add(run.joints.names[j], place(j), "joint");
     }
+    this.named = wanted.filter((it) => it.kind === "body" || it.kind === "joint").length;
     const place = this.part("names");
     while (place.childElementCount < wanted.length) place.append(document.createElement("span"));
     [...place.children].forEach((label, k) => {
@@ -76,5 +78,22 @@ export class Overlay {
       label.className = it.kind;
       label.style.transform = `translate(${it.at[0].toFixed(1)}px, ${it.at[1].toFixed(1)}px) translate(-50%, -50%)`;
     });
+  }
+
+  /** Those that can be named: all of few, else some of those in the picture, evenly. */
+  #some(count, kind, place) {
+    const hidden = this.world.hidden[kind];
+    const all = [];
+    const { clientWidth: width, clientHeight: height } = this.world.renderer.domElement;
+    const project = projection(this.world.camera, width, height);
+    const at = [0, 0];
+    for (let i = 0; i < count; i++) {
+      if (hidden.has(i)) continue;
+      if (count > NAMES && !(project(...place(i), at) && at[0] >= 0 && at[0] <= width && at[1] >= 0 && at[1] <= height)) continue;
+      all.push(i);
+    }
+    this.asked += all.length;
+    const step = Math.ceil(all.length / NAMES);
+    return step > 1 ? all.filter((_, k) => k % step === 0) : all;
   }
 }

@@ -13,6 +13,12 @@ export class Player {
     this.speeds = speeds(this.end - this.start);
     this.speed = usualSpeed(this.end - this.start, this.speeds);
     this.secondShown = true;
+    for (const { poses } of runs) poses.arrived = () => this.seek(this.time);
+  }
+
+  /** Frames of the present time are still being taken out of the page. */
+  get behind() {
+    return this.runs.some((run) => run.behind && !run.poses.error);
   }
 
   /** Whether a run takes part. */
@@ -60,7 +66,7 @@ export class Player {
     let before = performance.now();
     const tick = (now) => {
       if (!this.playing) return;
-      const time = this.time + (this.speed * (now - before)) / 1000;
+      const time = this.time + (this.behind ? 0 : (this.speed * (now - before)) / 1000); // it waits for frames
       before = now;
       if (time >= this.end) this.playing = false;
       this.seek(time);

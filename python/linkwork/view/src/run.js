@@ -1,34 +1,35 @@
 // One run: its arrays out of the page, its pose at any time, the series that can be plotted.
 
+import { PosePieces, Poses } from "./poses.js";
+
 const TYPES = { f8: Float64Array, f4: Float32Array, i4: Int32Array, u2: Uint16Array, u1: Uint8Array };
 
 /** The bytes of a block of the page: base64, deflated. */
 export async function unpacked(text) {
-  const binary = atob(text);
-  const bytes = new Uint8Array(binary.length);
-  for (let i = 0; i < binary.length; i++) bytes[i] = binary.charCodeAt(i);
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  const stream = new Blob([bytesOf(text)]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Response(stream).arrayBuffer();
 }
 
+function bytesOf(text) {
+  if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
+  const binary = atob(text);
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < binary.length; i++) bytes[i] = binary.charCodeAt(i);
+  return bytes;
+}
+
 export class Run {
-  constructor(description, buffer) {
+  /** `piece(number)` is the text of a block of poses. */
+  constructor(description, buffer, piece) {
     Object.assign(this, description);
     this.buffer = buffer;
     this.t = this.array("t");
     this.count = this.t.length;
     this.bodyCount = this.bodies.names.length;
     this.jointCount = this.joints.names.length;
-    this.q = this.series("q"); // frame by frame, 7 a body: position, Euler parameters (scalar first)
-    this.v = this.series("v"); // 6 a plotted body
-    this.vdot = this.series("vdot");
-    this.coordinate = this.series("coordinate"); // one a coordinate of `coordinates`
-    this.rate = this.series("rate");
+    this.taken = new Map(); // series by name, since they were asked for
+    this.poses = this.pieces ? this.#pieces(piece) : new Poses(this.series("q"), 7 * this.bodyCount);
     this.looseJoints = new Map(this.loose);
-    this.force = this.series("force"); // 3 a plotted joint, inertial axes
-    this.torque = this.series("torque");
-    this.gap = this.series("gap"); // log10 of meters, one a plotted joint
-    this.askew = this.series("askew"); // log10 of radians
     this.energy = this.array("energy");
     this.violation = this.array("violation");
     this.jointBodies = this.array("joints.bodies");
@@ -38,7 +39,39 @@ export class Run {
     this.frame = 0;
     this.placeOfBody = new Map(this.bodies.plotted.map((body, place) => [body, place]));
     this.placeOfJoint = new Map(this.joints.plotted.map((joint, place) => [joint, place]));
+    this.behind = false; // the present time is of frames that are still to be taken out
     this.seek(this.t[0]);
+  }
+
+  // What can be plotted, frame by frame: few pages show all of it.
+  /** 6 a plotted body. */
+  get v() { return this.once("v"); }
+  get vdot() { return this.once("vdot"); }
+  /** 7 a body, position and Euler parameters (scalar first); where poses are in pieces a plotted body. */
+  get track() { return this.pieces ? this.once("track") : this.poses.values; }
+  /** One a coordinate of `coordinates`. */
+  get coordinate() { return this.once("coordinate"); }
+  get rate() { return this.once("rate"); }
+  /** 3 a plotted joint, inertial axes. */
+  get force() { return this.once("force"); }
+  get torque() { return this.once("torque"); }
+  /** log10 of meters, of radians, one a plotted joint. */
+  get gap() { return this.once("gap"); }
+  get askew() { return this.once("askew"); }
+
+  once(name) {
+    if (!this.taken.has(name)) this.taken.set(name, this.series(name));
+    return this.taken.get(name);
+  }
+
+  #pieces(piece) {
+    const take = (number) => unpacked(piece(number));
+    return new PosePieces({ frames: this.count, each: this.pieces.frames, low: this.array("q.low"), step: this.array("q.step"), take });
+  }
+
+  /** Place of a body in `track`; undefined where the page does not have its way. */
+  placeOfTrack(body) {
+    return this.pieces ? this.placeOfBody.get(body) : body;
   }
 
   get start() {
@@ -96,16 +129,21 @@ export class Run {
     const span = this.t[next] - this.t[k];
     const f = span > 0 ? Math.min(Math.max((time - this.t[k]) / span, 0), 1) : 0;
     const width = 7 * this.bodyCount;
-    const { pose, q } = this;
+    const from = this.poses.frame(k);
+    const to = f > 0 ? this.poses.frame(next) : from;
+    this.poses.expect?.(k);
+    this.behind = !from || !to;
+    this.frame = this.nearest(time);
+    if (this.behind) return; // what is shown stays until they are there
+    const { pose } = this;
     for (let i = 0; i < width; i++) {
-      const a = q[k * width + i];
-      pose[i] = a + f * (q[next * width + i] - a);
+      const a = from.values[from.at + i];
+      pose[i] = a + f * (to.values[to.at + i] - a);
     }
     for (let i = 3; i < width; i += 7) {
       const norm = Math.hypot(pose[i], pose[i + 1], pose[i + 2], pose[i + 3]) || 1;
       for (let c = 0; c < 4; c++) pose[i + c] /= norm;
     }
-    this.frame = this.nearest(time);
   }
 
   /** The joint's point on its first (0) or second (1) body, inertial, at the present pose. */
@@ -138,25 +176,25 @@ export class Run {
     const xyz = ["x", "y", "z"];
     if (this.bodyCount) {
       found.push(
-        { id: "position", label: "Position", unit: "m", of: "body", every: true, parts: xyz, source: [this.q, 7, 0] },
-        { id: "velocity", label: "Velocity", unit: "m/s", of: "body", parts: xyz, source: [this.v, 6, 0], norm: true },
-        { id: "omega", label: "Angular velocity, body axes", unit: "rad/s", of: "body", parts: xyz, source: [this.v, 6, 3] },
-        { id: "acceleration", label: "Acceleration", unit: "m/s²", of: "body", parts: xyz, source: [this.vdot, 6, 0], norm: true },
-        { id: "alpha", label: "Angular acceleration, body axes", unit: "rad/s²", of: "body", parts: xyz, source: [this.vdot, 6, 3] },
-        { id: "orientation", label: "Euler parameters", unit: "1", of: "body", every: true, parts: ["e0", "e1", "e2", "e3"], source: [this.q, 7, 3] },
+        { id: "position", label: "Position", unit: "m", of: "body", every: !this.pieces, parts: xyz, source: "track", width: 7, first: 0 },
+        { id: "velocity", label: "Velocity", unit: "m/s", of: "body", parts: xyz, source: "v", width: 6, first: 0, norm: true },
+        { id: "omega", label: "Angular velocity, body axes", unit: "rad/s", of: "body", parts: xyz, source: "v", width: 6, first: 3 },
+        { id: "acceleration", label: "Acceleration", unit: "m/s²", of: "body", parts: xyz, source: "vdot", width: 6, first: 0, norm: true },
+        { id: "alpha", label: "Angular acceleration, body axes", unit: "rad/s²", of: "body", parts: xyz, source: "vdot", width: 6, first: 3 },
+        { id: "orientation", label: "Euler parameters", unit: "1", of: "body", every: !this.pieces, parts: ["e0", "e1", "e2", "e3"], source: "track", width: 7, first: 3 },
       );
     }
     if (this.coordinates.length) {
       found.push(
-        { id: "coordinate", label: "Joint coordinate", unit: "rad or m", of: "coordinate", parts: ["value"], source: [this.coordinate, 1, 0] },
-        { id: "rate", label: "Rate of a joint coordinate", unit: "rad/s or m/s", of: "coordinate", parts: ["rate"], source: [this.rate, 1, 0] },
+        { id: "coordinate", label: "Joint coordinate", unit: "rad or m", of: "coordinate", parts: ["value"], source: "coordinate", width: 1, first: 0 },
+        { id: "rate", label: "Rate of a joint coordinate", unit: "rad/s or m/s", of: "coordinate", parts: ["rate"], source: "rate", width: 1, first: 0 },
       );
     }
     if (this.jointCount) {
       found.push(
-        { id: "force", label: "Reaction force", unit: "N", of: "joint", parts: xyz, source: [this.force, 3, 0], norm: true },
-        { id: "torque", label: "Reaction torque", unit: "N m", of: "joint", parts: xyz, source: [this.torque, 3, 0], norm: true },
-        { id: "gap", label: "Violation of a joint", unit: "m; rad", of: "joint", log: true, parts: ["points apart"], source: [this.gap, 1, 0], power: true },
+        { id: "force", label: "Reaction force", unit: "N", of: "joint", parts: xyz, source: "force", width: 3, first: 0, norm: true },
+        { id: "torque", label: "Reaction torque", unit: "N m", of: "joint", parts: xyz, source: "torque", width: 3, first: 0, norm: true },
+        { id: "gap", label: "Violation of a joint", unit: "m; rad", of: "joint", log: true, parts: ["points apart"], source: "gap", width: 1, first: 0, power: true },
       );
     }
     return found;
@@ -170,7 +208,8 @@ export class Run {
   largestOf(quantity) {
     const own = this.quantities().find((it) => it.id === quantity.id);
     if (!own?.of || own.power) return 0;
-    const [source, width, first] = own.source;
+    const { width, first } = own;
+    const source = this[own.source];
     this.largest ??= new Map();
     if (!this.largest.has(own.id)) {
       let most = 0;
@@ -191,7 +230,8 @@ export class Run {
     const place = own.every || own.of === "coordinate" ? index : (own.of === "body" ? this.placeOfBody : this.placeOfJoint).get(index);
     if (index < 0 || place === undefined) return [];
     if (own.id === "gap" && !this.joints.held[index]) return []; // nothing that could be told from poses
-    const [source, width, first] = own.source;
+    const { width, first } = own;
+    const source = this[own.source];
     const channels = source.length / this.count;
     const lines = own.parts.map((part, c) => {
       const values = new Float64Array(this.count);
@@ -213,11 +253,12 @@ export class Run {
     return matrix.subarray(i * this.count, (i + 1) * this.count);
   }
 
-  /** Bodies that move the most, most first. */
+  /** Bodies that move the most, most first; of those of which the page has the way. */
   movers(most) {
     const step = this.array("q.step");
     const travel = (i) => Math.max(step[7 * i], step[7 * i + 1], step[7 * i + 2]);
-    const all = [...this.bodies.names.keys()].filter((i) => travel(i) > 0);
+    const known = this.pieces ? this.bodies.plotted : [...this.bodies.names.keys()];
+    const all = known.filter((i) => travel(i) > 0);
     return all.sort((a, b) => travel(b) - travel(a)).slice(0, most);
   }
 }

@@ -7,6 +7,7 @@ import {
   TubeGeometry, Vector2, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { Crowd, Eye, Lines, projection } from "./detail.js";
 import { turned } from "./run.js";
 
 const GHOST = "#d1495b";
@@ -15,11 +16,14 @@ const SHARED = "#d99a00";
 const LOOSE = "#e0322b"; // joints that the initial pose violates
 const SELECTED = "#00b7ff";
 const LONGEST = 0.22; // arrow, of the box around everything
-const PATHS = 6; // bodies of which the way is drawn
+export const PATHS = 6; // bodies of which the way is drawn
 const DOTS = 200; // bodies from which on each has a dot
 const DOT = { thin: 4.5, thick: 1.5 }; // pixels of it, where bodies are thinner than a pixel, and where one sees them
-const FRAMES = 2000; // bodies of which the axes are drawn
+export const FRAMES = 2000; // bodies of which the axes are drawn
 const MANY = 1500; // instances from which on they have fewer triangles
+const CROWDED = 6000; // from which on each is drawn as what one can see of it
+const CLOSE = 16; // times the lever of the run: from where one looks at what is picked
+const NEAR = 6; // pixels within which a dot or a line is under a place of the picture
 
 /** Colors of 1e-14 m (dark) to 1e-3 m (bright) and beyond. */
 export const GAP = { low: -14, high: -3, colors: ["#30366b", "#3b6f9c", "#3aa69b", "#9fce63", "#f2c14e", "#e4572e"] };
@@ -32,7 +36,7 @@ export class World {
     this.camera = new PerspectiveCamera(32, 1, 0.01, 100);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = false;
-    this.controls.addEventListener("change", () => this.changed());
+    this.controls.addEventListener("change", () => this.#moved());
     this.shown = { joints: true, forces: true, paths: true, grid: true, axes: Boolean(runs[0].still), second: true };
     this.arrows = "none";
     this.coloring = "body";
@@ -42,6 +46,7 @@ export class World {
     this.#place();
     this.#light();
     const instances = runs.reduce((sum, run) => sum + [...run.solids, ...run.spans].reduce((n, it) => n + run.arrays[`${it.key}.color`].shape[0], 0), 0);
+    this.crowded = instances > CROWDED;
     this.figures = runs.map((run, number) => new Figure(run, number > 0, instances > MANY, this));
     for (const figure of this.figures) this.scene.add(figure.group);
     this.update();
@@ -57,8 +62,29 @@ export class World {
   render() {
     this.waiting = false;
     for (const figure of this.figures) figure.sizeDots();
+    if (this.crowded) this.#choose();
     this.renderer.render(this.scene, this.camera);
     for (const listener of this.rendered) listener();
+  }
+
+  /** From near a link of a long chain one sees it, too, and the whole chain from afar. */
+  #moved() {
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    this.#clip(distance);
+    this.changed();
+  }
+
+  #clip(distance) {
+    this.farthest ??= distance;
+    this.camera.near = distance / 500;
+    this.camera.far = 50 * Math.max(distance, this.farthest);
+    this.camera.updateProjectionMatrix();
+  }
+
+  /** What is seen of each instance, from here. */
+  #choose() {
+    const eye = new Eye(this.camera, this.renderer.domElement.clientHeight);
+    for (const figure of this.figures) if (figure.group.visible) figure.choose(eye);
   }
 
   /** The picture as it is seen, as a PNG. */
@@ -111,9 +137,10 @@ export class World {
     this.update();
   }
 
-  /** Look at everything along an inertial axis, or from the side that shows the most: "x", "-y", "z", ..., "fit". */
+  /** Look at everything along an inertial axis, or from the side that shows the most: "x", "-y", "z", ..., "fit"; at what is "picked". */
   look(preset) {
     if (preset === "fit") return this.fit();
+    if (preset === "picked") return this.approach();
     const axis = "xyz".indexOf(preset.at(-1));
     const towards = new Vector3().setComponent(axis, preset.startsWith("-") ? -1 : 1);
     const up = this.camera.up;
@@ -122,6 +149,20 @@ export class World {
       towards.addScaledVector(aside, -1e-3).normalize(); // a camera that looks along up has no right
     }
     this.#from(towards);
+  }
+
+  /** Look at what is picked, from where the camera is, so near that one sees it. */
+  approach() {
+    if (!this.selected || this.selected.kind === "force") return;
+    const { run, point } = this.figures[0];
+    const { kind, index } = this.selected;
+    const at = kind === "body" ? run.pose.subarray(7 * index, 7 * index + 3) : run.jointPoint(index, 0, point);
+    const direction = this.camera.position.clone().sub(this.controls.target).normalize();
+    this.controls.target.fromArray(at);
+    this.camera.position.fromArray(at).addScaledVector(direction, CLOSE * run.lever);
+    this.#clip(CLOSE * run.lever);
+    this.controls.update();
+    this.changed();
   }
 
   /** Look at everything from the side that shows the most. */
@@ -165,9 +206,8 @@ export class World {
     }
     this.controls.target.copy(center);
     this.camera.position.copy(center).addScaledVector(direction, 1.06 * distance);
-    this.camera.near = distance / 500;
-    this.camera.far = distance * 50;
-    this.camera.updateProjectionMatrix();
+    this.farthest = distance;
+    this.#clip(distance);
     this.controls.update();
     this.changed();
   }
@@ -192,17 +232,34 @@ export class World {
     const { clientWidth: width, clientHeight: height } = this.renderer.domElement;
     const ray = new Raycaster();
     ray.setFromCamera(new Vector2((2 * x) / width - 1, 1 - (2 * y) / height), this.camera);
-    const meshes = this.figures.flatMap((it) => (it.group.visible ? it.parts : [])).filter((it) => it.mesh.visible);
-    for (const part of meshes) part.mesh.computeBoundingSphere();
+    const shown = this.figures.filter((it) => it.group.visible);
+    const meshes = shown.flatMap((it) => it.parts).flatMap((it) => it.meshes).filter((it) => it.mesh.visible && it.mesh.count > 0);
+    for (const { mesh } of meshes) mesh.computeBoundingSphere();
     const hit = ray.intersectObjects(meshes.map((it) => it.mesh), false)[0];
-    if (!hit) return null;
-    const part = meshes.find((it) => it.mesh === hit.object);
-    const index = part.index[hit.instanceId];
+    if (!hit) return this.crowded ? this.#nearest(shown, x, y) : null;
+    const { part, place } = meshes.find((it) => it.mesh === hit.object);
+    const index = part.index[place(hit.instanceId)];
     const { run } = part.figure;
     if (part.layer === "body") return { kind: "body", name: run.bodies.names[index], run };
     if (index < 0) return { kind: "body", name: "ground", run };
     if (part.layer === "force") return { kind: "force", name: run.forces.names[index], detail: run.forces.kinds[index].replaceAll("_", " "), run };
     return { kind: "joint", name: run.joints.names[index], detail: run.joints.kinds[index].replaceAll("_", " "), run };
+  }
+
+  /** The body whose center is nearest to a place of the picture. */
+  #nearest(figures, x, y) {
+    const { clientWidth: width, clientHeight: height } = this.renderer.domElement;
+    const project = projection(this.camera, width, height);
+    const at = [0, 0];
+    let [least, found] = [NEAR, null];
+    for (const { run } of figures) {
+      for (let i = 0; i < run.bodyCount; i++) {
+        if (!project(run.pose[7 * i], run.pose[7 * i + 1], run.pose[7 * i + 2], at) || this.hidden.body.has(i)) continue;
+        const apart = Math.hypot(at[0] - x, at[1] - y);
+        if (apart < least) [least, found] = [apart, { kind: "body", name: run.bodies.names[i], run }];
+      }
+    }
+    return found;
   }
 
   #place() {
@@ -251,7 +308,13 @@ class Figure {
     Object.assign(this, { run, ghost, world, group: new Group(), point: new Float32Array(3) });
     this.materials = [];
     this.parts = [...run.solids.map((it) => new Part(this, it, coarse)), ...run.spans.map((it) => new Span(this, it, coarse))];
-    for (const part of this.parts) this.group.add(part.mesh);
+    this.seen = null; // how many bodies are drawn as what, where there are many
+    if (world.crowded) {
+      this.lines = new Lines();
+      this.group.add(this.lines.mesh);
+      for (const part of this.parts) part.crowd = new Crowd(part, instanced);
+    }
+    for (const part of this.parts) this.group.add(...part.meshes.map((it) => it.mesh));
     this.bodyColor = new Map();
     for (const part of this.parts.filter((it) => it.layer === "body")) {
       part.index.forEach((body, k) => this.bodyColor.set(body, part.colors.subarray(3 * k, 3 * k + 3)));
@@ -289,6 +352,17 @@ class Figure {
     this.#colorJoints();
   }
 
+  choose(eye) {
+    this.lines.begin();
+    this.seen = null;
+    for (const part of this.parts) {
+      const seen = { shapes: 0, boxes: 0, lines: 0, smaller: 0, outside: 0 };
+      part.crowd.choose(eye, this.lines, seen);
+      if (part.layer === "body") this.seen = this.seen ? Object.fromEntries(Object.keys(seen).map((key) => [key, seen[key] + this.seen[key]])) : seen;
+    }
+    this.lines.end();
+  }
+
   /** Colors of solids, after the theme has changed or what colors mean. */
   recolor() {
     for (const part of this.parts) part.recolor();
@@ -312,8 +386,10 @@ class Figure {
     const { run } = this;
     for (const body of run.movers(PATHS)) {
       const points = new Float32Array(3 * run.count);
+      const width = run.track.length / run.count;
+      const at = 7 * run.placeOfTrack(body);
       for (let k = 0; k < run.count; k++) {
-        points.set(run.q.subarray(7 * (k * run.bodyCount + body), 7 * (k * run.bodyCount + body) + 3), 3 * k);
+        points.set(run.track.subarray(width * k + at, width * k + at + 3), 3 * k);
       }
       const geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(points, 3));
       const color = new Color(GHOST);
@@ -465,6 +541,22 @@ class Part {
     const shape = geometry === "mesh" ? meshGeometry(run.array(`${key}.vertices`), run.array(`${key}.triangles`)) : GEOMETRIES[form ?? geometry](coarse);
     this.mesh = instanced(shape, figure.material("#ffffff", coarse), this.index.length);
     if (clear) Object.assign(this.mesh.material, { transparent: true, opacity: 0.3, depthWrite: false });
+    this.crowd = null;
+  }
+
+  /** Its meshes, each with the place of its instances in the part. */
+  get meshes() {
+    if (!this.crowd) return [{ part: this, mesh: this.mesh, place: (k) => k }];
+    return this.crowd.levels.map(({ mesh, index }) => ({ part: this, mesh, place: (k) => index[k] }));
+  }
+
+  paint(k, color) {
+    if (this.crowd) color.toArray(this.crowd.shades, 3 * k);
+    else this.mesh.setColorAt(k, color);
+  }
+
+  isHidden(k) {
+    return Boolean(this.figure.world.hidden[this.layer]?.has(this.index[k]));
   }
 
   place(run, key) {
@@ -482,75 +574,103 @@ class Part {
       else if (this.layer === "joint" && run.looseJoints.has(this.index[k])) color.set(LOOSE);
       else if (this.layer === "joint" && world.dark) color.set("#d5dae1");
       if (!ghost && selected && selected.kind === this.layer && selected.index === this.index[k]) color.set(SELECTED);
-      this.mesh.setColorAt(k, color);
+      this.paint(k, color);
     }
-    this.mesh.instanceColor.needsUpdate = true;
+    if (!this.crowd) this.mesh.instanceColor.needsUpdate = true;
   }
 
   colorByGap() {
     const { run } = this.figure;
     for (let k = 0; k < this.index.length; k++) {
       const place = run.placeOfJoint.get(this.index[k]);
-      if (place !== undefined && run.joints.held[this.index[k]]) this.mesh.setColorAt(k, gapColor(run.violationOf(place)));
+      if (place !== undefined && run.joints.held[this.index[k]]) this.paint(k, gapColor(run.violationOf(place)));
     }
-    this.mesh.instanceColor.needsUpdate = true;
+    if (!this.crowd) this.mesh.instanceColor.needsUpdate = true;
   }
 
-  /** matrix = T(r + A(p) s) A(p) A(p_local) S */
   update() {
-    const { pose, bodyCount } = this.figure.run;
-    const { point } = this.figure;
+    if (this.crowd) return; // chosen for each picture
     const matrices = this.mesh.instanceMatrix.array;
-    const hidden = this.figure.world.hidden[this.layer];
     for (let k = 0; k < this.body.length; k++) {
-      if (hidden?.has(this.index[k])) {
-        matrices.fill(0, 16 * k, 16 * k + 15);
-        continue;
-      }
-      const body = this.body[k] < 0 ? bodyCount : this.body[k];
-      const at = 7 * body;
-      const own = 10 * k;
-      const l = this.local;
-      turned(pose, at + 3, l[own], l[own + 1], l[own + 2], point);
-      const [a0, a1, a2, a3] = [pose[at + 3], pose[at + 4], pose[at + 5], pose[at + 6]];
-      const [b0, b1, b2, b3] = [l[own + 3], l[own + 4], l[own + 5], l[own + 6]];
-      const e0 = a0 * b0 - a1 * b1 - a2 * b2 - a3 * b3;
-      const e1 = a0 * b1 + a1 * b0 + a2 * b3 - a3 * b2;
-      const e2 = a0 * b2 - a1 * b3 + a2 * b0 + a3 * b1;
-      const e3 = a0 * b3 + a1 * b2 - a2 * b1 + a3 * b0;
-      const [sx, sy, sz] = [l[own + 7], l[own + 8], l[own + 9]];
-      const m = 16 * k;
-      matrices[m] = (1 - 2 * (e2 * e2 + e3 * e3)) * sx;
-      matrices[m + 1] = 2 * (e1 * e2 + e0 * e3) * sx;
-      matrices[m + 2] = 2 * (e1 * e3 - e0 * e2) * sx;
-      matrices[m + 4] = 2 * (e1 * e2 - e0 * e3) * sy;
-      matrices[m + 5] = (1 - 2 * (e1 * e1 + e3 * e3)) * sy;
-      matrices[m + 6] = 2 * (e2 * e3 + e0 * e1) * sy;
-      matrices[m + 8] = 2 * (e1 * e3 + e0 * e2) * sz;
-      matrices[m + 9] = 2 * (e2 * e3 - e0 * e1) * sz;
-      matrices[m + 10] = (1 - 2 * (e1 * e1 + e2 * e2)) * sz;
-      matrices[m + 12] = pose[at] + point[0];
-      matrices[m + 13] = pose[at + 1] + point[1];
-      matrices[m + 14] = pose[at + 2] + point[2];
-      matrices[m + 15] = 1;
+      if (this.isHidden(k)) matrices.fill(0, 16 * k, 16 * k + 15);
+      else this.put(k, matrices, 16 * k);
     }
     this.mesh.instanceMatrix.needsUpdate = true;
+  }
+
+  /** How far each reaches from the center of its body, where `box` is around the geometry [m]. */
+  measure(box) {
+    const corner = [0, 1, 2].map((c) => Math.max(-box.min.getComponent(c), box.max.getComponent(c)));
+    const l = this.local;
+    this.reach = new Float32Array(this.body.length);
+    for (let k = 0, at = 0; k < this.reach.length; k++, at += 10) {
+      this.reach[k] = Math.hypot(l[at], l[at + 1], l[at + 2]) + Math.hypot(corner[0] * l[at + 7], corner[1] * l[at + 8], corner[2] * l[at + 9]);
+    }
+  }
+
+  /** A ball around instance k: its center, into `out`, and its radius [m]. */
+  around(k, out) {
+    const { pose, bodyCount } = this.figure.run;
+    const at = 7 * (this.body[k] < 0 ? bodyCount : this.body[k]);
+    for (let c = 0; c < 3; c++) out[c] = pose[at + c];
+    return this.reach[k];
+  }
+
+  /** matrix = T(r + A(p) s) A(p) A(p_local) S of instance k, from `m` on. */
+  put(k, matrices, m) {
+    const { pose, bodyCount } = this.figure.run;
+    const { point } = this.figure;
+    const body = this.body[k] < 0 ? bodyCount : this.body[k];
+    const at = 7 * body;
+    const own = 10 * k;
+    const l = this.local;
+    turned(pose, at + 3, l[own], l[own + 1], l[own + 2], point);
+    const [a0, a1, a2, a3] = [pose[at + 3], pose[at + 4], pose[at + 5], pose[at + 6]];
+    const [b0, b1, b2, b3] = [l[own + 3], l[own + 4], l[own + 5], l[own + 6]];
+    const e0 = a0 * b0 - a1 * b1 - a2 * b2 - a3 * b3;
+    const e1 = a0 * b1 + a1 * b0 + a2 * b3 - a3 * b2;
+    const e2 = a0 * b2 - a1 * b3 + a2 * b0 + a3 * b1;
+    const e3 = a0 * b3 + a1 * b2 - a2 * b1 + a3 * b0;
+    const [sx, sy, sz] = [l[own + 7], l[own + 8], l[own + 9]];
+    matrices[m] = (1 - 2 * (e2 * e2 + e3 * e3)) * sx;
+    matrices[m + 1] = 2 * (e1 * e2 + e0 * e3) * sx;
+    matrices[m + 2] = 2 * (e1 * e3 - e0 * e2) * sx;
+    matrices[m + 4] = 2 * (e1 * e2 - e0 * e3) * sy;
+    matrices[m + 5] = (1 - 2 * (e1 * e1 + e3 * e3)) * sy;
+    matrices[m + 6] = 2 * (e2 * e3 + e0 * e1) * sy;
+    matrices[m + 8] = 2 * (e1 * e3 + e0 * e2) * sz;
+    matrices[m + 9] = 2 * (e2 * e3 - e0 * e1) * sz;
+    matrices[m + 10] = (1 - 2 * (e1 * e1 + e2 * e2)) * sz;
+    matrices[m + 12] = pose[at] + point[0];
+    matrices[m + 13] = pose[at + 1] + point[1];
+    matrices[m + 14] = pose[at + 2] + point[2];
+    matrices[m + 15] = 1;
   }
 }
 
 /** Bars, coils and dampers between points of two bodies. */
 class Span extends Part {
   update() {
-    const { run, point } = this.figure;
-    const [a, b] = [new Vector3(), new Vector3()];
-    const hidden = this.figure.world.hidden[this.layer];
-    this.radius.forEach((radius, k) => {
-      if (hidden?.has(this.index[k])) radius = 0;
-      a.fromArray(run.point(this.bodies, this.ends, k, 0, point));
-      b.fromArray(run.point(this.bodies, this.ends, k, 1, point));
-      stretch(this.mesh, k, a, b, radius);
-    });
+    if (this.crowd) return;
+    for (let k = 0; k < this.index.length; k++) this.put(k, this.mesh.instanceMatrix.array, 16 * k, this.isHidden(k) ? 0 : this.radius[k]);
     this.mesh.instanceMatrix.needsUpdate = true;
+  }
+
+  put(k, matrices, m, radius = this.radius[k]) {
+    const { run, point } = this.figure;
+    const { from, to } = scratch;
+    from.fromArray(run.point(this.bodies, this.ends, k, 0, point));
+    to.fromArray(run.point(this.bodies, this.ends, k, 1, point));
+    stretched(from, to, radius).toArray(matrices, m);
+  }
+
+  measure() {}
+
+  around(k, out) {
+    const { run, point } = this.figure;
+    out.set(run.point(this.bodies, this.ends, k, 0, point));
+    run.point(this.bodies, this.ends, k, 1, point);
+    return Math.hypot(point[0] - out[0], point[1] - out[1], point[2] - out[2]) + this.radius[k];
   }
 
   place(run, key) {
@@ -603,17 +723,20 @@ function instanced(geometry, material, count) {
 }
 
 const Z = new Vector3(0, 0, 1);
-const scratch = { matrix: new Matrix4(), turn: new Quaternion(), along: new Vector3(), size: new Vector3(), middle: new Vector3() };
+const scratch = { matrix: new Matrix4(), from: new Vector3(), to: new Vector3(), turn: new Quaternion(), along: new Vector3(), size: new Vector3(), middle: new Vector3() };
 
 /** Lay the instance k, of length one along z, between two points. */
 function stretch(mesh, k, a, b, radius) {
+  mesh.setMatrixAt(k, stretched(a, b, radius));
+}
+
+function stretched(a, b, radius) {
   const { matrix, turn, along, size, middle } = scratch;
   along.subVectors(b, a);
   const length = along.length();
   turn.setFromUnitVectors(Z, length > 0 ? along.divideScalar(length) : Z);
   middle.addVectors(a, b).multiplyScalar(0.5);
-  matrix.compose(middle, turn, size.set(radius, radius, Math.max(length, 1e-12)));
-  mesh.setMatrixAt(k, matrix);
+  return matrix.compose(middle, turn, size.set(radius, radius, Math.max(length, 1e-12)));
 }
 
 function largest(vectors) {

@@ -1,0 +1,79 @@
+"""The poses of a run on their way into a page: as one array, or in pieces of some frames.
+
+Of many bodies a page would have to hold all frames as numbers at once, tens of times what they take deflated.
+So they come in pieces of their own, which the page inflates when the time comes to them, and forgets again.
+The steps of the numbers are those of all frames: where pieces meet nothing jumps.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwork.arrays import Floats
+from linkwork.view.encoding import Extremes, Pack
+
+if TYPE_CHECKING:
+    from linkwork.results.result import Result
+
+#: Numbers of one array; of more there are pieces, each of not more, or of a frame.
+MOST_NUMBERS = 4_000_000
+
+
+def add_poses(
+    pack: Pack, result: Result, frames: Sequence[int], followed: NDArray[np.intp]
+) -> tuple[list[str], float]:
+    """Pieces, none where all fit into the pack, and the error of positions [m].
+
+    With pieces the pack has the tracks of the bodies `followed` through all frames.
+    """
+    bodies = result.header.body_count
+    each = frames_of_piece(bodies)
+    if not in_pieces(len(frames), bodies):
+        whole = np.concatenate(list(_chunks(result, frames, each)))
+        error = pack.add_quantized("q", whole)
+        return [], float(error[:, :3].max(initial=0.0))
+    extremes, tracks = Extremes(), []
+    for q in _chunks(result, frames, each):
+        extremes.add(q)
+        tracks.append(q[:, followed])
+    channels = extremes.channels()
+    channels.add_to(pack, "q")
+    pack.add_quantized("track", np.concatenate(tracks))
+    pieces = []
+    for q in _chunks(result, frames, each):
+        piece = Pack()
+        piece.add("q", channels.differences(q), "u2")
+        pieces.append(piece.text())
+    error = np.reshape(channels.step / 2, (-1, 7))
+    return pieces, float(error[:, :3].max(initial=0.0))
+
+
+def in_pieces(frames: int, bodies: int) -> bool:
+    """Whether so many poses are too much for one array."""
+    return 7 * frames * bodies > MOST_NUMBERS
+
+
+def frames_of_piece(bodies: int) -> int:
+    return max(1, MOST_NUMBERS // max(7 * bodies, 1))
+
+
+def _chunks(result: Result, frames: Sequence[int], each: int) -> Iterator[Floats]:
+    """q (k, n, 7) of so many frames at a time, with Euler parameters that go on without a jump of sign."""
+    before: Floats | None = None
+    for first in range(0, len(frames), each):
+        found = [result.recorded("q", frame) for frame in frames[first : first + each]]
+        q = continuous(np.stack(found if before is None else [before, *found]))
+        before = q[-1]
+        yield q[len(q) - len(found) :]
+
+
+def continuous(q: Floats) -> Floats:
+    """Euler parameters without jumps of sign: p and -p are the same pose."""
+    r, p = q[..., :3], q[..., 3:]
+    jumps = np.where(np.sum(p[1:] * p[:-1], axis=-1) < 0, -1.0, 1.0)
+    sign = np.concatenate([np.ones_like(p[:1, :, 0]), np.cumprod(jumps, axis=0)])
+    return np.concatenate([r, p * sign[..., None]], axis=-1)
