@@ -27,9 +27,13 @@ constexpr bool turns = width > 2 &&
 
 constexpr double least_determinant = 0.1;  // of R, whose rows have length 1 where the joint is not violated
 
-// Places of the factors of such a step.
-constexpr int motions = 0, transmissions = 42, multipliers = 78, sign = 84;
-static_assert(step_storage(5) > sign && step_storage(6) > sign);
+/// Places of the factors of such a step: G Z, C P and C b - k, and s, or 0 where the factors are those of TreeStep.
+template <int rows>
+struct TurningFactors {
+  static constexpr int motions = 0, transmissions = 6 * 7, multipliers = transmissions + 6 * rows;
+  static constexpr int sign = multipliers + rows;
+  static_assert(sign < step_storage(rows) && sign >= second_factors(rows) + 7 * rows);
+};
 
 /// Numbers of a vector one by one: from memory they reach all lanes without a permutation.
 struct alignas(64) Numbers {
@@ -252,24 +256,26 @@ LINKWORK_INLINE void multiply_by_parent(const Joint& joint, const Vector* C, Vec
 /// G Z, and C b - k.
 template <class Joint>
 LINKWORK_INLINE void store_way_back(const Joint& joint, const Vector* C, const Vector& z_f, double* factors) {
+  using At = TurningFactors<Joint::rows>;
   LINKWORK_UNROLL for (int r = 0; r < 6; ++r) {
     const Vector rotations = joint.Z[3] * joint.g(r, 3) + joint.Z[4] * joint.g(r, 4) + z_f * joint.g(r, 5);
-    store_first<7>(factors + motions + 7 * r, r < 3 ? rotations + joint.Z[r] : rotations);
+    store_first<7>(factors + At::motions + 7 * r, r < 3 ? rotations + joint.Z[r] : rotations);
   }
   Vector lambda = splat(0.0);
   LINKWORK_UNROLL for (int r = 0; r < Joint::rows; ++r)
     lambda += C[r] * joint.numbers_of_Z[r][right_hand_side] - unit(r) * lane(C[r], right_hand_side);
-  store_first<6>(factors + multipliers, lambda);
-  factors[sign] = joint.s;
+  store_first<Joint::rows>(factors + At::multipliers, lambda);
+  factors[At::sign] = joint.s;
 }
 
 /// False where the joint is of another kind; then nothing is done.
 template <int rows, bool with_inerter>
 LINKWORK_INLINE bool factor_turning_step(const TreeStep& step, const Data& data, const double* a, const double* b,
                                          SmallestPivot& smallest) {
+  using At = TurningFactors<rows>;
   double* factors = data.factors + step.storage;
   TurningJoint<rows, with_inerter> joint;
-  if (!joint.read({step, data}, b)) return factors[sign] = 0.0, false;
+  if (!joint.read({step, data}, b)) return factors[At::sign] = 0.0, false;
   Vector C[6], W[6];
   load_inertia(step.slot < 0, step.body, data.articulated_inertias + step.slot * articulated_inertia_size, data, a, C);
   transform(joint, C);
@@ -281,7 +287,7 @@ LINKWORK_INLINE bool factor_turning_step(const TreeStep& step, const Data& data,
     multiply_by_parent(joint, C, W);
     add_to_parent_of<rows>(step, data, a, joint.Z, W);
     LINKWORK_UNROLL for (int c = 0; c < 6; ++c)
-      store_first<6>(factors + transmissions + 6 * c, W[c]);
+      store_first<rows>(factors + At::transmissions + rows * c, W[c]);
   }
   store_way_back(joint, C, z_f, factors);
   return true;
@@ -290,20 +296,21 @@ LINKWORK_INLINE bool factor_turning_step(const TreeStep& step, const Data& data,
 /// False where the factors are those of another kind.
 template <int rows, bool with_inerter>
 LINKWORK_INLINE bool turn_back(const TreeStep& step, const Data& data, double* x, double* lambda) {
+  using At = TurningFactors<rows>;
   const double* factors = data.factors + step.storage;
-  if (factors[sign] == 0.0) return false;
+  if (factors[At::sign] == 0.0) return false;
   const double* y =
       step.parent >= 0 ? data.articulated_inertias + step.parent_slot * articulated_inertia_size : right_hand_side_lane;
   Vector products[6];
   LINKWORK_UNROLL for (int r = 0; r < 6; ++r)
-    products[r] = load_first<7>(factors + motions + 7 * r) * load(y);
+    products[r] = load_first<7>(factors + At::motions + 7 * r) * load(y);
   const Vector x_body = sums<6>(products);
   store_first<6>(x + 6 * step.body, x_body);
   if (step.slot >= 0) leave_for_children(x_body, step.slot, data);
-  Vector l = load_first<6>(factors + multipliers);
+  Vector l = load_first<rows>(factors + At::multipliers);
   if (step.parent >= 0) LINKWORK_UNROLL
-    for (int c = 0; c < 6; ++c) l += load_first<6>(factors + transmissions + 6 * c) * splat(y[c]);
-  l = l * (lanes_before(3) * splat(factors[sign]) + lanes_after(2));
+    for (int c = 0; c < 6; ++c) l += load_first<rows>(factors + At::transmissions + rows * c) * splat(y[c]);
+  l = l * (lanes_before(3) * splat(factors[At::sign]) + lanes_after(2));
   store_first<with_inerter ? 5 : rows>(lambda + step.row, l);
   if constexpr (with_inerter) lambda[RowsOfTurningStep<rows, true>{step, data}.row(5)] = l[5];
   return true;
