@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include <utility>
+
 #include "dense_algebra.hpp"
 #include "linkwork/linear/block/block_solver.hpp"
 #include "linkwork/linear/saddle_solver.hpp"
@@ -157,6 +159,28 @@ TEST_CASE("inertances from nothing to rigidity are solved, along what moves and 
     if (inertance > 1e6) continue;  // as hard as joints that contradict each other, along what does not move
     for (int kind = 0; kind < 3; ++kind) add_inerter(model, random, kind, inertance, 2 * kind - 1, 2 * kind);
     check_by_block(System(model), random, false, 1e-9);
+  }
+}
+
+TEST_CASE("hinges, with rotors or without, and welds are solved whichever body is first, on the joint or far off it") {
+  Random random(317);
+  for (const double violation : {0.0, 0.1, 3.0}) {
+    INFO("turned by up to ", violation, " rad");
+    Model model;
+    for (int body = 0; body < 12; ++body) {
+      const std::string name = std::to_string(body), kind = body % 3 == 2 ? "fixed" : "revolute";
+      model.add_body("body " + name, random_body(random));
+      int i = random.integer(ground, body - 1), j = body;
+      if (body % 2 == 1) std::swap(i, j);
+      const Mat3<double> frame = random.frame();
+      const Vec3<double> point = random.vec3();
+      Attachment<double> at = place(model, i, j, point, point, frame, frame);
+      at.C_j = (at.C_j * rotation_matrix<double>(exponential(random.vec3(violation)))).eval();
+      model.add_joint(kind, "joint " + name, i, j, at);
+      if (body % 3 == 1) model.add_force("rotational_inerter", "rotor " + name, i, j, at, {{0.2 * body, -1}});
+    }
+    check_by_block(System(model), random, false, violation > 1.0 ? 1e-9 : 1e-11);
+    check_by_block(System(model), random, true);
   }
 }
 

@@ -78,6 +78,16 @@ def test_every_operation_has_the_accelerations_of_linkwork(peer: str, name: str)
     assert {operation: pair for operation, pair in found.items() if not pair[0] <= pair[1]} == {}
 
 
+def test_arms_with_rotors_are_timed_beside_mujoco_at_the_same_accelerations(tmp_path: Path) -> None:
+    pytest.importorskip("mujoco")
+    robots = importlib.import_module("robots")
+    file = tmp_path / "arm.xml"
+    file.write_text(robots.arm(4))
+    ours, theirs = robots.compare("arm:4", file, 2, 0.001)
+    assert ours.bodies == 4 and theirs.agrees and theirs.deviation > 0.0
+    assert len(theirs.ratios) == 2 and min(theirs.ratios) > 0.0
+
+
 @pytest.mark.parametrize("peer", PEERS)
 def test_a_mass_that_is_wrong_is_noticed(peer: str) -> None:
     right = described("bricard")

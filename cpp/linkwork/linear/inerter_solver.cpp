@@ -18,6 +18,7 @@ class InerterSolver final : public SaddleSolver {
     const auto count = static_cast<Eigen::Index>(system.inerters().count());
     for (VectorXd* all : {&e_, &b_, &lambda_}) all->setZero(rows_ + count);
     for (Eigen::Index k = 0; k < count; ++k) e_[rows_ + k] = 1.0 / system.inerters().inertance(k);
+    yields_ = false;
     solver_->drop(dropped_);
     solver_->expect_compliance(rows_);
     solver_->analyze(*system_, typical);
@@ -64,7 +65,8 @@ class InerterSolver final : public SaddleSolver {
  private:
   void take_compliance(const VectorXd& e) {
     if (e.size() > 0) e_.head(rows_) = e;
-    else e_.head(rows_).setZero();
+    else if (yields_) e_.head(rows_).setZero();
+    yields_ = e.size() > 0;
   }
 
   void note_pivot() {
@@ -75,6 +77,7 @@ class InerterSolver final : public SaddleSolver {
   std::unique_ptr<SaddleSolver> solver_;
   std::unique_ptr<System> system_;  ///< with the rows of inerters behind those of the joints
   int rows_ = 0;
+  bool yields_ = false;  ///< rows of joints have a compliance of their own
   VectorXd e_, b_, lambda_;
 };
 

@@ -6,8 +6,10 @@ its diagonal to D M^-1 D^T. In a long chain or a net that counts: the deviation 
 
 from __future__ import annotations
 
+import ctypes
 from collections.abc import Callable
 from functools import partial
+from pathlib import Path
 
 import mujoco
 import numpy as np
@@ -160,6 +162,22 @@ def forward(build: Callable[[Mechanism], System], mechanism: Mechanism) -> Opera
 def _seconds(call: Callable[[], object], seconds: float) -> float:
     none = MjSpec().compile()
     return without_call(call, partial(mujoco.mj_forward, none, MjData(none)), seconds)
+
+
+def native_forward(model: MjModel, data: MjData) -> tuple[Callable[[], object], Callable[[], object]]:
+    """mj_forward without the bindings, which take as long as a small model, and a call that does nothing.
+
+    Nor with the clock that the bindings have it read some ten times a call, from then on in this process.
+    Neither function holds the model and the data: their caller must.
+    """
+    (file,) = Path(mujoco.__file__).parent.glob("libmujoco*")
+    library = ctypes.PyDLL(str(file))
+    ctypes.c_void_p.in_dll(library, "mjcb_time").value = None
+    pair = [ctypes.c_void_p(it._address) for it in (model, data)]
+    library.mj_forward.restype = library.mju_zero3.restype = None
+    room = ctypes.create_string_buffer(3 * ctypes.sizeof(ctypes.c_double))
+    nothing = partial(library.mju_zero3, ctypes.cast(room, ctypes.c_void_p), pair[1])
+    return partial(library.mj_forward, *pair), nothing
 
 
 def step(build: Callable[[Mechanism], System], mechanism: Mechanism) -> Operation:

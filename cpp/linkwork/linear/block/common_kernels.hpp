@@ -12,6 +12,8 @@ namespace {
 
 using namespace simd::LINKWORK_ISA;
 
+constexpr double right_hand_side_lane[lanes] = {0, 0, 0, 0, 0, 0, 1, 0};
+
 /// Calls f with the count, 1 to `most`, as a constant.
 template <int most, class Function>
 LINKWORK_INLINE void with_count(int count, const Function& f) {

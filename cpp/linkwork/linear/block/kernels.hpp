@@ -35,9 +35,10 @@ struct StepRow {
 /// Factors of a step, without what is always zero: six vectors of `rows` numbers and one of the right-hand side, then
 /// `rows` vectors of 6 and one.
 constexpr std::ptrdiff_t second_factors(int rows) { return 6 * (rows + 1); }  ///< where the others begin
-/// Doubles of all of them, in whole lines.
+/// Doubles of all of them, in whole lines; of five or six rows also of those of turning_kernels.hpp.
 constexpr std::ptrdiff_t step_storage(int rows) {
-  return (second_factors(rows) + 7 * rows + lanes - 1) / lanes * lanes;
+  const std::ptrdiff_t size = rows >= 5 ? 6 * 7 + 7 * rows + 1 : second_factors(rows) + 7 * rows;
+  return (size + lanes - 1) / lanes * lanes;
 }
 /// Doubles of the factors of a body of the core with branches: L, and D^-1 L^-1 a.
 constexpr std::ptrdiff_t own_factor_size = 7 * lanes;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "linkwork/linear/block/common_kernels.hpp"
+#include "linkwork/linear/block/turning_kernels.hpp"
 
 /// Open branches, leaf to root and back.
 //
@@ -14,7 +14,6 @@ namespace linkwork::block {
 namespace {
 
 constexpr int steps_ahead = 8;  // that are prefetched
-constexpr double right_hand_side_lane[lanes] = {0, 0, 0, 0, 0, 0, 1, 0};
 
 /// Where the rows of a step stand.
 template <bool scattered>
@@ -141,6 +140,8 @@ template <int rows, bool scattered>
 LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const double* a, const double* b,
                                  SmallestPivot& smallest) {
   const RowsOfStep<scattered> of{step, data};
+  if constexpr (turns<rows, scattered>)
+    if (factor_turning_step<rows, scattered>(step, data, a, b, smallest)) return;
   Vector M[6], W[6], L[6], G[6];
   load_columns<rows>([&](int k) { return of.D_body(k); }, W);
   LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
@@ -176,6 +177,8 @@ LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const d
 
 template <int rows, bool scattered>
 LINKWORK_INLINE void backward_step(const TreeStep& step, const Data& data, double* x, double* lambda) {
+  if constexpr (turns<rows, scattered>)
+    if (turn_back<rows, scattered>(step, data, x, lambda)) return;
   const Vector one = unit(right_hand_side);
   const double* factors = data.factors + step.storage;
   Vector products[6], l = splat(0.0);

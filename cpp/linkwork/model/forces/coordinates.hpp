@@ -30,8 +30,9 @@ struct Angle {
   static constexpr HistoryKind history = HistoryKind::angle;
 
   template <class Real>
-  static Real evaluate(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j,
-                       HistoryVariable<Real>& history, Equation<Real>& row) {
+  LINKWORK_PRIMITIVE static Real evaluate(const Attachment<Real>& at, const BodyState<Real>& i,
+                                          const BodyState<Real>& j, HistoryVariable<Real>& history,
+                                          Equation<Real>& row) {
     angle<Real>(i, j, at.x_i(), at.y_i(), at.x_j(), row.rows());
     history.next = continued(row.Phi, history.last);
     history.rate = row.rate(i, j);
@@ -54,7 +55,7 @@ struct Displacement {
 
 /// A force along the coordinate of `row`.
 template <class Real>
-void act(const Equation<Real>& row, Real force, Wrenches<Real>& out) {
+LINKWORK_PRIMITIVE void act(const Equation<Real>& row, Real force, Wrenches<Real>& out) {
   using Row = Eigen::Map<const Vec3<Real>>;
   out.force_i += force * Row(row.D_i);
   out.torque_i += force * Row(row.D_i + 3);
@@ -81,11 +82,13 @@ template <class Coordinate, class Real>
 void friction(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
               const BodyState<Real>& j, Wrenches<Real>& out) {
   using elementary::hyperbolic_tangent;
+  using std::abs;
   Equation<Real> along;
   HistoryVariable<Real> unused;  // full turns do not matter
   Coordinate::evaluate(at, i, j, unused, along);
-  const Real rate = along.rate(i, j);
-  const Real force = -parameters[0].value * hyperbolic_tangent(rate / parameters[2].value) - parameters[1].value * rate;
+  const Real rate = along.rate(i, j), coulomb = parameters[0].value;
+  const Real grip = any(abs(coulomb) > Real(0)) ? hyperbolic_tangent(rate / parameters[2].value) : Real(0);
+  const Real force = -coulomb * grip - parameters[1].value * rate;
   act(along, force, out);
   out.power = force * rate;
 }
