@@ -15,6 +15,7 @@ struct Mask {
 
   friend LINKWORK_INLINE Mask operator|(const Mask& a, const Mask& b) { return {a.v | b.v}; }
   friend LINKWORK_INLINE Mask operator&(const Mask& a, const Mask& b) { return {a.v & b.v}; }
+  friend LINKWORK_INLINE bool any(const Mask& a) { return simd::LINKWORK_ISA::any(a.v); }
 };
 
 struct Pack {

@@ -87,7 +87,9 @@ void friction(const Attachment<Real>& at, const ForceParameters<Real>& parameter
   HistoryVariable<Real> unused;  // full turns do not matter
   Coordinate::evaluate(at, i, j, unused, along);
   const Real rate = along.rate(i, j), coulomb = parameters[0].value;
-  const Real grip = any(abs(coulomb) > Real(0)) ? hyperbolic_tangent(rate / parameters[2].value) : Real(0);
+  const auto grips = abs(coulomb) > Real(0);
+  Real grip(0);  // of an element without, whatever those beside it have
+  if (any(grips)) grip = select(grips, hyperbolic_tangent(rate / parameters[2].value), grip);
   const Real force = -coulomb * grip - parameters[1].value * rate;
   act(along, force, out);
   out.power = force * rate;
