@@ -24,21 +24,6 @@ void join(Model& model, const std::string& kind, int i, int j, const Vec3<double
   support::join(model, kind, kind + std::to_string(model.joints().size()), i, j, P);
 }
 
-/// Posts on the ground joined by beams with hinges: of each loop three equations are redundant.
-Model ladder(int loops) {
-  Model model;
-  for (int k = 0; k <= loops; ++k) {
-    model.add_body("post" + std::to_string(k), body_at({1.0 * k, 0.5, 0.0}));
-    join(model, "revolute", ground, k, {1.0 * k, 0, 0});
-  }
-  for (int k = 0; k < loops; ++k) {
-    const int beam = model.add_body("beam" + std::to_string(k), body_at({k + 0.5, 1.0, 0.0}));
-    join(model, "revolute", k, beam, {1.0 * k, 1, 0});
-    join(model, "revolute", k + 1, beam, {k + 1.0, 1, 0});
-  }
-  return model;
-}
-
 /// Plates in a square of n x n, joined to their neighbors: all by hinges about z (redundant), or by balls.
 Model plates(int n, const std::string& kind) {
   Model model;
