@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import statistics
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -72,50 +72,38 @@ def measure_lanes(
 
 
 def _measured(name: str, model: Model, threads: Sequence[int], rounds: int) -> Lanes:
-    lanes, core = _core.lane_count(), model.compiled()
-    y = np.concatenate([core.q0, core.v0])
-    timings = [
-        Timing(System(model), 0.0, y, rounds),
-        Timing(System(model, deterministic=True), 0.0, y, rounds),
-    ]
-    packs = {count: _packs(model, count * lanes) for count in threads}
+    y = np.concatenate([model.compiled().q0, model.compiled().v0])
+    timings = [Timing(System(model, deterministic=exact), 0.0, y, rounds) for exact in (False, True)]
+    packs = {count: _packs(model, count * _core.lane_count()) for count in threads}
     difference = max(_difference(name, model, y, it, count) for count, it in packs.items())
     once = _core.time_lanes(packs[threads[0]], 3, threads[0])[0]
     repetitions = max(1, round(WINDOW_SECONDS / max(once, 1e-7)))
 
     def in_lanes(count: int) -> float:
-        return float(_core.time_lanes(packs[count], repetitions, count)[0]) / (count * lanes)
+        seconds = _core.time_lanes(packs[count], repetitions, count)[0]
+        return float(seconds) / (count * _core.lane_count())
 
     peer = articulated(model, threads)
+    own = {count: partial(in_lanes, count) for count in threads}
     with rollouts(model, _turning(model, y), threads if name == "chain" else ()) as mujoco:
-        sides: list[dict[int, Measure]] = [
-            {count: partial(in_lanes, count) for count in threads},
-            mujoco,
-            peer.seconds,
-        ]
-        samples: list[dict[int, list[float]]] = [{count: [] for count in side} for side in sides]
-        for _ in range(rounds):
-            for timing in timings:
-                timing.measure()
-            for side, found in zip(sides, samples, strict=True):
-                for count, measure in side.items():
-                    found[count].append(1e9 * measure())
-    packed, stepped, evaluated = (
-        {count: statistics.median(times) for count, times in found.items()} for found in samples
-    )
+        packed, stepped, evaluated = _in_turn(timings, [own, mujoco, peer.seconds], rounds)
     alone, deterministic = (1e9 * it.seconds["whole"] for it in timings)
-    return Lanes(
-        name,
-        model.body_count,
-        lanes,
-        alone,
-        deterministic,
-        packed,
-        difference,
-        stepped,
-        evaluated,
-        peer.solves,
-    )
+    found = packed, difference, stepped, evaluated, peer.solves
+    return Lanes(name, model.body_count, _core.lane_count(), alone, deterministic, *found)
+
+
+def _in_turn(
+    timings: Sequence[Timing], sides: Sequence[Mapping[int, Measure]], rounds: int
+) -> list[dict[int, float]]:
+    """Medians of the measures of each side by threads [ns], all of which are taken in every round."""
+    samples: list[dict[int, list[float]]] = [{count: [] for count in side} for side in sides]
+    for _ in range(rounds):
+        for timing in timings:
+            timing.measure()
+        for side, found in zip(sides, samples, strict=True):
+            for count, measure in side.items():
+                found[count].append(1e9 * measure())
+    return [{count: statistics.median(times) for count, times in found.items()} for found in samples]
 
 
 def _turning(model: Model, y: Any) -> Any:

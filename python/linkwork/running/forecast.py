@@ -149,9 +149,9 @@ def _steps_bytes(model: Model, stages: int, steps: float) -> float:
 
 
 def announce(forecast: Forecast, progress: ProgressOption) -> None:
-    """Where progress is shown, with `progress` True on standard error in any case; in the log."""
+    """Where progress is shown, and in the log."""
     log.info("%s", forecast.text())
-    if progress is True or (progress is None and screen()):
+    if (progress is None or progress is True) and screen():
         print(forecast.text(), file=sys.stderr, flush=True)
 
 
