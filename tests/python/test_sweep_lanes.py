@@ -128,7 +128,7 @@ def test_with_and_without_lanes_cases_are_runs(options: dict[str, Any]) -> None:
 
 def test_a_model_that_lanes_refuse_is_run_as_ever() -> None:
     """It has a body with very many joints in its loops."""
-    model = mechanisms.scissors(8, 25)
+    model = mechanisms.scissors(16, 2)
     found = lw.sweep(model, {"gravity[2]": [-1.0]}, "final", **RUN, processes=1)
     assert found.manifest["lanes"] is False
     changed = Changed.of(model, ["gravity[2]"]).model({"gravity[2]": -1.0})
