@@ -40,7 +40,7 @@ def simulate_and_show(
     if "start" in settings:
         settings["start"] = _last_state(settings["start"], model, settings["t_end"])
     try:
-        result = lw.simulate(model, **settings, output=output, overwrite=may_replace(), progress=True)
+        result = lw.simulate(model, **settings, output=output, overwrite=may_replace())
     except KeyboardInterrupt as stop:
         begun = output and getattr(stop, "result", None) is not None
         kept = f"; '{output}' has the frames so far" if begun else ""

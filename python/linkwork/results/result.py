@@ -38,6 +38,9 @@ Frame = Literal["inertial", "joint"]
 #: By which the mean rate may miss an angle between two frames before its full turns are doubtful [rad].
 MISSED_TURN = np.pi / 2
 
+#: Of poses that are read at a time.
+READ_NUMBERS = 4_000_000
+
 
 class Result:
     """k frames of n bodies, J joints and m constraint rows. SI units; inertial axes unless said otherwise.
@@ -394,8 +397,13 @@ class Result:
         OptionError: not a whole number.
         """
         _check_every(every)
-        frames = [self._field("q", frame)[:, :3] for frame in range(0, len(self), every)]
-        return np.array(frames).reshape(-1, self._header.body_count, 3)
+        bodies = max(1, self._header.body_count)
+        each = every * max(1, READ_NUMBERS // (7 * bodies))
+        pieces = [
+            self._field("q", np.s_[first : first + each : every])[..., :3].copy()
+            for first in range(0, len(self), each)
+        ]
+        return np.concatenate([np.zeros((0, self._header.body_count, 3)), *pieces])
 
     def sampled_reactions(self, every: int) -> Reaction:
         """Reactions (., J, 3) of every so manyth frame.

@@ -20,8 +20,7 @@ from linkwork.errors import OptionError
 if TYPE_CHECKING:
     from rich.progress import Progress
 
-#: What `simulate(progress=...)` takes: None or True shows a line, False shows nothing. True tells in any case
-#: what a large run will take, None where the line is shown.
+#: What `simulate(progress=...)` takes: None or True shows a line, False shows nothing.
 ProgressOption = Callable[["ProgressInfo"], object] | bool | None
 
 #: What a series of tasks takes: None shows a line, False shows nothing.

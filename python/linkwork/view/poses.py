@@ -65,10 +65,18 @@ def _chunks(result: Result, frames: Sequence[int], each: int) -> Iterator[Floats
     """q (k, n, 7) of so many frames at a time, with Euler parameters that go on without a jump of sign."""
     before: Floats | None = None
     for first in range(0, len(frames), each):
-        found = [result.recorded("q", frame) for frame in frames[first : first + each]]
-        q = continuous(np.stack(found if before is None else [before, *found]))
+        found = _read(result, frames[first : first + each])
+        q = continuous(found if before is None else np.concatenate([before[None], found]))
         before = q[-1]
         yield q[len(q) - len(found) :]
+
+
+def _read(result: Result, frames: Sequence[int]) -> Floats:
+    """q (k, n, 7) of ascending frames: at once, where what is between them is not much."""
+    first, count = frames[0], frames[-1] - frames[0] + 1
+    if 7 * count * result.header.body_count <= MOST_NUMBERS:
+        return result.recorded("q", slice(first, first + count))[np.subtract(frames, first)]
+    return np.stack([result.recorded("q", frame) for frame in frames])
 
 
 def continuous(q: Floats) -> Floats:
