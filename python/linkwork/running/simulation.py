@@ -95,8 +95,8 @@ def simulate(
                   begin anew: a LinkworkWarning names them
     output        an HDF5 file that is written while the run goes on; the result then reads from it
     overwrite     whether `output` may replace a file that is there
-    progress      None: on a terminal or in a notebook what a large run will take, before its first step, and a
-                  line after two seconds; False: nothing; or a function of ProgressInfo. Loggers "linkwork"
+    progress      None: on a terminal or in a notebook what a large run will take, before its first step, and
+                  a line after two seconds; False: nothing; or a function of ProgressInfo. Loggers "linkwork"
                   and below tell of runs, too (level INFO)
     assemble      correct initial poses and velocities that violate the joints a little. Up to 1/1000 of the
                   size and speed of the mechanism as by linkwork.assemble, larger violations are refused;
