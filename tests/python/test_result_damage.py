@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import random
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -178,6 +180,36 @@ def test_file_between_two_commits_has_the_last(tmp_path: Path) -> None:
     found = Result.load(tmp_path / "killed.h5")
     np.testing.assert_array_equal(found.t, 0.01 * np.arange(20))
     assert not found.finished and found.missing[0].startswith("the end of the run")
+
+
+SHRINK = """
+import sys
+print("begun", flush=True)
+while True:
+    with open(sys.argv[1], "wb") as file:
+        file.truncate(2**25)
+"""
+
+LOOK = """
+import contextlib, pathlib, sys
+from linkwork.results import heaps
+for _ in range(40):
+    with contextlib.suppress(ValueError):
+        heaps.check(pathlib.Path(sys.argv[1]))
+print("alive")
+"""
+
+
+def test_a_file_that_becomes_shorter_while_it_is_read_ends_nobody(tmp_path: Path) -> None:
+    """In processes of their own: a signal would end this one."""
+    file = str(tmp_path / "run.h5")
+    with subprocess.Popen([sys.executable, "-c", SHRINK, file], stdout=subprocess.PIPE, text=True) as other:
+        try:
+            assert other.stdout is not None and other.stdout.readline() == "begun\n"
+            done = subprocess.run([sys.executable, "-c", LOOK, file], capture_output=True, text=True)
+        finally:
+            other.kill()
+    assert (done.returncode, done.stdout) == (0, "alive\n")
 
 
 def test_file_of_an_earlier_version_is_read_and_says_that_it_has_no_digests(tmp_path: Path) -> None:

@@ -112,7 +112,7 @@ def read(path: str | os.PathLike[str], *, trusted: bool = False) -> StoredRun:
     FileError: no such file, one of another kind, or one that is damaged before the first frame.
     """
     path = Path(path)
-    with _failures(path), _damaged(path), _looked_through(path, trusted), _open(path) as file:
+    with _failures(path), _damaged(path), _open(path) as file, _looked_through(path, trusted):
         has_digests = _check_kind(path, file)
         size = path.stat().st_size
         if has_digests and not trusted:
@@ -308,7 +308,7 @@ def _chunk_end(dataset: h5py.Dataset, start: int) -> float:
 
 @contextmanager
 def _looked_through(path: Path, trusted: bool) -> Iterator[None]:
-    """ValueError: HDF5 would not come to an end with what is in the file."""
+    """ValueError: HDF5 would not come to an end with what is in the file, which is open: no run writes it."""
     if not trusted:
         heaps.check(path)
     yield
