@@ -23,6 +23,9 @@ class LaneEvaluation {
  public:
   LaneEvaluation(const LaneStructure& structure, const InstructionSet& instructions,
                  const std::vector<Dynamics*>& mechanisms);
+  // It holds places in its own numbers.
+  LaneEvaluation(const LaneEvaluation&) = delete;
+  LaneEvaluation& operator=(const LaneEvaluation&) = delete;
 
   /// Another mechanism in a lane.
   void replace(int l, Dynamics& mechanism);
