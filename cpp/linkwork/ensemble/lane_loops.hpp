@@ -97,13 +97,28 @@ LINKWORK_INLINE const double* mass_factor_of(const CoreBody& body, const LaneDat
   return data.mass_factors + 9l * width * body.mass_factor;
 }
 
-/// L^-1 of a row of D, and the diagonal D of the factors.
+constexpr int axis_of(RowForm form) { return static_cast<int>(form) - static_cast<int>(RowForm::x); }
+/// Of a row of L^-1 D^T.
 template <bool branches>
+LINKWORK_INLINE RowForm form_in(RowForm of_D) {
+  return branches && of_D != RowForm::rotation ? RowForm::general : of_D;
+}
+
+/// What is not zero in L^-1 D^T of a row. Branches fill in what comes after its first number.
+template <bool branches, RowForm form>
+constexpr bool holds(int k) {
+  if (k >= 3 || form == RowForm::general) return true;
+  if (form == RowForm::rotation) return false;
+  return branches || k == axis_of(form);
+}
+
+/// L^-1 of a row of D.
+template <bool branches, RowForm form>
 LINKWORK_INLINE void reduce_row(const double* D, const double* own, const double* factor, Native* B) {
   LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
-    B[k] = get(D, k);
+    B[k] = holds<false, form>(k) ? get(D, k) : Native{};
   if constexpr (branches) {
-    LINKWORK_UNROLL for (int k = 0; k < 6; ++k) LINKWORK_UNROLL
+    LINKWORK_UNROLL for (int k = form == RowForm::rotation ? 3 : 0; k < 6; ++k) LINKWORK_UNROLL
       for (int c = k + 1; c < 6; ++c) B[c] -= B[k] * get(own, 8 * k + c);
   } else {
     B[4] -= B[3] * get(factor, 0);
@@ -111,75 +126,130 @@ LINKWORK_INLINE void reduce_row(const double* D, const double* own, const double
   }
 }
 
-/// What a body leaves of its right-hand side, and with it L^-1 D^T and D^-1 L^-1 D^T of its rows, in the scratch memory.
+/// What a row of a body leaves of its right-hand side, and L^-1 D^T and D^-1 L^-1 D^T, where others read them.
+template <bool branches, bool right_hand_side_only, RowForm form>
+LINKWORK_INLINE void add_row(int row, const FrontPlace& at, const LaneData& data, const double* own,
+                             const double* factor, const Native* y, double* U) {
+  Native B[6], r{}, d{};
+  reduce_row<branches, form>(data.D + data.rows[row].D * width, own, factor, B);
+  LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
+    if (!holds<branches, form>(k)) {
+      if (!right_hand_side_only && form != RowForm::rotation) put(U, 6 + k, Native{});
+      continue;
+    }
+    r -= B[k] * y[k];
+    if constexpr (right_hand_side_only) continue;
+    const Native L = B[k] * (branches ? get(own, 9 * k) : get(factor, 3 + k));
+    d += B[k] * L;
+    put(U, k, B[k]);
+    put(U, 6 + k, L);
+  }
+  const int position = data.row_positions[row];
+  put(at.right(), position, get(at.right(), position) + r);
+  if constexpr (!right_hand_side_only) put(at.diagonal(), position, get(at.diagonal(), position) + d);
+}
+
+/// Calls f with the form as a constant.
+template <class Function>
+LINKWORK_INLINE void with_form(RowForm form, const Function& f) {
+  if (form == RowForm::rotation) f(std::integral_constant<RowForm, RowForm::rotation>());
+  else if (form == RowForm::x) f(std::integral_constant<RowForm, RowForm::x>());
+  else if (form == RowForm::y) f(std::integral_constant<RowForm, RowForm::y>());
+  else if (form == RowForm::z) f(std::integral_constant<RowForm, RowForm::z>());
+  else f(std::integral_constant<RowForm, RowForm::general>());
+}
+
+/// What a body leaves of its right-hand side, and its rows in the scratch memory.
 template <bool branches, bool right_hand_side_only>
 void add_body(const CoreBody& body, const FrontPlace& at, const LaneData& data, const double* a) {
-  double *right = at.right(), *diagonal = at.diagonal(), *U = data.scratch;
+  double* U = data.scratch;
   const double* own = data.factors + body.own_factors * width;
   const double* factor = branches ? nullptr : mass_factor_of(body, data);
   Native y[6];
   LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
     y[k] = branches ? get(own, 48 + k) : get(a, 6l * body.body + k);
   if constexpr (!branches) solve_lower(factor, y);
-  for (int row = body.first_row; row < body.first_row + body.rows; ++row, U += 12l * width) {
-    Native B[6], r{}, d{};
-    reduce_row<branches>(data.D + data.rows[row].D * width, own, factor, B);
-    LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
-      r -= B[k] * y[k];
-      if constexpr (right_hand_side_only) continue;
-      const Native L = B[k] * (branches ? get(own, 9 * k) : get(factor, 3 + k));
-      d += B[k] * L;
-      put(U, k, B[k]);
-      put(U, 6 + k, L);
-    }
-    const int position = data.row_positions[row];
-    put(right, position, get(right, position) + r);
-    if constexpr (!right_hand_side_only) put(diagonal, position, get(diagonal, position) + d);
-  }
+  for (int row = body.first_row; row < body.first_row + body.rows; ++row, U += 12l * width)
+    with_form(data.row_forms[row], [&](auto form) {
+      add_row<branches, right_hand_side_only, form.value>(row, at, data, own, factor, y, U);
+    });
 }
 
-/// Row i of some columns of D M^-1 D^T, from the scaled row of each.
-template <int columns>
-LINKWORK_INLINE void add_to_columns(double* const* C, std::ptrdiff_t position, const double* row,
-                                    const Native (*scaled)[6]) {
-  Native sum[columns];
-  LINKWORK_UNROLL for (int c = 0; c < columns; ++c)
-    sum[c] = get(C[c], position);
-  LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
+/// Some columns of a body's part of D M^-1 D^T; `moving`: of rows that have to do with translations.
+template <int count, bool moving>
+struct BodyColumns {
+  const double* U;    ///< of the first
+  double* C[count];
+  Native scaled[count][6];
+
+  LINKWORK_INLINE BodyColumns(const FrontPlace& at, const int* positions, const double* rows) : U(rows) {
+    LINKWORK_UNROLL for (int c = 0; c < count; ++c) {
+      C[c] = at.column(positions[c]);
+      LINKWORK_UNROLL for (int k = moving ? 0 : 3; k < 6; ++k)
+        scaled[c][k] = get(U, 12l * c + 6 + k);
+    }
+  }
+
+  /// Row i of the first `columns`.
+  template <int columns>
+  LINKWORK_INLINE void add(std::ptrdiff_t position, const double* row, RowForm form) const {
+    Native sum[columns];
+    LINKWORK_UNROLL for (int c = 0; c < columns; ++c)
+      sum[c] = get(C[c], position);
+    if (moving && form != RowForm::rotation) {
+      if (form == RowForm::general) LINKWORK_UNROLL
+        for (int k = 0; k < 3; ++k) add_products<columns>(k, row, sum);
+      else add_along<columns>(axis_of(form), row, sum);
+    }
+    LINKWORK_UNROLL for (int k = 3; k < 6; ++k)
+      add_products<columns>(k, row, sum);
+    LINKWORK_UNROLL for (int c = 0; c < columns; ++c)
+      put(C[c], position, sum[c]);
+  }
+
+ private:
+  template <int columns>
+  LINKWORK_INLINE void add_products(int k, const double* row, Native* sum) const {
     const Native x = get(row, k);
     LINKWORK_UNROLL for (int c = 0; c < columns; ++c)
       sum[c] += x * scaled[c][k];
   }
-  LINKWORK_UNROLL for (int c = 0; c < columns; ++c)
-    put(C[c], position, sum[c]);
-}
+  template <int columns>
+  LINKWORK_INLINE void add_along(int axis, const double* row, Native* sum) const {
+    const Native x = get(row, axis);
+    LINKWORK_UNROLL for (int c = 0; c < columns; ++c)
+      sum[c] += x * get(U, 12l * c + 6 + axis);
+  }
+};
 
 /// Columns j, j + 1, ... of those of a body, from their diagonal on.
-template <int columns>
-LINKWORK_INLINE void add_some_columns(const FrontPlace& at, const int* positions, const double* U, int j, int rows) {
-  Native scaled[columns][6];
-  double* C[columns];
-  LINKWORK_UNROLL for (int c = 0; c < columns; ++c) {
-    C[c] = at.column(positions[j + c]);
-    LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
-      scaled[c][k] = get(U, 12l * (j + c) + 6 + k);
-  }
+template <bool branches, int count, bool moving>
+LINKWORK_INLINE void add_some_columns(const FrontPlace& at, const int* positions, const RowForm* forms,
+                                      const double* U, int j, int rows) {
   const double* row = U + 12l * j * width;
-  add_to_columns<1>(C, positions[j], row, scaled);
-  if constexpr (columns > 1) add_to_columns<2>(C, positions[j + 1], row + 12l * width, scaled);
-  if constexpr (columns > 2) add_to_columns<3>(C, positions[j + 2], row + 24l * width, scaled);
-  row += 12l * columns * width;
-  for (int i = j + columns; i < rows; ++i, row += 12l * width) add_to_columns<columns>(C, positions[i], row, scaled);
+  const BodyColumns<count, moving> columns(at, positions + j, row);
+  const auto form = [&](int i) { return form_in<branches>(forms[i]); };
+  columns.template add<1>(positions[j], row, form(j));
+  if constexpr (count > 1) columns.template add<2>(positions[j + 1], row + 12l * width, form(j + 1));
+  if constexpr (count > 2) columns.template add<3>(positions[j + 2], row + 24l * width, form(j + 2));
+  row += 12l * count * width;
+  for (int i = j + count; i < rows; ++i, row += 12l * width) columns.template add<count>(positions[i], row, form(i));
 }
 
+/// Up to three neighboring columns at a time, all with or all without translations.
+template <bool branches>
 void add_body_columns(const CoreBody& body, const FrontPlace& at, const LaneData& data) {
   const int* positions = data.row_positions + body.first_row;
+  const RowForm* forms = data.row_forms + body.first_row;
   const int rows = body.rows;
-  const double* U = data.scratch;
-  int j = 0;
-  for (; j + 3 <= rows; j += 3) add_some_columns<3>(at, positions, U, j, rows);
-  if (rows - j == 2) add_some_columns<2>(at, positions, U, j, rows);
-  if (rows - j == 1) add_some_columns<1>(at, positions, U, j, rows);
+  const auto moves = [&](int row) { return forms[row] != RowForm::rotation; };
+  for (int j = 0, end; j < rows; j = end) {
+    for (end = j + 1; end < rows && end < j + 3 && moves(end) == moves(j);) ++end;
+    with_count<3>(end - j, [&](auto count) {
+      if (moves(j)) add_some_columns<branches, count, true>(at, positions, forms, data.scratch, j, rows);
+      else add_some_columns<branches, count, false>(at, positions, forms, data.scratch, j, rows);
+    });
+  }
 }
 
 template <bool right_hand_side_only>
@@ -188,10 +258,11 @@ void eliminate_body(const CoreBody& body, const FrontPlace& at, const LaneData& 
   if (body.slot >= 0) {
     factor_mass(body, data, smallest);
     add_body<true, right_hand_side_only>(body, at, data, a);
+    if constexpr (!right_hand_side_only) add_body_columns<true>(body, at, data);
   } else {
     add_body<false, right_hand_side_only>(body, at, data, a);
+    if constexpr (!right_hand_side_only) add_body_columns<false>(body, at, data);
   }
-  if constexpr (!right_hand_side_only) add_body_columns(body, at, data);
 }
 
 LINKWORK_INLINE Native given(int unknown, const double* b) { return get(b, unknown); }
@@ -507,18 +578,23 @@ void backward_joints(const FrontPlace& at, const LaneData& data, double* lambda)
 
 /// x = M^-1 (a + D^T lambda).
 void backward_body(const CoreBody& body, const LaneData& data, const double* a, double* x, const double* lambda) {
-  Native sums[2][6]{};
-  const auto add = [&](int row) {
+  Native sum[6]{}, odd[6]{};
+  const auto add = [&](int row, Native* to) {
     const block::BodyRow& it = data.rows[body.first_row + row];
     const Native l = get(lambda, it.row);
-    Native* sum = sums[row % 2];
-    LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
-      sum[k] += get(data.D, it.D + k) * l;
+    with_form(data.row_forms[body.first_row + row], [&](auto form) {
+      LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
+        if (holds<false, form.value>(k)) to[k] += get(data.D, it.D + k) * l;
+    });
   };
-  for (int row = 0; row < body.rows; ++row) add(row);
-  Native* sum = sums[0];
+  int row = 0;
+  for (; row + 1 < body.rows; row += 2) {
+    add(row, sum);
+    add(row + 1, odd);
+  }
+  if (row < body.rows) add(row, sum);
   LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
-    sum[k] += sums[1][k];
+    sum[k] += odd[k];
   if (body.slot >= 0) {
     const double* own = data.factors + body.own_factors * width;
     Native solution[6];

@@ -79,6 +79,7 @@ LaneData LaneSolver::data(const double* D) {
           .bodies = s.bodies.data(),
           .rows = s.rows.data(),
           .row_positions = structure_.row_positions.data(),
+          .row_forms = structure_.row_forms.data(),
           .unknowns = s.unknowns.data(),
           .compliance = compliance_.data(),
           .compliant = structure_.inerters > 0,

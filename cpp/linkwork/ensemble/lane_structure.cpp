@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linkwork/ensemble/row_forms.hpp"
 #include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/linear/block/block_solver.hpp"
 #include "linkwork/model/force_kind.hpp"
@@ -71,6 +72,7 @@ LaneStructure::LaneStructure(const Dynamics& dynamics)
       elements_(dynamics.system().model().joints()) {
   find_positions(dynamics.system());
   list_joints(dynamics.system());
+  find_forms();
   list_inerters(dynamics.system());
   list_forces(dynamics.system());
   for (const int row : dropped)
@@ -106,6 +108,15 @@ void LaneStructure::list_joints(const System& system) {
     all.row.push_back(system.model().joint_rows()[joint]);
     all.D.push_back(place_of_D(system, joint, element));
   }
+}
+
+void LaneStructure::find_forms() {
+  std::vector<RowForm> forms(D_size / velocity_size, RowForm::general);
+  for (const Joints& it : joints) {
+    const std::vector<RowForm> found = linkwork::row_forms(it.kind);
+    for (const std::ptrdiff_t D : it.D) std::copy(found.begin(), found.end(), forms.begin() + D / velocity_size);
+  }
+  for (const block::BodyRow& row : symbolic.rows) row_forms.push_back(forms[row.D / velocity_size]);
 }
 
 void LaneStructure::list_inerters(const System& system) {

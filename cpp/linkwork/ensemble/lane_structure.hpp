@@ -51,6 +51,7 @@ class LaneStructure {
   bool time_dependent;  ///< constraints, of any
   block::SymbolicFactorization symbolic;
   std::vector<int> row_positions;       ///< of symbolic.rows in their fronts
+  std::vector<RowForm> row_forms;       ///< of symbolic.rows
   std::vector<ConstraintBlock> blocks;  ///< first those of joints, then those of inerters
   std::ptrdiff_t joint_blocks;
   std::vector<Joints> joints;
@@ -67,6 +68,7 @@ class LaneStructure {
  private:
   void find_positions(const System& system);
   void list_joints(const System& system);
+  void find_forms();
   void list_inerters(const System& system);
   void list_forces(const System& system);
   bool same_forces(const System& system) const;

@@ -11,6 +11,10 @@
 /// lane has the bits of that run, whatever the width and whatever the other lanes hold.
 namespace linkwork {
 
+/// What is known of D of a row and body in every state: the numbers of its translation are zero, or one of them is 1 or
+/// -1. What is multiplied by them need not be.
+enum class RowForm : unsigned char { general, rotation, x, y, z };
+
 /// What an elimination reads and writes; places are those of SymbolicFactorization, in numbers.
 struct LaneData {
   const block::TreeStep* steps;
@@ -22,6 +26,7 @@ struct LaneData {
   const block::CoreBody* bodies;
   const block::BodyRow* rows;
   const int* row_positions;  ///< of `rows` in their fronts
+  const RowForm* row_forms;  ///< of `rows`
   const int* unknowns;
   const double* compliance;    ///< one a row: of those that are left out and of inerters; others are zero
   bool compliant;              ///< there are inerters
