@@ -28,6 +28,7 @@ KNOWN: dict[str, tuple[Callable[[], lw.Model], float]] = {
     "double_wishbone": (mechanisms.double_wishbone, 1e-3),
     "flyball_governor": (mechanisms.flyball_governor, 1e-4),
     "delta_robot": (mechanisms.delta_robot, 1e-4),
+    "hub_in_loops": (lambda: mechanisms.hub(12, loops=True), 1e-3),
 }
 
 FIELDS = ("t", "q", "v", "vdot", "lambda", "kinetic", "potential", "work", "violation", "history")
@@ -88,4 +89,21 @@ def with_functions(amplitude: float, stiffness: float) -> lw.Model:
     model.angle_driver(model.ground, crank, angle=motion, at=(0, 0, 0), axis=(0, 1, 0), name="motor")
     model.rotational_spring_damper(crank, rod, at=(1, 0, 0), axis=(0, 1, 0), stiffness=stiffness, damping=0.1,
                                    free_angle=0.2, torque=0.0, name="spring")  # fmt: skip
+    return model
+
+
+def carousel(lift: float) -> lw.Model:
+    """Twelve arms hinged on a free hub, their tips tied to the ground.
+
+    One rod is along the axis of its hinge but for `lift`: nearly, it holds the hub alone.
+    """
+    model = lw.Model(gravity=(0, 0, -9.81), name="carousel")
+    hub = model.body("hub", mass=5.0, inertia=(1, 1, 2), position=(0, 0, 1))
+    up = np.array([0.0, 0.0, 1.0])
+    for k, turn in enumerate(2 * np.pi * np.arange(12) / 12):
+        out, along = np.array([np.cos(turn), np.sin(turn), 0]), np.array([-np.sin(turn), np.cos(turn), 0])
+        arm = model.body(f"arm {k}", mass=1.0, inertia=(0.05, 0.06, 0.07), position=up + out)
+        model.revolute(hub, arm, at=up + 0.5 * out, axis=along, name=f"pin {k}")
+        tip, rod = up + 1.5 * out, 0.1 * k * along + 0.7 * up + 0.3 * out if k else along + lift * up
+        model.distance(arm, model.ground, at=(tip, tip + rod), name=f"rod {k}")
     return model

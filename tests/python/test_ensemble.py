@@ -13,7 +13,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 import random_mechanisms
-from ensembles import KNOWN, alone, bits, variants, with_functions, with_inerters
+from ensembles import KNOWN, alone, bits, carousel, variants, with_functions, with_inerters
 from hypothesis import given
 from light_mechanisms import light_mechanisms
 from linkwork import _core, mechanisms
@@ -173,6 +173,28 @@ def test_thin_rods_are_refined_as_by_themselves(name: str, moment: float) -> Non
     assert found.alone == {}
     for k in (0, 3):
         assert bits(found.member(k)) == bits(alone(models[k], 0.05, 1e-3, record_every=7))
+
+
+def test_hubs_with_branches_inerters_and_masses_far_apart_are_those_by_themselves() -> None:
+    models = [with_inerters(mechanisms.hub(24, loops=True), 5, 0.3 * k) for k in (1, 2, 3)]
+    for k, model in enumerate(models):
+        bob = model.body("bob", mass=10.0 ** (-4 * k), inertia=(0.01, 0.02, 0.02), omega=(0, 0, 5.0))
+        model.spherical("hub", bob, at=(0, 0, 0), name="branch")
+    found = many(models, 0.03, 1e-3, threads=1, record_every=7)
+    assert found.alone == {}
+    for k in (0, 1, 2):
+        assert bits(found.member(k)) == bits(alone(models[k], 0.03, 1e-3, record_every=7))
+
+
+@pytest.mark.parametrize("lift", [0.0, 1e-5])
+def test_a_pivot_that_waits_for_a_hub_is_left_to_the_run_by_itself(lift: float) -> None:
+    models = variants(carousel(lift), 3, seed=3)
+    found = many(models, 0.02, 1e-3, threads=1, record_every=5)
+    assert sorted(found.alone) == [0, 1, 2] and "order of elimination" in found.alone[0]
+    followed = many(models, 0.02, rtol=1e-6)
+    for k in (0, 2):
+        assert bits(found.member(k)) == bits(alone(models[k], 0.02, 1e-3, record_every=5))
+        assert bits(followed.member(k)) == bits(alone(models[k], 0.02, rtol=1e-6))
 
 
 @pytest.mark.parametrize("method", ["euler", "heun", "rk3", "dopri5", "dop853"])

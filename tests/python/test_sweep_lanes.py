@@ -126,13 +126,15 @@ def test_with_and_without_lanes_cases_are_runs(options: dict[str, Any]) -> None:
     assert_array_equal(found.outputs["final.q"][1], result.q[-1])
 
 
-def test_a_model_that_lanes_refuse_is_run_as_ever() -> None:
-    """It has a body with very many joints in its loops."""
+@pytest.mark.parametrize("in_lanes", [True, False])
+def test_a_model_that_lanes_refuse_is_run_as_ever(in_lanes: bool) -> None:
+    """With a limit of accelerations; not for its body with very many joints in loops."""
     model = mechanisms.scissors(16, 2)
-    found = lw.sweep(model, {"gravity[2]": [-1.0]}, "final", **RUN, processes=1)
-    assert found.manifest["lanes"] is False
+    options: dict[str, Any] = {} if in_lanes else {"violation_limit": {"acceleration": 1e6}}
+    found = lw.sweep(model, {"gravity[2]": [-1.0]}, "final", **RUN, **options, processes=1)
+    assert found.manifest["lanes"] is in_lanes
     changed = Changed.of(model, ["gravity[2]"]).model({"gravity[2]": -1.0})
-    single = lw.simulate(changed, RUN["t_end"], RUN["step"])
+    single = lw.simulate(changed, RUN["t_end"], RUN["step"], deterministic=in_lanes, **options)
     assert_array_equal(found.outputs["final.q"][0], single.q[-1])
 
 

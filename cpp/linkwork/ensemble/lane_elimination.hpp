@@ -15,13 +15,13 @@ using namespace simd::LINKWORK_ISA;
 LINKWORK_INLINE Native get(const double* from, std::ptrdiff_t k) { return load_native(from + k * width); }
 LINKWORK_INLINE void put(double* to, std::ptrdiff_t k, Native x) { store_native(to + k * width, x); }
 
-constexpr double breakdown = 1e-15;                // as in BlockSolver: there is no hub
 constexpr double not_a_number = -__builtin_inf();  // as a ratio of pivots: the smallest of all
 constexpr int articulated = 48;                    // numbers of an articulated inertia: columns of 8
 constexpr int right_hand_side = block::right_hand_side;
 
-/// The smallest pivot relative to its diagonal entry in each lane.
+/// The smallest pivot relative to its diagonal entry in each lane; what follows a breakdown is its consequence.
 struct SmallestPivots {
+  double breakdown = 0.0;
   Native ratio = splat_native(1.0);
 
   LINKWORK_INLINE void note(Native pivot, Native diagonal) {

@@ -265,7 +265,56 @@ void eliminate_body(const CoreBody& body, const FrontPlace& at, const LaneData& 
   }
 }
 
-LINKWORK_INLINE Native given(int unknown, const double* b) { return get(b, unknown); }
+/// Of a constraint row; zero for those of hubs.
+LINKWORK_INLINE Native given(int unknown, const double* numbers) {
+  return unknown >= 0 ? get(numbers, unknown) : Native{};
+}
+
+// --- hubs: the equations of block/hub_kernels.hpp ---
+
+/// Adds x to the number at a position.
+LINKWORK_INLINE void add_to(double* list, std::ptrdiff_t position, Native x) {
+  put(list, position, get(list, position) + x);
+}
+
+/// -M of a hub, the lower triangle.
+void add_hub(const block::Hub& hub, const FrontPlace& at, const LaneData& data) {
+  const double* articulated_inertia = data.articulated_inertias + hub.slot * articulated * std::ptrdiff_t{width};
+  const double* mass = data.mass + 10l * width * hub.body;
+  for (int c = 0; c < 6; ++c) {
+    double* column = at.column(hub.position + c);
+    for (int r = c; r < 6; ++r) {
+      if (hub.slot >= 0) add_to(column, hub.position + r, -get(articulated_inertia, 8 * c + r));
+      else if (c >= 3) add_to(column, hub.position + r, -get(mass, 1 + 3 * (c - 3) + r - 3));
+      else if (r == c) add_to(column, hub.position + r, -get(mass, 0));
+    }
+  }
+}
+
+/// -M of hubs and their D, into the lower triangle.
+void add_hubs(const block::MixedFront& mixed, const FrontPlace& at, const LaneData& data) {
+  for (int h = mixed.first_hub; h < mixed.first_hub + mixed.hubs; ++h) add_hub(data.hubs[h], at, data);
+  for (int k = mixed.first_coupling; k < mixed.first_coupling + mixed.couplings; ++k) {
+    const block::Coupling& it = data.couplings[k];
+    for (int r = 0; r < it.rows; ++r)
+      for (int c = 0; c < 6; ++c) {
+        const int joint = it.joint + r, hub = it.hub + c;
+        add_to(at.column(hub < joint ? hub : joint), hub < joint ? joint : hub, get(data.D, it.D + 6 * r + c));
+      }
+  }
+}
+
+/// -a of hubs.
+void add_hub_right_hand_sides(const block::MixedFront& mixed, const FrontPlace& at, const LaneData& data,
+                              const double* a) {
+  for (int h = mixed.first_hub; h < mixed.first_hub + mixed.hubs; ++h) {
+    const block::Hub& hub = data.hubs[h];
+    const double* articulated_inertia = data.articulated_inertias + hub.slot * articulated * std::ptrdiff_t{width};
+    for (int k = 0; k < 6; ++k)
+      add_to(at.right(), hub.position + k,
+             -(hub.slot < 0 ? get(a, 6l * hub.body + k) : get(articulated_inertia, 8 * k + right_hand_side)));
+  }
+}
 
 /// Calls f with the first and the count, 1 to 4, of some of the positions from `begin` to `end`.
 template <class Function>
@@ -339,10 +388,12 @@ struct Block {
   Native L[count][count], inverse[count], z[count];
 
   /// The rows k0, k0 + 1, ... `diagonal` and `pivots` from there on.
-  LINKWORK_INLINE void factor_diagonal(int k0, const double* diagonal, double* pivots, SmallestPivots& smallest) {
+  LINKWORK_INLINE void factor_diagonal(int k0, const int* unknowns, const double* diagonal, double* pivots,
+                                       SmallestPivots& smallest) {
     LINKWORK_UNROLL for (int k = 0; k < count; ++k) {
       const Native pivot = L[k][k];
-      smallest.note(pivot, get(diagonal, k));
+      if (unknowns[k] >= 0) smallest.note(pivot, get(diagonal, k));
+      else smallest.note(-pivot, Native{});
       put(pivots, k, pivot);
       inverse[k] = 1.0 / pivot;
       z[k] *= inverse[k];
@@ -396,7 +447,7 @@ struct Block {
 LINKWORK_INLINE void add_compliance(const FrontPlace& at, const LaneData& data, int k0, int count) {
   const int* unknowns = data.unknowns + at.front.unknown;
   for (int k = k0; k < k0 + count; ++k) {
-    const Native e = get(data.compliance, unknowns[k]);
+    const Native e = given(unknowns[k], data.compliance);
     put(at.column(k), k, get(at.column(k), k) + e);
     put(at.diagonal(), k, get(at.diagonal(), k) + e);
   }
@@ -420,7 +471,8 @@ void eliminate_block(const FrontPlace& at, const LaneData& data, const double* b
       block.L[c][r] = get(block.own[c], k0 + r);
     block.z[c] = get(block.right, k0 + c) + given(unknowns[c], b);
   }
-  block.factor_diagonal(k0, at.diagonal() + std::ptrdiff_t{k0} * width, pivots + std::ptrdiff_t{k0} * width, smallest);
+  const std::ptrdiff_t first = std::ptrdiff_t{k0} * width;
+  block.factor_diagonal(k0, unknowns, at.diagonal() + first, pivots + first, smallest);
   block.template solve_below<false>(k0 + count, at.front.width, {});
   block.template solve_below<narrow>(at.front.top, at.last(), {U, stride});
 }
@@ -486,6 +538,10 @@ void factor_loops(const LaneData& data, const double* a, const double* b, const 
     if (front.childless) clear(front, data);
     for (int body = front.first_body; body < front.first_body + front.bodies; ++body)
       eliminate_body<false>(data.bodies[body], at, data, a, smallest);
+    if (front.mixed >= 0) {
+      add_hubs(data.mixed[front.mixed], at, data);
+      add_hub_right_hand_sides(data.mixed[front.mixed], at, data, a);
+    }
     eliminate(at, data, b, scratch.U, scratch.pivots, smallest);
     update_kept(at, scratch.U, scratch.pivots);
     if (front.parent < 0) continue;
@@ -518,6 +574,7 @@ void forward_loops(const LaneData& data, const double* a, const double* b) {
     if (front.childless) clear_list(at.right(), at);
     for (int body = front.first_body; body < front.first_body + front.bodies; ++body)
       eliminate_body<true>(data.bodies[body], at, data, a, unchanged);
+    if (front.mixed >= 0) add_hub_right_hand_sides(data.mixed[front.mixed], at, data, a);
     forward_joints(at, data, b);
     if (front.parent < 0) continue;
     const FrontPlace parent(data.fronts[front.parent], data);
@@ -551,7 +608,7 @@ LINKWORK_INLINE void backward_block(const FrontPlace& at, int k0) {
 }
 
 /// Leaves the solution where the right-hand side was: own unknowns and those that the front kept.
-void backward_joints(const FrontPlace& at, const LaneData& data, double* lambda) {
+void backward_joints(const FrontPlace& at, const LaneData& data, double* x, double* lambda) {
   const Front& front = at.front;
   const std::ptrdiff_t stride = front.stride();
   double* right = at.right();
@@ -573,7 +630,11 @@ void backward_joints(const FrontPlace& at, const LaneData& data, double* lambda)
     }
     with_count<at_once>(count, [&](auto own) { backward_block<own>(at, k0); });
   }
-  for (int k = 0; k < front.width; ++k) put(lambda, data.unknowns[front.unknown + k], get(right, k));
+  for (int k = 0; k < front.width; ++k) {
+    const int unknown = data.unknowns[front.unknown + k];
+    if (unknown >= 0) put(lambda, unknown, get(right, k));
+    else put(x, ~unknown, get(right, k));
+  }
 }
 
 /// x = M^-1 (a + D^T lambda).
@@ -622,7 +683,7 @@ void backward_body(const CoreBody& body, const LaneData& data, const double* a, 
 void backward_loops(const LaneData& data, const double* a, double* x, double* lambda) {
   for (std::ptrdiff_t f = data.front_count; f-- > 0;) {
     const Front& front = data.fronts[f];
-    backward_joints(FrontPlace(front, data), data, lambda);
+    backward_joints(FrontPlace(front, data), data, x, lambda);
     for (int body = front.first_body; body < front.first_body + front.bodies; ++body)
       backward_body(data.bodies[body], data, a, x, lambda);
   }

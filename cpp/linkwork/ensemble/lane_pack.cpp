@@ -79,6 +79,12 @@ void LanePack::evaluate_start(int times) {
   for (int k = 0; k < times; ++k) stepper_.evaluate_rates(spans_, *this);
 }
 
+void LanePack::note(int l, double t, double pivot, bool first) {
+  Lane& lane = *lanes_[l];
+  if (structure_.keeps_order(lane.dynamics(), pivot)) lane.note(t, pivot, first);
+  else lane.leave(t, "a small pivot changes the order of elimination");
+}
+
 // --- one step ---
 
 void LanePack::begin_step(std::int64_t step) {

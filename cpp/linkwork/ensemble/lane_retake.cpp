@@ -91,7 +91,8 @@ void LaneRetake::hold() {
 void LaneRetake::note(int l, double t, double pivot, bool) {
   SingularWatch& watch = lanes_[l].run->dynamics.formulation().watch();
   watch.note(t, pivot);
-  if (!(pivot > singular_pivot) || !watch.usual(pivot)) lanes_[l].active = false;
+  const bool usual = pivot > singular_pivot && watch.usual(pivot);
+  if (!usual || !structure_.keeps_order(lanes_[l].run->dynamics, pivot)) lanes_[l].active = false;
 }
 
 namespace {

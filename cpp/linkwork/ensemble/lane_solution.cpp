@@ -14,7 +14,7 @@ EliminationScratch elimination_scratch(const LaneData& data) {
 }
 
 void factor(const LaneData& data, const double* a, const double* b, double* smallest) {
-  SmallestPivots pivots;
+  SmallestPivots pivots{.breakdown = data.breakdown};
   factor_branches(data, a, b, pivots);
   factor_loops(data, a, b, elimination_scratch(data), pivots);
   put(smallest, 0, pivots.ratio);

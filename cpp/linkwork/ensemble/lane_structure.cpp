@@ -166,6 +166,10 @@ bool LaneStructure::same(const Dynamics& dynamics) const {
   return same_forces(system);
 }
 
+bool LaneStructure::keeps_order(const Dynamics& dynamics, double pivot) const {
+  return symbolic.hubs.empty() || (pivot >= symbolic.breakdown() && !dynamics.formulation().saddle().reordered());
+}
+
 std::string LaneStructure::refusal_of_numbers(const Dynamics& dynamics) {
   const Options& options = dynamics.options();
   const System& system = dynamics.system();
@@ -184,7 +188,6 @@ std::string LaneStructure::refusal(const Dynamics& dynamics) {
   if (std::string why = refusal_of_numbers(dynamics); !why.empty()) return why;
   if (dynamics.unconnected()) return "";
   const block::SymbolicFactorization symbolic = factorize_symbolically(dynamics);
-  if (!symbolic.hubs.empty()) return "it has a body with very many joints";
   if (symbolic.widest_front > widest_front) return "its loops are too large";
   return "";
 }

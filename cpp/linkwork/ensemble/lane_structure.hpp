@@ -23,6 +23,8 @@ class LaneStructure {
   /// The same of one whose structure they can.
   static std::string refusal_of_numbers(const Dynamics& dynamics);
   bool same(const Dynamics& dynamics) const;
+  /// Whether a run by itself goes on in the same order of elimination after such a smallest pivot.
+  bool keeps_order(const Dynamics& dynamics, double pivot) const;
 
   /// The joints of one kind.
   struct Joints {

@@ -118,7 +118,8 @@ void LaneTrials::run(const std::function<void()>& look) {
 void LaneTrials::note(int l, double t, double pivot, bool) {
   SingularWatch& watch = watch_of(lanes_[l]);
   watch.note(t, pivot);
-  if (!(pivot > singular_pivot) || !watch.usual(pivot)) leave(l, t, "");
+  const bool usual = pivot > singular_pivot && watch.usual(pivot);
+  if (!usual || !queue_.structure.keeps_order(lanes_[l].run->mechanism(), pivot)) leave(l, t, "");
 }
 
 /// For this step: the run takes the stages by itself, and finds what there is to find.

@@ -20,8 +20,11 @@ struct LaneData {
   const block::TreeStep* steps;
   const block::StepRow* step_rows;
   std::ptrdiff_t step_count;
-  const block::Front* fronts;  ///< without hubs
+  const block::Front* fronts;
   std::ptrdiff_t front_count;
+  const block::MixedFront* mixed;
+  const block::Hub* hubs;
+  const block::Coupling* couplings;
   const block::RelativeIndices* relative_indices;
   const block::CoreBody* bodies;
   const block::BodyRow* rows;
@@ -30,6 +33,7 @@ struct LaneData {
   const int* unknowns;
   const double* compliance;    ///< one a row: of those that are left out and of inerters; others are zero
   bool compliant;              ///< there are inerters
+  double breakdown;            ///< as in block::Data
   const double* mass;          ///< 10 a body: m, J row by row
   const double* mass_factors;  ///< 9 a body that has one: L43, L53, L54, six inverse pivots
   const double* D;

@@ -56,6 +56,7 @@ class InerterSolver final : public SaddleSolver {
   }
 
   void keep(Archive& archive) override { solver_->keep(archive); }
+  bool reordered() const override { return solver_->reordered(); }
   bool shares_work() const override { return solver_->shares_work(); }
   std::int64_t factor_nonzeros() const override { return solver_->factor_nonzeros(); }
   std::optional<double> flops() const override { return solver_->flops(); }

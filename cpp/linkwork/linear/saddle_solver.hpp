@@ -42,6 +42,8 @@ class SaddleSolver {
   /// What a factorization depends on beside its evaluation; after `analyze`.
   virtual void keep(Archive&) {}
 
+  /// Whether a factorization has changed the order of elimination since `analyze`.
+  virtual bool reordered() const { return false; }
   /// Whether there is enough work in it for several threads, those of the system; after `analyze`.
   virtual bool shares_work() const { return false; }
   /// Of the last factorization; see Pivot.

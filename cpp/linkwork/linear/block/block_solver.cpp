@@ -13,7 +13,6 @@ namespace linkwork::block {
 namespace {
 
 constexpr double singular_pivot = 1e-15;
-constexpr double small_pivot = 1e-8;  // beyond it the pivot of a joint is delayed to a hub, if there is one
 constexpr double far_apart = 1e6;
 constexpr std::size_t cached = 1 << 16;   // doubles, half of a cache of 1 MB: the rest is for D
 constexpr std::size_t slack = 2 * lanes;  // vectors may reach past the last column
@@ -64,6 +63,7 @@ class BlockSolver final : public SaddleSolver {
     if (archive.reading() && !delayed_.empty()) factorize_symbolically();
   }
 
+  bool reordered() const override { return delays_ > 0; }
   bool shares_work() const override { return symbolic_->step_plan.shared || symbolic_->front_plan.shared; }
   std::int64_t factor_nonzeros() const override { return symbolic_->nonzeros; }
   std::optional<double> flops() const override { return symbolic_->flops; }
@@ -302,7 +302,7 @@ class BlockSolver final : public SaddleSolver {
              .scratch = scratch_.data(),
              .pivots = pivots_.data(),
              .large = factors_.size() + panels_.size() > cached,
-             .breakdown = s.hubs.empty() ? singular_pivot : small_pivot,
+             .breakdown = s.breakdown(),
              .helpers = {}};
     if (split_) data_.helpers = {.pool = &system_->threads(), .run = &help, .scratch = scratch_places_.data()};
   }

@@ -9,6 +9,9 @@
 namespace linkwork::block {
 namespace {
 
+constexpr double singular_pivot = 1e-15;
+constexpr double small_pivot = 1e-8;  // beyond it the pivot of a joint is delayed to a hub
+
 /// Joints without rows count as absent, and so do those that go with another one. A joint of more than two bodies is
 /// part of loops, as if it closed one: no open branch ends on it.
 PrunedLeaves prune_branches(const System& system, const EliminatedRows& rows) {
@@ -31,6 +34,8 @@ SymbolicFactorization::SymbolicFactorization(const System& system, const std::ve
   const std::vector<int> slots = eliminate_trees(system, pruned, eliminated, for_threads, *this);
   eliminate_core(system, pruned, slots, eliminated, delayed, for_threads, *this);
 }
+
+double SymbolicFactorization::breakdown() const { return hubs.empty() ? singular_pivot : small_pivot; }
 
 int SymbolicFactorization::next_hub(int row) const {
   const auto eliminates = [&](const Front& front) {

@@ -31,6 +31,8 @@ struct SymbolicFactorization {
                                  int compliant_from = std::numeric_limits<int>::max(),
                                  const std::vector<DelayedPivot>& delayed = {}, bool for_threads = false);
 
+  /// The relative pivot from which no elimination should go on: with hubs, there is a better order.
+  double breakdown() const;
   /// The hub to which the joint of a constraint row can be delayed: the next one to be eliminated that it affects, or
   /// -1.
   int next_hub(int row) const;
