@@ -178,7 +178,7 @@ void add_body(const CoreBody& body, const FrontPlace& at, const LaneData& data, 
 /// Some columns of a body's part of D M^-1 D^T; `moving`: of rows that have to do with translations.
 template <int count, bool moving>
 struct BodyColumns {
-  const double* U;    ///< of the first
+  const double* U;  ///< of the first
   double* C[count];
   Native scaled[count][6];
 
@@ -224,8 +224,8 @@ struct BodyColumns {
 
 /// Columns j, j + 1, ... of those of a body, from their diagonal on.
 template <bool branches, int count, bool moving>
-LINKWORK_INLINE void add_some_columns(const FrontPlace& at, const int* positions, const RowForm* forms,
-                                      const double* U, int j, int rows) {
+LINKWORK_INLINE void add_some_columns(const FrontPlace& at, const int* positions, const RowForm* forms, const double* U,
+                                      int j, int rows) {
   const double* row = U + 12l * j * width;
   const BodyColumns<count, moving> columns(at, positions + j, row);
   const auto form = [&](int i) { return form_in<branches>(forms[i]); };
