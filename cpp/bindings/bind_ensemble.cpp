@@ -66,8 +66,6 @@ void bind_ensemble(py::module_& module) {
              "v_dot (6n,)).");
   module.def("lane_refusal", &LaneStructure::refusal, py::arg("dynamics"),
              "Why lanes cannot run this, in words that end a sentence; empty where they can.");
-  module.def("trial_refusal", &refusal_of_trials, py::arg("dynamics"),
-             "lane_refusal for steps that follow tolerances.");
   module.def(
       "advance_together", &advance_together, py::arg("runs"), py::arg("threads"),
       "Advances runs of equal options by one method to their ends, in the lanes of the processor. Of each why it "

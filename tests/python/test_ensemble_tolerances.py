@@ -10,7 +10,7 @@ import pytest
 import random_mechanisms
 from ensembles import KNOWN, alone, bits, variants, with_functions
 from hypothesis import given
-from linkwork import _core, mechanisms
+from linkwork import mechanisms
 from linkwork.options import names as option_names
 
 pytestmark = pytest.mark.filterwarnings("ignore")
@@ -30,8 +30,8 @@ def same(result: lw.Result, single: lw.Result) -> bool:
 
 
 @pytest.mark.parametrize("pair", ["bs32", "dopri5", "tsit5", "dop853"])
-#: Of the others one is stiff, one has a contact.
-@pytest.mark.parametrize("name", sorted(set(KNOWN) - {"flyball_governor", "double_wishbone"}))
+#: The other one is stiff.
+@pytest.mark.parametrize("name", sorted(set(KNOWN) - {"flyball_governor"}))
 def test_a_run_in_a_lane_has_the_bits_of_its_run_by_itself(name: str, pair: str) -> None:
     models = variants(KNOWN[name][0](), 11, seed=len(name))
     options: dict[str, Any] = {"integrator": pair, "rtol": 1e-4 if pair == "bs32" else RTOL}
@@ -62,8 +62,7 @@ def test_random_mechanisms_with_all_joints_and_forces_have_them(mechanism: Any) 
         return
     found = many([mechanism.model] * 3, 3e-3, threads=1, **options)
     assert bits(found.member(0)) == bits(found.member(2)) == bits(single)
-    refused = _core.trial_refusal(lw.System(mechanism.model, deterministic=True).compiled())
-    assert bool(found.alone) == bool(refused)
+    assert found.alone == {}
 
 
 def driven_in_turn(first: float, second: float) -> lw.Model:
@@ -119,10 +118,41 @@ def test_verdicts_know_of_pulses_and_of_functions_that_remember(kind: str) -> No
     assert (verdict.sentence == single.sentence) or kind == "pulse"
 
 
-def test_events_are_those_of_runs_alone() -> None:
-    event = lw.Event(lambda t, state: t - 0.1, name="enough", terminal=True)
-    found = many([mechanisms.chain(2)] * 2, 0.2, events=[event])
-    assert "events" in found.alone[0] and found.member(1).t[-1] == pytest.approx(0.1)
+def falls(t: float, state: Any) -> float:
+    return float(state.body("link[1]").position[2]) + 0.05
+
+
+def thrown_back(t: float, state: Any) -> bool:
+    """An impact on the last link; the run ends at a late one."""
+    state.body("link[1]").velocity = (0.0, 0.0, 1.0)
+    return t > 0.3
+
+
+def test_events_in_lanes_are_those_of_runs_alone() -> None:
+    options: dict[str, Any] = {"events": [lw.Event(falls, name="falls", direction=-1, change=thrown_back)]}
+    models = variants(mechanisms.chain(2), 11, seed=5)
+    found = many(models, 1.0, **options)
+    assert found.alone == {}
+    for k in (0, 7, 10):
+        result, single = found.member(k), alone(models[k], 1.0, rtol=RTOL, **options)
+        assert len(result.events) == len(single.events) >= 2 and result.t[-1] < 1.0
+        assert [it.t for it in result.events] == [it.t for it in single.events]
+        assert same(result, single)
+
+
+def test_an_event_that_fails_in_one_lane_fails_that_member_alone() -> None:
+    def broken(t: float, state: Any) -> float:
+        if state.body("link[1]").velocity[2] < -0.5:
+            raise ArithmeticError("too fast")
+        return 1.0
+
+    models = mechanisms.chain(2)
+    found = lw.simulate_many(models, {"gravity[2]": [-9.81, -0.01, -0.02]}, 0.3, rtol=RTOL, progress=False,
+                             events=[lw.Event(broken, name="broken")])  # fmt: skip
+    assert found.status.tolist() == ["failed", "finished", "finished"]
+    assert "too fast" in found.errors[0]["message"]
+    without = lw.simulate_many(models, {"gravity[2]": [-0.01]}, 0.3, rtol=RTOL, progress=False)
+    assert bits(found.member(1)) == bits(without.member(0))
 
 
 def test_functions_of_time_and_full_turns_are_those_of_each_lane() -> None:
@@ -153,13 +183,34 @@ def test_runs_leap_over_singular_poses_and_change_their_rows_by_themselves() -> 
     assert passed > 0
 
 
-def with_stop(k: int) -> lw.Model:
-    """A rod that falls onto a stop."""
-    model = lw.Model(name="stop")
+def bouncing(k: int, contact: bool) -> lw.Model:
+    """A rod that falls onto a stop, a slider between two, and a ball on the floor."""
+    model = lw.Model(name="bouncing")
     rod = model.body("rod", mass=1.0 + 0.1 * k, inertia=(0.01, 0.1, 0.1), position=(0.5, 0, 0))
     model.revolute(model.ground, rod, at=(0, 0, 0), axis=(0, 1, 0), name="pin")
     model.rotational_stop(model.ground, rod, at=(0, 0, 0), axis=(0, 1, 0), lower=-1, upper=0.1, stiffness=1e4)
+    slider = model.body("slider", mass=2.0, inertia=(0.1, 0.1, 0.1), position=(0, 2, 0), velocity=(1 + 0.1 * k, 0, 0))
+    model.translational(model.ground, slider, at=(0, 2, 0), axis=(1, 0, 0), name="rail")
+    model.translational_stop("ground", slider, at=(0, 2, 0), axis=(1, 0, 0), lower=-0.02, upper=0.03,
+                             stiffness=1e4, damping=5.0)  # fmt: skip
+    if contact:
+        ball = model.body("ball", mass=0.5, inertia=(1e-3, 1e-3, 1e-3), position=(0, -1, 0.06 + 0.01 * k))
+        model.sphere_plane_contact("ground", ball, at=((0, 0, 0), (0, -1, 0.06 + 0.01 * k)), normal=(0, 0, 1), radius=0.05,
+                                   stiffness=1e5, hysteresis=lw.contact_hysteresis("flores", 0.8))  # fmt: skip
     return model
+
+
+@pytest.mark.parametrize("pair", ["bs32", "dopri5"])
+@pytest.mark.parametrize("contact", [False, True])
+def test_steps_in_lanes_end_where_contacts_and_stops_begin(contact: bool, pair: str) -> None:
+    models = [bouncing(k, contact) for k in range(11)]
+    found = many(models, 0.25, threads=1, integrator=pair)
+    assert found.alone == {}
+    for k in (0, 7, 10):
+        result = found.member(k)
+        assert same(result, alone(models[k], 0.25, rtol=RTOL, integrator=pair))
+        turns = np.diff(np.sign(result.v[:, 1, 0]))
+        assert np.count_nonzero(turns) >= 3
 
 
 def failing(t: float) -> lw.Model:
@@ -170,23 +221,23 @@ def failing(t: float) -> lw.Model:
     return model
 
 
-def test_what_lanes_do_not_have_runs_alone_and_what_fails_disturbs_no_other() -> None:
+def test_what_has_another_structure_or_fails_disturbs_no_other() -> None:
     good = variants(mechanisms.chain(3), 20, seed=8)
     before = many(good, 0.2)
     models = list(good)
     for place in (3, 11):
         models[place] = failing(0.05)
-    models[7] = with_stop(0)
+    models[7] = bouncing(0, contact=True)
     after = many(models, 0.2, threads=2)
     for k in range(20):
         if k not in {3, 7, 11}:
-            assert after.status[k] == "finished" and k not in after.alone
+            assert after.status[k] == "finished"
             assert bits(after.member(k)) == bits(before.member(k))
     assert after.status[[3, 11]].tolist() == ["failed", "failed"]
     assert after.errors[3]["type"] == "StepSizeError"
     assert after.errors[3]["reached"] == pytest.approx(0.05, abs=5e-3)
-    assert "stops" in after.alone[7]
-    assert same(after.member(7), alone(with_stop(0), 0.2, rtol=RTOL))
+    assert not {*after.alone} - {3, 11}
+    assert same(after.member(7), alone(models[7], 0.2, rtol=RTOL))
 
 
 def test_studies_that_follow_tolerances_run_in_lanes() -> None:

@@ -59,6 +59,8 @@ void LaneEvaluation::allocate() {
   layout_.size(states_, 18 * (n + 1));
   for (Numbers* rows : {&inerter_gamma_, &inerter_values_, &inertance_}) layout_.size(*rows, structure_.inerters);
   for (Numbers* variables : {&last_, &next_, &rate_}) layout_.size(*variables, structure_.history_size);
+  layout_.size(switches_, structure_.switch_count);
+  switches_of_lane_.setZero(structure_.switch_count);
   for (const LaneStructure::Joints& it : structure_.joints)
     allocate(joints_.emplace_back(), std::ssize(it.joint), joint_kinds()[it.kind].info.parameters.size());
   for (const LaneStructure::InerterRows& it : structure_.inerter_rows) {
@@ -245,17 +247,19 @@ void LaneEvaluation::take_inerters(int l, Evaluation& out) const {
 
 void LaneEvaluation::evaluate_forces(LaneGuard& guard) {
   const ForceArrays out{at_.g.data(), last_.data(),         next_.data(),     rate_.data(),
-                        nullptr,      at_.potential.data(), at_.power.data(), nullptr};
+                        switches_.data(), at_.potential.data(), at_.power.data(), nullptr};
   if (!posed_.empty()) each_lane(guard, [&](int l) { pose_bodies(l, *user_forces_.place(l).at); });
   for (std::size_t k = 0; k < forces_.size(); ++k) {
     const LaneStructure::Forces& of = structure_.forces[k];
     if (const EvaluateForceLanes evaluate = lanes_of(of.kind, level_))
       evaluate({static_cast<int>(of.body_i.size()), of.body_i.data(), of.body_j.data(), forces_[k].attachments.data(),
-                forces_[k].parameters.data(), forces_[k].parameter_count, of.history.data(), states_.data()},
+                forces_[k].parameters.data(), forces_[k].parameter_count, of.history.data(), of.switches.data(),
+                states_.data()},
                out);
     else evaluate_lane_by_lane(of.kind, guard);
   }
   if (structure_.history_size > 0) each_lane(guard, [&](int l) { take_history(l, *user_forces_.place(l).at); });
+  if (structure_.switch_count > 0) each_lane(guard, [&](int l) { look_for_switches(l); });
   kernels_.inertia_forces(structure_.blocks.data() + structure_.joint_blocks,
                           std::ssize(structure_.blocks) - structure_.joint_blocks, structure_.rows, inertance_.data(),
                           inerter_gamma_.data(), at_.D.data(), at_.g.data());
@@ -291,6 +295,19 @@ void LaneEvaluation::take_history(int l, Evaluation& at) const {
       at.history_rate[variable] = rate_[variable * layout_.width + l];
     }
   }
+}
+
+/// As an evaluation by itself does.
+void LaneEvaluation::look_for_switches(int l) {
+  Dynamics& mechanism = *mechanisms_[l];
+  if (!mechanism.looks_for_switches()) return;
+  if (apart_) switches_of_lane_ = user_forces_.place(l).at->switches;
+  for (const LaneStructure::Forces& of : structure_.forces) {
+    if (!lanes_of(of.kind, level_)) continue;
+    for (const std::ptrdiff_t first : of.switches)
+      layout_.take(switches_, l, first, switches_of_lane_.segment(first, force_kinds()[of.kind].switches));
+  }
+  mechanism.look_for_switches(switches_of_lane_);
 }
 
 /// The user's own.

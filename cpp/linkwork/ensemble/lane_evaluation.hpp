@@ -83,6 +83,7 @@ class LaneEvaluation {
   void evaluate_forces(LaneGuard& guard);
   void evaluate_lane_by_lane(int kind, LaneGuard& guard);
   void take_history(int l, Evaluation& at) const;
+  void look_for_switches(int l);
   void evaluate_other_forces(LaneGuard& guard);
   void take_forces(int l, Evaluation& at) const;
   void give_forces(int l, const Evaluation& at);
@@ -101,6 +102,8 @@ class LaneEvaluation {
   std::vector<Elements> joints_, inerters_, forces_;  ///< as in the structure
   std::vector<EvaluateJointLanes> inerter_rows_;      ///< of the same kinds
   Numbers inerter_gamma_, inerter_values_;
+  Numbers switches_;                         ///< see Wrenches
+  VectorXd switches_of_lane_;
   Numbers last_, next_, rate_;               ///< history variables
   std::vector<std::vector<Driven>> driven_;  ///< of each lane
 };

@@ -68,6 +68,7 @@ LaneStructure::LaneStructure(const Dynamics& dynamics)
       blocks(blocks_of(dynamics.system())),
       joint_blocks(std::ssize(dynamics.system().blocks())),
       history_size(dynamics.system().history_size()),
+      switch_count(static_cast<int>(dynamics.system().switches().size())),
       dropped(dynamics.dropped().rows()),
       elements_(dynamics.system().model().joints()) {
   find_positions(dynamics.system());
@@ -138,7 +139,7 @@ void LaneStructure::list_inerters(const System& system) {
 void LaneStructure::list_forces(const System& system) {
   for (std::size_t kind = 0; kind < system.force_batches().size(); ++kind)
     if (const Batch& batch = system.force_batches()[kind]; batch.size() > 0)
-      forces.push_back({static_cast<int>(kind), batch.body_i, batch.body_j, batch.history});
+      forces.push_back({static_cast<int>(kind), batch.body_i, batch.body_j, batch.history, batch.switches});
 }
 
 bool LaneStructure::same_forces(const System& system) const {

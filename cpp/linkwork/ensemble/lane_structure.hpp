@@ -42,7 +42,7 @@ class LaneStructure {
   struct Forces {
     int kind;
     std::vector<int> body_i, body_j;
-    std::vector<std::ptrdiff_t> history;  ///< places
+    std::vector<std::ptrdiff_t> history, switches;  ///< places
   };
 
   int bodies, rows;
@@ -59,7 +59,7 @@ class LaneStructure {
   std::vector<Joints> joints;
   std::vector<InerterRows> inerter_rows;
   std::vector<Forces> forces;
-  int history_size;
+  int history_size, switch_count;
   std::vector<int> special;               ///< special joints
   std::vector<int> dropped;               ///< redundant rows, ascending
   std::vector<std::ptrdiff_t> dropped_D;  ///< where the D of dropped rows is, 6 numbers each

@@ -89,7 +89,10 @@ void LaneTrials::finish(int l) {
       finite = finite && k.allFinite();
     });
     if (!finite) leave(l, 0.0, "");
-    if (!lane.active) lane.run->stepper().take_back();
+    if (!lane.active) {
+      lane.run->stepper().take_back();
+      lane.run->mechanism().take_switched();  // of stages that come again
+    }
   }
   lane.active = false;
   lane.trial = false;
@@ -129,12 +132,6 @@ void LaneTrials::leave(int l, double, std::string) {
   watch_of(lanes_[l]) = lanes_[l].watch;
 }
 
-std::string refusal_of_trials(const Dynamics& dynamics) {
-  if (!dynamics.system().switches().empty())
-    return "steps that follow tolerances end where contacts and stops begin, which lanes do not see";
-  return LaneStructure::refusal(dynamics);
-}
-
 namespace {
 
 /// Runs that have ended before a force of theirs was found to be another one beside others.
@@ -154,7 +151,7 @@ std::vector<std::string> run_trials(const std::vector<AdaptiveSimulation*>& runs
   std::vector<std::unique_ptr<TrialQueue>> queues;
   for (std::size_t k = 0; k < runs.size(); ++k) {
     const Dynamics& mechanism = runs[k]->mechanism();
-    reasons[k] = refusal_of_trials(mechanism);
+    reasons[k] = LaneStructure::refusal(mechanism);
     if (!reasons[k].empty()) continue;
     auto found =
         std::find_if(queues.begin(), queues.end(), [&](const auto& queue) { return queue->structure.same(mechanism); });

@@ -62,9 +62,6 @@ class LaneTrials final : private LaneGuard {
   std::vector<Lane> lanes_;
 };
 
-/// Why lanes cannot try steps of a run, in words that end a sentence; empty where they can.
-std::string refusal_of_trials(const Dynamics& dynamics);
-
 /// Advances runs of equal options by one method to their ends, each thread some side by side; of each why it did not come
 /// there, and is to be taken from its start by itself; empty: it did.
 std::vector<std::string> run_trials(const std::vector<AdaptiveSimulation*>& runs, const InstructionSet& widest,

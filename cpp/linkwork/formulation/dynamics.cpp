@@ -213,7 +213,7 @@ void Dynamics::evaluate(double t, const ConstVector& y, int stage) {
     statistics_.evaluations += 1;
   }
   formulation_->begin();
-  if (!sides_.empty()) look_for_switches();
+  if (looks_for_switches()) look_for_switches(at_.switches);
   if (traces_) look_for_nan(true);
 }
 
@@ -276,9 +276,9 @@ void Dynamics::take_sides(double least) {
       sides_[k] = value > 0.0;
 }
 
-void Dynamics::look_for_switches() {
+void Dynamics::look_for_switches(const VectorXd& switches) {
   for (std::size_t k = 0; k < sides_.size(); ++k)
-    if (const double value = at_.switches[static_cast<Eigen::Index>(k)];
+    if (const double value = switches[static_cast<Eigen::Index>(k)];
         value != 0.0 && (value > 0.0) != (sides_[k] != 0))
       switched_ = true;
 }

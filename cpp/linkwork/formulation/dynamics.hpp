@@ -74,6 +74,9 @@ class Dynamics {
   void take_sides(double least);
   void set_side(int which, bool positive) { sides_[which] = positive; }
   const std::vector<char>& sides() const { return sides_; }
+  /// Of an evaluation elsewhere, such as in lanes; nothing is looked for before sides are taken.
+  bool looks_for_switches() const { return !sides_.empty(); }
+  void look_for_switches(const VectorXd& switches);
   /// Whether an evaluation since the last call had one on another side.
   bool take_switched() { return std::exchange(switched_, false); }
   const RankReport& rank() const { return rank_; }
@@ -151,7 +154,6 @@ class Dynamics {
  private:
   friend class Busy;
   Dynamics(const Model& model, const Options& options, const OnePath&);
-  void look_for_switches();
   void find_solution(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda);
   void use_threads();
   void settle_threads();

@@ -37,7 +37,7 @@ struct ForceLanes {
   const int *body_i, *body_j;
   const double *attachment, *parameters;
   int parameter_count;
-  const std::ptrdiff_t* history;
+  const std::ptrdiff_t *history, *switches;
   const double* states;
 };
 

@@ -136,6 +136,8 @@ LINKWORK_INLINE void evaluate_force_lanes(const ForceLanes& elements, const Forc
       store_native(out.next + variable, history.next.v);
       store_native(out.rate + variable, history.rate.v);
     }
+    for (int s = 0; s < switches_of<Force>(); ++s)
+      store_native(out.switches + static_cast<long>(elements.switches[element] + s) * width, wrenches.switches[s].v);
     add_to(out.g + 6l * width * body_i, wrenches.force_i, wrenches.torque_i);
     add_to(out.g + 6l * width * body_j, wrenches.force_j, wrenches.torque_j);
     *packs(out.potential) += wrenches.potential;

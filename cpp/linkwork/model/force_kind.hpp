@@ -102,7 +102,7 @@ using EvaluateForces = void (*)(const Batch&, const BodyState<double>* bodies, c
 using EvaluateForcePacks = void (*)(const ForceElements&, const BodyState<double>* bodies,
                                     const Signal<double>* signals, const ForceArrays&);
 /// Elements of mechanisms in lanes. Of the arrays there are `width` numbers, one of each, where it says one; wrenches
-/// and switches are not written.
+/// are not written.
 using EvaluateForceLanes = void (*)(const ForceLanes&, const ForceArrays&);
 struct ForceEvaluation {
   EvaluateForcePacks packs;

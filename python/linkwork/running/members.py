@@ -119,8 +119,6 @@ def method_of(
     alone = ""
     if not isinstance(found, ButcherTableau if isinstance(plan, schedule.Fixed) else EmbeddedPair):
         alone = "lanes have explicit Runge-Kutta methods only"
-    elif arguments.get("events"):
-        alone = "lanes have no events"
     return Method(t_end, given, threads, alone, plan, judged, last_state)
 
 
@@ -130,9 +128,7 @@ def refusal(model: Model, method: Method) -> str:
         return method.alone
     with remarked():
         try:
-            compiled = _stepped(model, method).system.compiled()
-            fixed = isinstance(method.plan, schedule.Fixed)
-            return _core.lane_refusal(compiled) if fixed else _core.trial_refusal(compiled)
+            return _core.lane_refusal(_stepped(model, method).system.compiled())
         except LinkworkError as error:
             return str(error)
 

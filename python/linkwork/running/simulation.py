@@ -284,8 +284,8 @@ def _looked_ahead(it: Prepared, output: str | os.PathLike[str] | None) -> Prepar
 def prepared(
     model: Model, plan: schedule.Fixed | schedule.Adaptive, given: Mapping[str, Any], options: Options
 ) -> Prepared:
-    """A run without events before its first step. OptionError, ModelError: what cannot be run."""
-    return _prepared(model, plan, given, options, compile_events((), model), None)
+    """A run before its first step. OptionError, ModelError: what cannot be run."""
+    return _prepared(model, plan, given, options, compile_events(given.get("events", ()), model), None)
 
 
 def concluded(it: Prepared, estimator: estimation.ErrorEstimator) -> Result:
