@@ -53,7 +53,6 @@ __all__ = [
     "stabilizations",
     "time_lanes",
     "time_sampling",
-    "trial_refusal",
 ]
 
 class AdaptiveSimulation(Run):
@@ -1308,9 +1307,4 @@ def time_lanes(
 def time_sampling(dynamics: Dynamics, steps: typing.SupportsInt | typing.SupportsIndex) -> float:
     """
     Time that a run of so many steps spends on following them for its verdict [s].
-    """
-
-def trial_refusal(dynamics: Dynamics) -> str:
-    """
-    lane_refusal for steps that follow tolerances.
     """

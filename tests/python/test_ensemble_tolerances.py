@@ -189,14 +189,19 @@ def bouncing(k: int, contact: bool) -> lw.Model:
     rod = model.body("rod", mass=1.0 + 0.1 * k, inertia=(0.01, 0.1, 0.1), position=(0.5, 0, 0))
     model.revolute(model.ground, rod, at=(0, 0, 0), axis=(0, 1, 0), name="pin")
     model.rotational_stop(model.ground, rod, at=(0, 0, 0), axis=(0, 1, 0), lower=-1, upper=0.1, stiffness=1e4)
-    slider = model.body("slider", mass=2.0, inertia=(0.1, 0.1, 0.1), position=(0, 2, 0), velocity=(1 + 0.1 * k, 0, 0))
+    slider = model.body(
+        "slider", mass=2.0, inertia=(0.1, 0.1, 0.1), position=(0, 2, 0), velocity=(1 + 0.1 * k, 0, 0)
+    )
     model.translational(model.ground, slider, at=(0, 2, 0), axis=(1, 0, 0), name="rail")
     model.translational_stop("ground", slider, at=(0, 2, 0), axis=(1, 0, 0), lower=-0.02, upper=0.03,
                              stiffness=1e4, damping=5.0)  # fmt: skip
     if contact:
-        ball = model.body("ball", mass=0.5, inertia=(1e-3, 1e-3, 1e-3), position=(0, -1, 0.06 + 0.01 * k))
-        model.sphere_plane_contact("ground", ball, at=((0, 0, 0), (0, -1, 0.06 + 0.01 * k)), normal=(0, 0, 1), radius=0.05,
-                                   stiffness=1e5, hysteresis=lw.contact_hysteresis("flores", 0.8))  # fmt: skip
+        center = (0, -1, 0.06 + 0.01 * k)
+        ball = model.body("ball", mass=0.5, inertia=(1e-3, 1e-3, 1e-3), position=center)
+        model.sphere_plane_contact(
+            "ground", ball, at=((0, 0, 0), center), normal=(0, 0, 1), radius=0.05, stiffness=1e5,
+            hysteresis=lw.contact_hysteresis("flores", 0.8),
+        )  # fmt: skip
     return model
 
 
