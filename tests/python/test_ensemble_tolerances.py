@@ -218,6 +218,26 @@ def test_steps_in_lanes_end_where_contacts_and_stops_begin(contact: bool, pair: 
         assert np.count_nonzero(turns) >= 3
 
 
+def grazing(depth: float) -> lw.Model:
+    """A pendulum that turns back on a soft stop, so far beyond where that begins [rad]."""
+    model = lw.Model(name="grazing")
+    rod = model.body("rod", mass=1.0, inertia=(0.01, 0.1, 0.1), position=(0, 0, -0.5), velocity=(1.0, 0, 0),
+                     omega=(0, -2.0, 0))  # fmt: skip
+    model.revolute(model.ground, rod, at=(0, 0, 0), axis=(0, -1, 0), name="pin")
+    highest = np.arccos(1 - 0.35 * 2.0**2 / 2 / (9.81 * 0.5))
+    model.rotational_stop(model.ground, rod, at=(0, 0, 0), axis=(0, -1, 0), lower=-3, upper=highest - depth,
+                          stiffness=0.1)  # fmt: skip
+    return model
+
+
+def test_lanes_see_a_contact_that_comes_and_goes_within_a_step() -> None:
+    models = [grazing(depth) for depth in (1e-5, 1e-4, 3e-4, 1e-3, 3e-3)]
+    found = many(models, 1.0, rtol=1e-4, integrator="dopri5")
+    assert found.alone == {}
+    for k, model in enumerate(models):
+        assert same(found.member(k), alone(model, 1.0, rtol=1e-4, integrator="dopri5"))
+
+
 def failing(t: float) -> lw.Model:
     """A force that is no number from t [s] on."""
     model = mechanisms.chain(3)
