@@ -414,8 +414,8 @@ double largest_part(const VectorXd& residual, const VectorXd& scale) {
 py::tuple residuals_at_start(const Dynamics& dynamics) {
   const Model& model = dynamics.system().model();
   const Residuals found = residuals_at(dynamics, 0.0, model.initial_q(), model.initial_v());
-  return py::make_tuple(largest_part(found.Phi, found.lengths),
-                        largest_part(found.Phi_dot, found.lengths * found.rate), found.roundoff);
+  return py::make_tuple(largest_part(found.Phi, found.lengths), largest_part(found.Phi_dot, found.lengths * found.rate),
+                        found.roundoff);
 }
 
 py::tuple residuals(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
@@ -434,6 +434,13 @@ py::tuple residuals(const Dynamics& dynamics, double t, const ConstVector& q, co
 
 void bind_measurements(py::class_<Dynamics>& dynamics) {
   dynamics.def("statistics", exclusive(&statistics))
+      .def_property_readonly("residuals_at_start", exclusive(&residuals_at_start),
+                             "The largest parts of the size and of the speed of the mechanism that residuals of the "
+                             "initial state are, and the roundoff.")
+      .def_property_readonly(
+          "passed",
+          +[](const Dynamics& it) { return py::make_tuple(it.watch().singular_poses(), it.watch().row_changes()); },
+          "How many singular poses were passed, and how often other rows became the redundant ones.")
       .def("force_element", &force_element, py::arg("element"), py::arg("t"), py::arg("q"), py::arg("v"),
            py::arg("v_dot"), py::arg("history"),
            "(force, torque (k, 3) on the second body, power that goes into the motion, potential (k,)) of a force "
@@ -526,12 +533,6 @@ void bind_formulation(py::module_& module) {
       .def("residuals", exclusive(&residuals), py::arg("t"), py::arg("q"), py::arg("v"),
            "(Phi, Phi_dot, row lengths, rate [1/s], roundoff): Phi / length and Phi_dot / length / rate are parts of "
            "the size and speed of the mechanism, known to the roundoff of its positions.")
-      .def_property_readonly("residuals_at_start", exclusive(&residuals_at_start),
-                             "The largest parts of the size and of the speed of the mechanism that residuals of the "
-                             "initial state are, and the roundoff.")
-      .def_property_readonly(
-          "passed", +[](const Dynamics& it) { return py::make_tuple(it.watch().singular_poses(), it.watch().row_changes()); },
-          "How many singular poses were passed, and how often other rows became the redundant ones.")
       .def("accelerations", exclusive(&accelerations), py::arg("t"), py::arg("q"), py::arg("v"),
            py::arg("history") = py::none(), "(v_dot, multipliers) of the mechanism itself, without stabilization.")
       .def("derivative", exclusive(&derivative), py::arg("t"), py::arg("y"), py::arg("history") = py::none(),

@@ -84,8 +84,8 @@ void LanePack::begin_step(std::int64_t step) {
   for (int l = 0; l < stepper_.width(); ++l) spans_.set(l, t, h);
   stepper_.evaluate(spans_, *this);
   watches_.begin_step();
-  const bool needs_state = steps_.records(step) || watches_.watched() || watches_.judged() || limited_ ||
-                           !structure_.dropped.empty();
+  const bool needs_state =
+      steps_.records(step) || watches_.watched() || watches_.judged() || limited_ || !structure_.dropped.empty();
   each_lane([&](int l, Lane& lane) {
     if (lane.waits() || lane.joins_at() == step) return;
     lane.accept(t, step > 0 ? steps_.size(step - 1) : 0.0);
