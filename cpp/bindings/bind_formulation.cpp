@@ -389,26 +389,58 @@ py::dict right_hand_side_times(Dynamics& dynamics, double t, const ConstVector& 
   return out;
 }
 
+struct Residuals {
+  VectorXd Phi, Phi_dot, lengths;
+  double rate, roundoff;
+};
+
+Residuals residuals_at(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
+  const System& system = dynamics.system();
+  Evaluation at = system.make_evaluation();
+  system.evaluate(t, q, v, dynamics.history(), at);
+  VectorXd lengths = row_lengths(system, at);
+  const double rate = characteristic_rate(system, at, v), roundoff = roundoff_of_positions(system, q);
+  return {std::move(at.Phi), std::move(at.Phi_dot), std::move(lengths), rate, roundoff};
+}
+
+/// The largest of them, but those that are no numbers.
+double largest_part(const VectorXd& residual, const VectorXd& scale) {
+  double most = 0.0;
+  for (Eigen::Index row = 0; row < residual.size(); ++row)
+    if (const double size = std::abs(residual[row]); size > 0.0) most = std::max(most, size / scale[row]);
+  return most;
+}
+
+py::tuple residuals_at_start(const Dynamics& dynamics) {
+  const Model& model = dynamics.system().model();
+  const Residuals found = residuals_at(dynamics, 0.0, model.initial_q(), model.initial_v());
+  return py::make_tuple(largest_part(found.Phi, found.lengths), largest_part(found.Phi_dot, found.lengths * found.rate),
+                        found.roundoff);
+}
+
 py::tuple residuals(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
   const System& system = dynamics.system();
   check_size(q, system.q_size(), "q");
   check_size(v, system.v_size(), "v");
   check_moment(system, t, q, v);
-  Evaluation at = system.make_evaluation();
-  VectorXd lengths;
-  double rate = 0.0, roundoff = 0.0;
+  Residuals found;
   {
     const py::gil_scoped_release release;
-    system.evaluate(t, q, v, dynamics.history(), at);
-    lengths = row_lengths(system, at);
-    rate = characteristic_rate(system, at, v);
-    roundoff = roundoff_of_positions(system, q);
+    found = residuals_at(dynamics, t, q, v);
   }
-  return py::make_tuple(std::move(at.Phi), std::move(at.Phi_dot), std::move(lengths), rate, roundoff);
+  return py::make_tuple(std::move(found.Phi), std::move(found.Phi_dot), std::move(found.lengths), found.rate,
+                        found.roundoff);
 }
 
 void bind_measurements(py::class_<Dynamics>& dynamics) {
   dynamics.def("statistics", exclusive(&statistics))
+      .def_property_readonly("residuals_at_start", exclusive(&residuals_at_start),
+                             "The largest parts of the size and of the speed of the mechanism that residuals of the "
+                             "initial state are, and the roundoff.")
+      .def_property_readonly(
+          "passed",
+          +[](const Dynamics& it) { return py::make_tuple(it.watch().singular_poses(), it.watch().row_changes()); },
+          "How many singular poses were passed, and how often other rows became the redundant ones.")
       .def("force_element", &force_element, py::arg("element"), py::arg("t"), py::arg("q"), py::arg("v"),
            py::arg("v_dot"), py::arg("history"),
            "(force, torque (k, 3) on the second body, power that goes into the motion, potential (k,)) of a force "
@@ -461,8 +493,9 @@ void bind_formulation(py::module_& module) {
   bind_rank(module);
   py::class_<Dynamics> dynamics(module, "Dynamics", "A model with a formulation, a stabilization and a linear solver.");
   dynamics
-      .def(py::init<const Model&, const Options&>(), py::arg("model"), py::arg("options"),
-           py::call_guard<py::gil_scoped_release>())
+      .def(py::init<const Model&, const Options&, const Dynamics*>(), py::arg("model"), py::arg("options"),
+           py::arg("like") = py::none(), py::call_guard<py::gil_scoped_release>(),
+           "`like`: another one, whose rank is taken where it has the same joints and pose.")
       .def_property_readonly("body_count", [](const Dynamics& d) { return d.system().body_count(); })
       .def_property_readonly("joint_count", [](const Dynamics& d) { return d.system().joint_count(); })
       .def_property_readonly("row_count", [](const Dynamics& d) { return d.system().row_count(); })

@@ -58,13 +58,15 @@ SecondTake second_take(const py::object& method, bool other, bool inside) {
   return take;
 }
 
-py::dict to_dict(const AccumulatedError& found) {
+/// With `steps` one by one, or none of them.
+py::dict to_dict(const AccumulatedError& found, bool steps_too) {
   py::list steps;
-  for (const JudgedStep& it : found.steps)
+  for (const JudgedStep& it : steps_too ? std::span<const JudgedStep>(found.steps) : std::span<const JudgedStep>())
     steps.append(py::make_tuple(it.t, it.h, it.state,
                                 std::isnan(it.reactions) ? py::object(py::none()) : py::float_(it.reactions)));
   py::dict out;
   out["steps"] = steps;
+  out["taken"] = found.steps.size();
   out["failed"] = found.failed;
   out["state"] = found.state;
   out["local_error"] = found.local_error;
@@ -80,7 +82,7 @@ double relative_violation(const Run& run, RelativeViolation& measure) {
   return measure.largest(run.t(), run.y(), run.dynamics().history());
 }
 
-py::dict judged(const Dynamics& run, double end_violation, Dynamics& dynamics,
+py::dict judged(const Dynamics& run, double end_violation, Dynamics& dynamics, bool steps,
                 const std::function<RunErrors()>& errors) {
   std::optional<Busy> busy;
   if (&dynamics != &run) busy.emplace(dynamics);
@@ -91,13 +93,13 @@ py::dict judged(const Dynamics& run, double end_violation, Dynamics& dynamics,
     found = accumulate(errors(), length);
     found.violation = std::max(found.violation, end_violation);
   }
-  return to_dict(found);
+  return to_dict(found, steps);
 }
 
 py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, bool other) {
   RelativeViolation violation(dynamics.system());
   SecondTake take = second_take(method, other, run.records_inside());
-  return judged(run.dynamics(), relative_violation(run, violation), dynamics,
+  return judged(run.dynamics(), relative_violation(run, violation), dynamics, true,
                 [&] { return judge_run(run.sampling(), dynamics, std::move(take)); });
 }
 
@@ -105,9 +107,9 @@ double relative_violation_of_lane(const LaneRun& run) {
   return RelativeViolation(run.dynamics.system()).largest(run.t, run.y, run.dynamics.history());
 }
 
-py::dict judge_lane(const LaneRun& run, Dynamics& dynamics, const py::object& method, bool other) {
+py::dict judge_lane(const LaneRun& run, Dynamics& dynamics, const py::object& method, bool other, bool steps) {
   SecondTake take = second_take(method, other, false);
-  return judged(run.dynamics, relative_violation_of_lane(run), dynamics, [&] {
+  return judged(run.dynamics, relative_violation_of_lane(run), dynamics, steps, [&] {
     if (run.errors && &dynamics == &run.dynamics && !other) return *run.errors;
     return judge_run(run.sampling, dynamics, std::move(take));
   });
@@ -236,7 +238,8 @@ void bind_lane_runs(py::module_& module) {
       .def_property_readonly("energies", [](const LaneRun& run) { return to_python(run.sampling.energies()); })
       .def("take_balance", &balance_to_dict, "Energies by name as in frames, which are handed over.")
       .def("relative_violation", exclusive(&relative_violation_of_lane))
-      .def("judge", exclusive(&judge_lane), py::arg("dynamics"), py::arg("method"), py::arg("other") = false);
+      .def("judge", exclusive(&judge_lane), py::arg("dynamics"), py::arg("method"), py::arg("other") = false,
+           py::arg("steps") = true, "As of Run; without `steps` only how many were `taken` again.");
 }
 
 /// What a run says of itself on its way.

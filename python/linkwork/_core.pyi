@@ -235,7 +235,10 @@ class Dynamics:
     """
     @staticmethod
     def _pybind11_conduit_v1_(*args, **kwargs): ...
-    def __init__(self, model: Model, options: Options) -> None: ...
+    def __init__(self, model: Model, options: Options, like: Dynamics = None) -> None:
+        """
+        `like`: another one, whose rank is taken where it has the same joints and pose.
+        """
     def accelerations(
         self,
         t: typing.SupportsFloat | typing.SupportsIndex,
@@ -418,6 +421,16 @@ class Dynamics:
     @property
     def options(self) -> Options: ...
     @property
+    def passed(self) -> tuple[int, int]:
+        """
+        How many singular poses were passed, and how often other rows became the redundant ones.
+        """
+    @property
+    def residuals_at_start(self) -> tuple:
+        """
+        The largest parts of the size and of the speed of the mechanism that residuals of the initial state are, and the roundoff.
+        """
+    @property
     def row_count(self) -> int: ...
 
 class EmbeddedPair:
@@ -587,7 +600,10 @@ class LaneRun:
     def expect_breaks(
         self, times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]
     ) -> None: ...
-    def judge(self, dynamics: Dynamics, method: typing.Any, other: bool = False) -> dict: ...
+    def judge(self, dynamics: Dynamics, method: typing.Any, other: bool = False, steps: bool = True) -> dict:
+        """
+        As of Run; without `steps` only how many were `taken` again.
+        """
     def relative_violation(self) -> float: ...
     def take_balance(self) -> dict:
         """
@@ -792,6 +808,11 @@ class Model:
         """
     @property
     def joint_rows(self) -> numpy.typing.NDArray[numpy.int32]: ...
+    @property
+    def longest_arm(self) -> float:
+        """
+        From a center of mass to a joint [m]; 0: none.
+        """
     @property
     def mass(self) -> numpy.typing.NDArray[numpy.float64]: ...
     @property

@@ -323,3 +323,17 @@ TEST_CASE("a massless body without joints is free") {
   const System system(model);
   CHECK(free_massless_bodies(system, evaluate_initially(system)) == std::vector<int>{0});
 }
+
+TEST_CASE("masses, forces and gravity leave the geometry as it is, joints and poses do not") {
+  const Model model = four_bar();
+  const System system(model);
+  std::vector<Body> heavier = model.bodies();
+  heavier[1].mass *= 3.0;
+  CHECK(same_geometry(system, System(model.with_masses(heavier))));
+  CHECK(same_geometry(system, System(model.with_weights({0, 0, -1.6}, {}, {}, {}))));
+  VectorXd q = model.initial_q();
+  q[0] = std::nextafter(q[0], 2.0);
+  CHECK(!same_geometry(system, System(model.with_initial_state(q, model.initial_v()))));
+  CHECK(!same_geometry(system, System(four_bar(true))));
+  CHECK(!same_geometry(system, System(four_bar_with_tail())));
+}

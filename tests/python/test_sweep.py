@@ -573,6 +573,8 @@ def test_rows_columns_frames_and_arrays_are_the_same_table() -> None:
     for given, sampler in ((rows, None), (pandas.DataFrame(rows), None), (array, None),
                            ({"a": [1.0, 2.0], "b": [5.0, 6.0]}, "table")):  # fmt: skip
         assert cases_of(given, sampler, None, None).columns == {"a": [1.0, 2.0], "b": [5.0, 6.0]}
+    with pytest.raises(lw.OptionError, match="'a': two columns of the table have this name"):
+        cases_of(pandas.DataFrame([[1.0, 2.0]], columns=["a", "a"]), None, None, None)
 
 
 def test_tables_for_other_tools_have_all_of_it(tmp_path: Path) -> None:

@@ -58,6 +58,13 @@ def test_a_case_in_lanes_has_the_bits_and_the_verdict_of_its_deterministic_run_b
         assert_array_equal(found.simulate(k).v, result.v)
 
 
+def test_where_the_last_state_alone_is_asked_for_nothing_else_of_a_case_is_another_one() -> None:
+    whole = lw.sweep(slider_crank(), parameters(), ["final", "energy.final"], **RUN, processes=1)
+    state = lw.sweep(slider_crank(), parameters(), "final", **RUN, processes=1)
+    assert state.manifest["lanes"] is True
+    same(state, whole)
+
+
 def test_bits_do_not_depend_on_tasks_shards_executors_or_neighbors(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

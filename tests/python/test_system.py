@@ -103,3 +103,19 @@ def test_residuals_are_those_of_the_evaluation_at_the_same_state(make: Callable[
     Phi, Phi_dot, lengths, rate, _ = dynamics.residuals(0.2, q, v)
     assert (Phi == evaluation["Phi"]).all() and (Phi_dot == evaluation["Phi_dot"]).all()
     assert lengths.shape == Phi.shape and lengths.min() > 0 and rate > 0
+
+
+def test_a_system_of_another_one_has_the_bits_of_one_made_by_itself() -> None:
+    """With another mass, whose rank is known; of a mechanism with other redundant equations, whose is not."""
+    first = lw.System(lw.mechanisms.four_bar(), deterministic=True)
+    heavier = lw.mechanisms.four_bar().replaced("beam 0", mass=5.0)
+    for model in (heavier, lw.mechanisms.four_bar(3), lw.mechanisms.bricard(), driven_pendulum()):
+        made, alone = first.of(model), lw.System(model, deterministic=True)
+        assert made.options == alone.options
+        assert made.compiled().rank().redundant_rows == alone.compiled().rank().redundant_rows
+        assert made.compiled().rank().unique == alone.compiled().rank().unique
+        y = alone.initial_state()
+        assert (made.derivative(0.0, y) == alone.derivative(0.0, y)).all()
+        q, v = np.split(y, [7 * model.body_count])
+        for one, other in zip(made.accelerations(0.0, q, v), alone.accelerations(0.0, q, v), strict=True):
+            assert (one == other).all()

@@ -169,6 +169,31 @@ RankReport examine_rank(const System& given, Evaluation& at, double least_tolera
   return report;
 }
 
+namespace {
+
+bool same_joint(const Element& a, const Element& b) {
+  return a.kind == b.kind && a.i == b.i && a.j == b.j && a.first_parameter == b.first_parameter &&
+         a.at.s_i == b.at.s_i && a.at.s_j == b.at.s_j && a.at.C_i == b.at.C_i && a.at.C_j == b.at.C_j;
+}
+
+bool same_number(const Parameter& a, const Parameter& b) {
+  return a.signal < 0 && b.signal < 0 && a.constant == b.constant;
+}
+
+/// Joints with functions of time, or with a memory, are not compared; nor what inerters make of masses.
+bool comparable(const System& system) {
+  return system.initial_history().size() == 0 && system.inerters().empty() && !system.time_dependent_constraints();
+}
+
+}  // namespace
+
+bool same_geometry(const System& a, const System& b) {
+  const Model &one = a.model(), &other = b.model();
+  return comparable(a) && comparable(b) && std::ranges::equal(one.joints(), other.joints(), same_joint) &&
+         std::ranges::equal(one.joint_parameters(), other.joint_parameters(), same_number) &&
+         one.initial_q() == other.initial_q() && characteristic_lengths(a) == characteristic_lengths(b);
+}
+
 std::vector<DependentGroup> dependent_groups(const System& given, const RankReport& report, std::size_t most) {
   std::vector<DependentGroup> groups;
   if (report.redundant_rows.empty()) return groups;

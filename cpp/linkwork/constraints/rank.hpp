@@ -44,6 +44,10 @@ RankReport examine_rank(const System& system, double tolerance = rank_tolerance)
 /// The same with an evaluation of the system's, whatever it holds, as scratch memory.
 RankReport examine_rank(const System& system, Evaluation& scratch, double tolerance = rank_tolerance);
 
+/// Whether both have joints and an initial pose that are the same to the last bit, and nothing else that examine_rank
+/// looks at: where a report of the one is one of the other. False where that takes more than a look at numbers.
+bool same_geometry(const System& a, const System& b);
+
 /// A redundant row with those that imply it; without any one of these it would not be.
 struct DependentGroup {
   int row;

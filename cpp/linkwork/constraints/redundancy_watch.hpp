@@ -46,9 +46,12 @@ class RedundancyWatch {
   /// False for all but few states (q, v) of a run, for which a look at the dropped rows alone is enough.
   bool suspicious(const System& system, const Evaluation& at, const DroppedRows& dropped, const ConstVector& v) {
     for (const int row : dropped.rows())
-      if (!(std::abs(at.Phi[row]) <= least_Phi_) || !(std::abs(at.Phi_dot[row]) <= least_Phi_dot_))
-        return exceeds(system, at, dropped, v);
+      if (!usual(at.Phi[row], at.Phi_dot[row])) return exceeds(system, at, dropped, v);
     return false;
+  }
+  /// Of a dropped row: there is nothing to look at.
+  bool usual(double Phi, double Phi_dot) const {
+    return std::abs(Phi) <= least_Phi_ && std::abs(Phi_dot) <= least_Phi_dot_;
   }
   const Excess& excess() const { return excess_; }  ///< of the last look
   /// What was found is known: the next suspicion is a larger excess.

@@ -118,35 +118,56 @@ void Lane::balance(std::int64_t step, const VectorXd& y, double potential) {
   });
 }
 
-void Lane::sample(double t, const VectorXd& y, double potential) {
+void Lane::sample(double t, const VectorXd& y, double kinetic, double potential) {
   if (!run_) return;
-  run_->sampling.before(dynamics_, y, potential);
+  run_->sampling.before(dynamics_, y, kinetic, potential);
   run_->t = t;
   run_->y = y;
 }
 
-void Lane::sample_step(double t, double h, const VectorXd& y, const VectorXd& y_new) {
+void Lane::sample_step(double t, double h, const VectorXd& y, const VectorXd& y_new, double change) {
   if (!run_) return;
-  run_->sampling.after(t, h, y, y_new);
+  run_->sampling.after(t, h, y, y_new, change);
   run_->steps += 1;
 }
 
+/// The state of a step, to which a look brings the dynamics, which have else nothing to do with it.
+class Lane::StepStart final : public Arrival {
+ public:
+  /// `evaluated`: they are there.
+  StepStart(Dynamics& dynamics, double t, const VectorXd& y, bool evaluated)
+      : dynamics_(dynamics), t_(t), y_(y), arrived_(evaluated) {}
+
+  bool arrived() const { return arrived_; }
+  const VectorXd& arrive() override {
+    if (std::exchange(arrived_, true)) return y_;
+    if (t_ == 0.0) dynamics_.evaluate(t_, y_);
+    else dynamics_.begin_elsewhere(t_, y_);
+    return y_;
+  }
+
+ private:
+  Dynamics& dynamics_;
+  double t_;
+  const VectorXd& y_;
+  bool arrived_;
+};
+
 /// As Simulation does.
-void Lane::look_ahead(std::int64_t at, const FixedSteps& steps, const VectorXd& y) {
+void Lane::look_ahead(std::int64_t at, const FixedSteps& steps, const Speeds& speeds, const VectorXd& y) {
   const double t = steps.time(at), h = steps.size(at);
+  StepStart start(dynamics_, t, y, recording_);
   const double most = dynamics_.system().model().autonomous() ? INFINITY : steps.t_end() - t;
   const std::int64_t changes = dynamics_.watch().row_changes(), poses = dynamics_.watch().singular_poses();
   guarded(t, [&] {
-    if (at == 0 && !recording_) dynamics_.evaluate(t, y);
-    else if (!recording_) dynamics_.begin_elsewhere(t, y);
-    if (crossing_.due(t, h, y, false)) {
+    if (crossing_.due(t, h, speeds, false, start)) {
       leaping_ = crossing_.leap(t, h, steps.step(), most, y);
       if (leaping_) begin_leap(t, steps, y);
       else dynamics_.evaluate(t, y);
     }
     moves_ = dynamics_.watch().row_changes() != changes;
     if (!leaping_ && dynamics_.watch().singular_poses() != poses) leave(t, "the motion is in a singular pose");
-    looked_ = !leaping_ && dynamics_.formulation().factorized();
+    looked_ = !leaping_ && start.arrived() && dynamics_.formulation().factorized();
   });
 }
 

@@ -99,7 +99,8 @@ class Lane {
   Evaluation& begin(double t, const VectorXd& y) { return dynamics_.begin_elsewhere(t, y); }
   /// Of the history variables.
   void accept(double t, double last_step);
-  /// Of Phi and Phi_dot, where rows are redundant.
+  // Of Phi and Phi_dot, where rows are redundant: whether those of one are as usual; else of all.
+  bool usual_in_redundant_row(double Phi, double Phi_dot) const { return redundancy_.usual(Phi, Phi_dot); }
   void watch_redundant_rows(double t, const VectorXd& y);
   /// Whether violations of positions or velocities have a limit; a run by itself does what is to be done beyond it.
   bool limited() const { return std::isfinite(limits_[0]) || std::isfinite(limits_[1]); }
@@ -114,10 +115,11 @@ class Lane {
   bool judged() const { return run_ != nullptr; }
   LaneRun* run() const { return run_; }
   /// For the verdict.
-  void sample(double t, const VectorXd& y, double potential);
-  void sample_step(double t, double h, const VectorXd& y, const VectorXd& y_new);
+  void sample(double t, const VectorXd& y, double kinetic, double potential);
+  void sample_step(double t, double h, const VectorXd& y, const VectorXd& y_new, double change);
   /// Singular poses ahead of a step from the state y.
-  void look_ahead(std::int64_t at, const FixedSteps& steps, const VectorXd& y);
+  void look_ahead(std::int64_t at, const FixedSteps& steps, const Speeds& speeds, const VectorXd& y);
+  const std::vector<char>& in_loops() const { return crossing_.in_loops(); }  ///< see Crossing
   void expect_nothing() { looked_ = leapt_ = false; }
 
   /// The smallest pivot of a stage at t.
@@ -128,6 +130,8 @@ class Lane {
   void end(double t, const VectorXd& y);
 
  private:
+  class StepStart;
+
   template <class Action>
   void guarded(double t, Action action);
   void begin_leap(double t, const FixedSteps& steps, const VectorXd& y);

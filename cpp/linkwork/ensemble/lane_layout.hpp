@@ -13,7 +13,8 @@ struct LaneLayout {
   int width;
 
   void size(AlignedDoubles& numbers, std::ptrdiff_t count) const { numbers.assign(count * width, 0.0); }
-  double* place(AlignedDoubles& numbers, std::ptrdiff_t k, int l) const { return numbers.data() + k * width + l; }
+  std::ptrdiff_t index(std::ptrdiff_t k, int l) const { return k * width + l; }
+  double* place(AlignedDoubles& numbers, std::ptrdiff_t k, int l) const { return numbers.data() + index(k, l); }
   /// Numbers of lane l from the `first` on.
   void take(const AlignedDoubles& numbers, int l, std::ptrdiff_t first, MutableVector out) const {
     const double* from = numbers.data() + first * width + l;

@@ -28,15 +28,11 @@ LanePack::LanePack(const LaneStructure& structure, const InstructionSet& instruc
       spans_(stepper_.width()),
       whole_(stepper_.width(), 1.0),
       ends_(stepper_.width(), 0.0),
+      watches_(structure, instructions, stepper_, lanes_),
       state_(structure.y_size()),
-      new_state_(structure.y_size()),
       Phi_(structure.rows),
       Phi_dot_(structure.rows) {
-  for (const Lane* it : lanes_) {
-    watches_ = watches_ || it->watches();
-    judged_ = judged_ || it->judged();
-    limited_ = limited_ || it->limited();
-  }
+  for (const Lane* it : lanes_) limited_ = limited_ || it->limited();
 }
 
 template <class Action>
@@ -93,8 +89,9 @@ void LanePack::begin_step(std::int64_t step) {
   const double h = step < steps_.count() ? steps_.size(step) : 0.0;
   for (int l = 0; l < stepper_.width(); ++l) spans_.set(l, t, h);
   stepper_.evaluate(spans_, *this);
-  const bool records = steps_.records(step),
-             needs_state = records || watches_ || judged_ || limited_ || !structure_.dropped.empty();
+  watches_.begin_step();
+  const bool needs_state =
+      steps_.records(step) || watches_.watched() || watches_.judged() || limited_ || !structure_.dropped.empty();
   each_lane([&](int l, Lane& lane) {
     if (lane.waits() || lane.joins_at() == step) return;
     lane.accept(t, step > 0 ? steps_.size(step - 1) : 0.0);
@@ -108,43 +105,58 @@ void LanePack::continue_lane(int l, std::int64_t step) {
   if (lane.waits()) {
     if (lane.joins_at() != step) return;
     lane.join();
-    state_ = lane.joining_state();
-  } else {
-    lane.expect_nothing();
-    if (!lane.leaping()) return;
-    lane.follow_leap(steps_.frame_time(step), steps_.step(), state_);
+    watches_.take_up(l, lane);
+    set_state(l, lane.joining_state());
+    return;
   }
-  stepper_.set_state(l, state_);
+  lane.expect_nothing();
+  if (!lane.leaping()) return;
+  lane.follow_leap(steps_.frame_time(step), steps_.step(), state_);
+  set_state(l, state_);
+}
+
+void LanePack::set_state(int l, const VectorXd& y) {
+  stepper_.set_state(l, y);
+  watches_.set_state(l, y);
+}
+
+bool LanePack::usual_in_redundant_rows(int l) const {
+  return std::all_of(structure_.dropped.begin(), structure_.dropped.end(), [&](int row) {
+    return lanes_[l]->usual_in_redundant_row(stepper_.position_violation(l, row), stepper_.velocity_violation(l, row));
+  });
 }
 
 void LanePack::begin_lane(int l, std::int64_t step) {
   Lane& lane = *lanes_[l];
   const double t = steps_.time(step);
   const bool last = step == steps_.count();
-  stepper_.state(l, state_);
-  if (!structure_.dropped.empty() && !lane.leaping()) {
-    Evaluation& at = lane.begin(t, state_);
+  const VectorXd& y = watches_.state(l);
+  if (!lane.leaping() && !usual_in_redundant_rows(l)) {
+    Evaluation& at = lane.begin(t, y);
     stepper_.violations(l, at.Phi, at.Phi_dot);
-    lane.watch_redundant_rows(t, state_);
+    lane.watch_redundant_rows(t, y);
   }
-  if (structure_.inerters > 0 && !lane.leaping()) stepper_.inerters(l, lane.begin(t, state_));
+  if (structure_.inerters > 0 && !lane.leaping()) stepper_.inerters(l, lane.begin(t, y));
   if (lane.limited() && !lane.leaping()) {
     stepper_.violations(l, Phi_, Phi_dot_);
     lane.watch_limits(t, Phi_, Phi_dot_);
   }
-  if (lane.alive() && steps_.records(step)) lane.record(t, steps_.frame_time(step), state_, last);
+  if (lane.alive() && steps_.records(step)) lane.record(t, steps_.frame_time(step), y, last);
   const double potential = stepper_.potential(l);
-  if (lane.alive()) lane.balance(step, state_, potential);
+  if (lane.alive()) lane.balance(step, y, potential);
   if (!lane.stepping()) return;
+  const double kinetic = watches_.kinetic_energy(l, lane.dynamics().evaluation(), y);
   if (last) {
-    lane.sample(steps_.t_end(), state_, potential);
-    if (lane.watches()) lane.end(steps_.t_end(), state_);
+    lane.sample(steps_.t_end(), y, kinetic, potential);
+    if (lane.watches()) lane.end(steps_.t_end(), y);
     return;
   }
-  if (lane.watches()) lane.look_ahead(step, steps_, state_);
+  if (lane.watches()) lane.look_ahead(step, steps_, watches_.speeds(l), y);
   lane.finish_record(t);
-  if (lane.stepping() || (lane.moves() && !lane.leaping())) lane.sample(t, state_, potential);
-  if (lane.moves()) lane.move(step, state_);
+  if (lane.stepping() || (lane.moves() && !lane.leaping())) lane.sample(t, y, kinetic, potential);
+  if (!lane.moves()) return;
+  lane.move(step, y);
+  watches_.hand_on(l, lane);
 }
 
 void LanePack::finish_step(std::int64_t step) {
@@ -152,15 +164,13 @@ void LanePack::finish_step(std::int64_t step) {
   stepper_.normalize();
   std::fill(ends_.begin(), ends_.end(), steps_.time(step + 1));
   projection_.stabilize(ends_, *this);
-  if (!watches_ && !judged_) return;
   const double t = steps_.time(step), h = steps_.size(step);
+  watches_.end_step(h);
+  if (!watches_.watched() && !watches_.judged()) return;
   each_stepping([&](int l, Lane& lane) {
-    stepper_.state_before_step(l, state_);
-    if (lane.judged()) {
-      stepper_.state(l, new_state_);
-      lane.sample_step(t, h, state_, new_state_);
-    }
-    if (lane.watches()) lane.look_back(t, h, state_);
+    const VectorXd& y = watches_.state_before(l);
+    if (lane.judged()) lane.sample_step(t, h, y, watches_.state(l), watches_.change(l));
+    if (lane.watches()) lane.look_back(t, h, y);
   });
 }
 

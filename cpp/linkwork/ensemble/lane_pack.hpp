@@ -7,6 +7,7 @@
 #include "linkwork/ensemble/lane.hpp"
 #include "linkwork/ensemble/lane_projection.hpp"
 #include "linkwork/ensemble/lane_stepper.hpp"
+#include "linkwork/ensemble/lane_watches.hpp"
 
 namespace linkwork {
 
@@ -41,6 +42,8 @@ class LanePack final : private LaneGuard {
   void begin_step(std::int64_t step);
   void continue_lane(int l, std::int64_t step);
   void begin_lane(int l, std::int64_t step);
+  void set_state(int l, const VectorXd& y);
+  bool usual_in_redundant_rows(int l) const;
   void finish_step(std::int64_t step);
   void check_size(std::int64_t step);
 
@@ -52,8 +55,9 @@ class LanePack final : private LaneGuard {
   LaneSpans spans_;
   AlignedDoubles whole_;  ///< the shares of steps that are not parts
   AlignedDoubles ends_;   ///< of the step
-  bool watches_ = false, judged_ = false, limited_ = false;
-  VectorXd state_, new_state_, Phi_, Phi_dot_;
+  LaneWatches watches_;
+  bool limited_ = false;
+  VectorXd state_, Phi_, Phi_dot_;
 };
 
 }  // namespace linkwork

@@ -35,6 +35,8 @@ class LaneStepper {
   int width() const { return layout_.width; }
   int count() const { return static_cast<int>(mechanisms_.size()); }
 
+  /// Of lanes that are not used the last one.
+  const Dynamics& mechanism(int l) const;
   /// Another mechanism in a lane.
   void replace(int l, Dynamics& mechanism);
 
@@ -44,12 +46,20 @@ class LaneStepper {
   void state_before_step(int l, VectorXd& y) const { layout_.take(before_, l, 0, y); }
   // Of the last evaluation:
   double potential(int l) const { return evaluation_.at().potential[l]; }  ///< [J]
+  double position_violation(int l, int row) const { return evaluation_.at().Phi[layout_.index(row, l)]; }
+  double velocity_violation(int l, int row) const { return evaluation_.at().Phi_dot[layout_.index(row, l)]; }
   /// What a run by itself would find of its inerters.
   void inerters(int l, Evaluation& out) const { evaluation_.take_inerters(l, out); }
   void violations(int l, VectorXd& Phi, VectorXd& Phi_dot) const;
   /// The largest number of a state in amount, and of its velocities; infinite where one is no number.
   const double* largest_number();
   const double* largest_velocity();
+
+  // Of all lanes side by side.
+  const LaneLayout& layout() const { return layout_; }
+  const AlignedDoubles& states() const { return y_; }
+  const AlignedDoubles& states_before_step() const { return before_; }
+  const AlignedDoubles& mass() const { return evaluation_.mass(); }
 
   /// Positions, forces and joints of the current states.
   void evaluate(const LaneSpans& spans, LaneGuard& guard) { evaluate(spans.t, guard); }
@@ -86,7 +96,6 @@ class LaneStepper {
   using Numbers = AlignedDoubles;
 
   void allocate();
-  const Dynamics& mechanism(int l) const;
   template <class Action>
   void each_lane(const LaneGuard& guard, Action action);
 

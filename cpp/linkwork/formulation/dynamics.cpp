@@ -7,6 +7,7 @@
 #include "linkwork/constraints/length_scale.hpp"
 #include "linkwork/formulation/not_finite.hpp"
 #include "linkwork/formulation/watched_formulation.hpp"
+#include "linkwork/linear/block/kept_orders.hpp"
 #include "linkwork/math/error.hpp"
 #include "linkwork/math/memory.hpp"
 #include "linkwork/math/names.hpp"
@@ -63,7 +64,7 @@ std::string choose_solver(const std::string& form, const FormulationInfo& info, 
 
 }  // namespace
 
-Dynamics::Dynamics(const Model& model, const Options& options, const OnePath&)
+Dynamics::Dynamics(const Model& model, const Options& options, const Dynamics* like, const OnePath&)
     : options_(resolve(options)),
       system_(model),
       kind_(stabilization_info(options_.stabilization).kind),
@@ -71,9 +72,8 @@ Dynamics::Dynamics(const Model& model, const Options& options, const OnePath&)
   use_threads();
   const FormulationInfo& info = formulation_info(options_.formulation);
   look_for_interruption();
-  rank_ = examine_rank(system_, at_);
+  find_rank(like);
   look_for_interruption();
-  if (rank_.redundant_rows.empty()) rank_.q.resize(0);  // for their groups
   options_.matrix_form = choose_form(info, options_, !rank_.redundant_rows.empty());
   options_.linear_solver = choose_solver(options_.matrix_form, info, options_, system_);
   lambda_.setZero(system_.row_count());
@@ -105,8 +105,18 @@ Dynamics::Dynamics(const Model& model, const Options& options, const OnePath&)
 
 Dynamics::~Dynamics() = default;
 
+/// Of two by other instructions the last bits differ.
+void Dynamics::find_rank(const Dynamics* like) {
+  if (like && like->options_.deterministic == options_.deterministic && same_geometry(like->system_, system_)) {
+    rank_ = like->rank_;
+    return block::share_orders(like->system_, system_);
+  }
+  rank_ = examine_rank(system_, at_);
+  if (rank_.redundant_rows.empty()) rank_.q.resize(0);  // for their groups
+}
+
 void Dynamics::use_threads() {
-  const int threads = options_.threads.value_or(usable_cores());
+  const int threads = options_.threads ? *options_.threads : usable_cores();
   if (threads > 1) system_.use(std::make_shared<ThreadPool>(threads));
 }
 

@@ -44,7 +44,9 @@ struct FactorizationCost {
 /// work of the forces that have no potential [J] as the last entry.
 class Dynamics {
  public:
-  Dynamics(const Model& model, const Options& options) : Dynamics(model, options, OnePath(options.deterministic)) {}
+  /// `like`: another one, whose rank is taken where it has the same joints and pose.
+  Dynamics(const Model& model, const Options& options, const Dynamics* like = nullptr)
+      : Dynamics(model, options, like, OnePath(options.deterministic)) {}
   ~Dynamics();
 
   const System& system() const { return system_; }
@@ -153,7 +155,8 @@ class Dynamics {
 
  private:
   friend class Busy;
-  Dynamics(const Model& model, const Options& options, const OnePath&);
+  Dynamics(const Model& model, const Options& options, const Dynamics* like, const OnePath&);
+  void find_rank(const Dynamics* like);
   void find_solution(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda);
   void use_threads();
   void settle_threads();

@@ -95,19 +95,23 @@ double Crossing::usual_length(const ConstVector& v, const ConstVector& v_dot) co
   return least;
 }
 
-double Crossing::usual_length(const ConstVector& v) const {
-  double linear[2]{}, angular[2]{};  // the largest squares, of bodies outside of loops and in them
+double Crossing::usual_length(const Speeds& speeds) const {
+  const auto time = [&](double way, const double* squares) {
+    return time_of(way, std::max(std::sqrt(squares[0]) / step_.length(), std::sqrt(squares[1])), 0.0);
+  };
+  return std::min(time(fastest, speeds.outside), time(reach, speeds.inside));
+}
+
+// The deterministic sums of lane_speeds.cpp are of the same order.
+Speeds Crossing::speeds(const ConstVector& v) const {
+  const Eigen::Map<const Eigen::Matrix<double, 6, Eigen::Dynamic>> rates(v.data(), 6, v.size() / 6);
+  Speeds out{rates.topRows<3>().cwiseAbs().maxCoeff(), rates.bottomRows<3>().cwiseAbs().maxCoeff()};
   for (int body = 0; body < dynamics_.system().body_count(); ++body) {
-    const int in_loop = in_loops_[static_cast<std::size_t>(body)] ? 1 : 0;
-    linear[in_loop] = std::max(linear[in_loop], v.segment<3>(6 * body).squaredNorm());
-    angular[in_loop] = std::max(angular[in_loop], v.segment<3>(6 * body + 3).squaredNorm());
+    double* const squares = in_loops_[static_cast<std::size_t>(body)] ? out.inside : out.outside;
+    squares[0] = std::max(squares[0], v.segment<3>(6 * body).squaredNorm());
+    squares[1] = std::max(squares[1], v.segment<3>(6 * body + 3).squaredNorm());
   }
-  double least = INFINITY;
-  for (const int in_loop : {0, 1}) {
-    const double speed = std::max(std::sqrt(linear[in_loop]) / step_.length(), std::sqrt(angular[in_loop]));
-    least = std::min(least, time_of(in_loop ? reach : fastest, speed, 0.0));
-  }
-  return least;
+  return out;
 }
 
 /// Time until the pose by the trend of the pivots, infinite where they do not fall or did not lead to a leap.
@@ -183,10 +187,8 @@ bool Crossing::pivot_changes(double t, const VectorXd& y, double root) {
 }
 
 /// Of the components of all motions [rad/s].
-double Crossing::largest_rate(const ConstVector& v) const {
-  const Eigen::Map<const Eigen::Matrix<double, 6, Eigen::Dynamic>> rates(v.data(), 6, v.size() / 6);
-  return std::max(rates.topRows<3>().cwiseAbs().maxCoeff() / step_.length(),
-                  rates.bottomRows<3>().cwiseAbs().maxCoeff());
+double Crossing::largest_rate(const Speeds& speeds) const {
+  return std::max(speeds.linear / step_.length(), speeds.angular);
 }
 
 /// In which states from the last one that was looked at to the one at t are looked at: a pose bends the least singular
@@ -196,19 +198,43 @@ int Crossing::parts_to(double t) const {
   return turned > coarsest ? static_cast<int>(std::min(std::ceil(turned / coarsest), most_parts)) : 1;
 }
 
+namespace {
+
+class Here final : public Arrival {
+ public:
+  explicit Here(const VectorXd& y) : y_(y) {}
+  const VectorXd& arrive() override { return y_; }
+
+ private:
+  const VectorXd& y_;
+};
+
+}  // namespace
+
 bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
+  if (!prepared_) return false;
+  const System& system = dynamics_.system();
+  Here here(y);
+  return due(t, h, speeds(y.segment(system.q_size(), system.v_size())), adaptive, here);
+}
+
+bool Crossing::due(double t, double h, const Speeds& speeds, bool adaptive, Arrival& state) {
+  const bool is_due = is_due_by(t, h, speeds, adaptive, state);
+  if (is_due) state.arrive();
+  return is_due;
+}
+
+bool Crossing::is_due_by(double t, double h, const Speeds& speeds, bool adaptive, Arrival& state) {
   most_step_ = INFINITY;
   if (!prepared_) return false;
-  starting_ = std::exchange(fresh_, false) && starts_near(t, y);
+  starting_ = std::exchange(fresh_, false) && starts_near(t, state.arrive());
   if (starting_) return true;
-  const System& system = dynamics_.system();
-  const auto v = y.segment(system.q_size(), system.v_size());
-  fastest_ = largest_rate(v);
+  fastest_ = largest_rate(speeds);
   turned_ += fastest_ * (t - std::exchange(turned_until_, t));
-  const double usual = usual_length(v);
-  keep_rows_good();
+  const double usual = usual_length(speeds);
+  keep_rows_good(state);
   const bool falls = falls_to_ - t <= near_enough(usual, h, adaptive);
-  if (turned_ + 0.5 * fastest_ * h >= next_look_ || fastest_ * h > coarse || falls) look(t);
+  if (turned_ + 0.5 * fastest_ * h >= next_look_ || fastest_ * h > coarse || falls) look(t, state);
   if (std::abs(fastest_ - known_rate_) > other_pace * known_rate_) known_ = -INFINITY;
   const bool leaves = std::exchange(leaves_, false);
   const double tau = time_to_pose(t);
@@ -230,13 +256,14 @@ bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
 
 /// Where the pose is by the least singular value, which goes linearly to zero toward it, and when to look again. It
 /// costs two solutions; pivots, which cost nothing, hide some poses until they are a step away.
-void Crossing::look(double t) {
+void Crossing::look(double t, Arrival& state) {
   if (least_.at == t) return;
+  state.arrive();
   WatchedFormulation& formulation = dynamics_.formulation();
   SingularValueAt before =
       std::exchange(least_, ended_.at == t ? ended_ : SingularValueAt{t, formulation.least_singular_value()});
   const double usual = formulation.usual_least_singular_value(), small = near * std::max(usual, least_usual);
-  if (rows_turn_bad(small, least_.value, highest_)) {
+  if (rows_turn_bad(small, least_.value, highest_, state)) {
     least_.value = formulation.least_singular_value();
     before = {};
   }
@@ -249,17 +276,18 @@ void Crossing::look(double t) {
 
 /// Redundant rows that were well chosen become bad ones where loops turn, before a pose is in sight: they are looked at
 /// whenever a measure of them has fallen to a part of the highest since. True where others are left out now.
-bool Crossing::rows_turn_bad(double small, double measure, double& highest) {
+bool Crossing::rows_turn_bad(double small, double measure, double& highest, Arrival& state) {
   highest = std::max(highest, measure);
   if (measure > std::min(small, fallen * highest)) return false;
   highest = measure;
+  state.arrive();
   return dynamics_.formulation().improve_rows();
 }
 
 /// By the pivots.
-void Crossing::keep_rows_good() {
+void Crossing::keep_rows_good(Arrival& state) {
   const auto trend = dynamics_.watch().trend();
-  if (trend) rows_turn_bad(near * dynamics_.watch().root_of_level(), trend->last.root, highest_root_);
+  if (trend) rows_turn_bad(near * dynamics_.watch().root_of_level(), trend->last.root, highest_root_, state);
 }
 
 /// How far ahead [s] a pose may be for a leap to begin; fixed steps h keep away from it by some of them, as far as it

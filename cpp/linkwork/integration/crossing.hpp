@@ -10,6 +10,19 @@
 
 namespace linkwork {
 
+/// How fast the bodies of a mechanism move.
+struct Speeds {
+  double linear = 0.0, angular = 0.0;  ///< the largest components [m/s, rad/s]
+  double outside[2]{}, inside[2]{};    ///< the largest squares of both, of bodies outside of loops and in them
+};
+
+/// Who brings `dynamics` to the state that is looked at, which it gives: where it is needed at all.
+class Arrival {
+ public:
+  virtual ~Arrival() = default;
+  virtual const VectorXd& arrive() = 0;
+};
+
 /// Takes a run through singular poses.
 ///
 /// Where branches of motion cross, the constraint matrix loses rank: a state that violates the constraints by delta has
@@ -33,6 +46,10 @@ class Crossing final : public Interpolant {
   bool watches() const { return prepared_; }
   /// Before a step of size h from (t, y), where `dynamics` is evaluated: whether a pose may be too near for it.
   bool due(double t, double h, const VectorXd& y, bool adaptive);
+  /// The same where somebody else knows the speeds, and `dynamics` need not be evaluated there; it is where the answer
+  /// is true.
+  bool due(double t, double h, const Speeds& speeds, bool adaptive, Arrival& state);
+  const std::vector<char>& in_loops() const { return in_loops_; }  ///< one a body; empty where nothing is watched
   /// For an adaptive step where none is due: to where a leap over the pose ahead begins well.
   double most_step() const { return most_step_; }
   /// After an adaptive step h from t, where `dynamics` is evaluated at its end: a shorter one, where that is beside a
@@ -92,8 +109,9 @@ class Crossing final : public Interpolant {
     bool any_converged = false, ahead = false, done = false;
   };
 
-  void look(double t);
-  bool rows_turn_bad(double small, double measure, double& highest);
+  bool is_due_by(double t, double h, const Speeds& speeds, bool adaptive, Arrival& state);
+  void look(double t, Arrival& state);
+  bool rows_turn_bad(double small, double measure, double& highest, Arrival& state);
   void forget_looks();
   double pivots_say(double t);
   double looks_say(double t);
@@ -103,11 +121,15 @@ class Crossing final : public Interpolant {
   bool pivot_changes(double t, const VectorXd& y, double root);
   bool in_singular_pose(double t, const VectorXd& y) const;
   double usual_length(const ConstVector& v, const ConstVector& v_dot) const;
-  double usual_length(const ConstVector& v) const;  ///< without accelerations
+  // Without accelerations.
+  double usual_length(const Speeds& speeds) const;
+  double usual_length(const ConstVector& v) const { return usual_length(speeds(v)); }
   bool beside_a_pose(double time) const;
   [[noreturn]] void throw_no_branch(double t) const;
-  void keep_rows_good();
-  double largest_rate(const ConstVector& v) const;
+  void keep_rows_good(Arrival& state);
+  Speeds speeds(const ConstVector& v) const;
+  double largest_rate(const Speeds& speeds) const;
+  double largest_rate(const ConstVector& v) const { return largest_rate(speeds(v)); }
   int parts_to(double t) const;
   bool leap_beside(double most, double usual);
   bool try_lengths(Search& search, const VectorXd& y);

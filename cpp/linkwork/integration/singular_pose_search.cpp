@@ -106,24 +106,26 @@ bool SingularPoseSearch::worth_a_search(double value) const {
 }
 
 bool SingularPoseSearch::pass(double t, double value, const VectorXd& y, int parts) {
-  if (count_ == 0 || parts == 1) return pass({t, value, y});
+  if (count_ == 0 || parts == 1) return mark(t, value, y);
   const Mark before = marks_[2], after{t, value, y};
   for (int k = 1; k < parts; ++k) {
     Mark between{before.t + (t - before.t) * k / parts, 0.0, {}};
     interpolate(before, after, between.t, between.y);
     between.value = value_at(between.t, between.y);
-    pass(std::move(between));
+    mark(between.t, between.value, between.y);
   }
-  pass(after);
+  mark(t, value, y);
   return true;
 }
 
-bool SingularPoseSearch::pass(Mark mark) {
+bool SingularPoseSearch::mark(double t, double value, const VectorXd& y) {
   auto& [a, b, c] = marks_;
   std::swap(earlier_, a);
   std::swap(a, b);
   std::swap(b, c);
-  c = std::move(mark);
+  c.t = t;
+  c.value = value;
+  c.y = y;
   count_ = std::min(count_ + 1, 4);
   highest_ = std::max(highest_, c.value);
   if (count_ < 2 || !worth_a_search(b.value)) return false;

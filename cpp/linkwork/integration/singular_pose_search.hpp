@@ -62,7 +62,7 @@ class SingularPoseSearch {
     void keep(Archive& archive) { archive(t, value, y); }
   };
 
-  bool pass(Mark mark);
+  bool mark(double t, double value, const VectorXd& y);
   bool worth_a_search(double value) const;
   SingularValueAt sample(const Mark& mark);
   void search_around();

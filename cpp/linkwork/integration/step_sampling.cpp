@@ -120,10 +120,15 @@ void StepSampling::begin_anew(const Dynamics& dynamics, double work) {
   *this = std::move(fresh);
 }
 
-void StepSampling::before(const Dynamics& dynamics, const VectorXd& y, double potential) {
+void StepSampling::before(const Dynamics& dynamics, const VectorXd& y) {
+  const Evaluation& at = dynamics.evaluation();
+  before(dynamics, y, system_->kinetic_energy(at, y.segment(q_size_, system_->v_size())), at.potential);
+}
+
+void StepSampling::before(const Dynamics& dynamics, const VectorXd& y, double kinetic, double potential) {
   const VectorXd& history = dynamics.history();
   if (history.size() > 0) look_for_contacts(history, y);
-  balance(dynamics.evaluation(), y, potential);
+  balance(y, kinetic, potential);
   if (history.size() > 0) history_ = history;
   if (const std::vector<int>& rows = dynamics.dropped().rows(); left_out_ != rows) left_out_ = rows;
 }
@@ -141,9 +146,8 @@ void StepSampling::look_for_contacts(const VectorXd& now, const VectorXd& y) {
   }
 }
 
-void StepSampling::balance(const Evaluation& at, const VectorXd& y, double potential) {
+void StepSampling::balance(const VectorXd& y, double kinetic, double potential) {
   const double work = y[y.size() - 1];
-  const double kinetic = system_->kinetic_energy(at, y.segment(q_size_, system_->v_size()));
   const double balance = kinetic + potential - work;
   energies_.kinetic = std::max(energies_.kinetic, kinetic);
   energies_.work = std::max(energies_.work, std::abs(work - work_before_));
@@ -169,9 +173,13 @@ void StepSampling::keep_jump(double jump, const VectorXd& y_new) {
 }
 
 void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& y_new) {
+  after(t, h, y, y_new, change(h, y, y_new));
+}
+
+void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& y_new, double change) {
   if (steps_ <= 1 || parts_.back().steps == width_) begin_part(t);
   RunPart& part = parts_.back();
-  const double changed = change(h, y, y_new);
+  const double changed = std::exchange(compared_, true) ? change : 0.0;
   if (next_break_ < breaks_.size() && breaks_[next_break_] <= t + (1.0 + same_time) * h) meet_break(t, h, y, y_new);
   if (part.steps == chosen_ && part.any.change > part.steepest.change) part.steepest = std::move(part.any);
   if (part.steps == 0 || part.steps == chosen_) keep(part.any, t, h, changed, y, y_new);
@@ -210,7 +218,7 @@ double StepSampling::change(double h, const VectorXd& y, const VectorXd& y_new) 
     sum += other.head<3>().squaredNorm() + squared_length_ * other.tail<3>().squaredNorm();
     rates_.segment<6>(own) = rate;
   }
-  return std::exchange(compared_, true) ? std::sqrt(sum) : 0.0;
+  return std::sqrt(sum);
 }
 
 void StepSampling::begin_part(double t) {

@@ -73,10 +73,15 @@ class StepSampling {
 
   // Of every step: `before` where `dynamics` is evaluated at its start y, and at the end of the run; then `after`, or
   // `pass_over` where the step is not one of the method's own (cut by an event, a leap over a singular pose).
-  void before(const Dynamics& dynamics, const VectorXd& y) { before(dynamics, y, dynamics.evaluation().potential); }
-  /// The same where somebody else knows the potential.
-  void before(const Dynamics& dynamics, const VectorXd& y, double potential);
+  void before(const Dynamics& dynamics, const VectorXd& y);
   void after(double t, double h, const VectorXd& y, const VectorXd& y_new);
+  // The same where somebody else knows the energies there, and the change of the rates.
+  void before(const Dynamics& dynamics, const VectorXd& y, double kinetic, double potential);
+  void after(double t, double h, const VectorXd& y, const VectorXd& y_new, double change);
+  /// v_dot over the last step (6n,), of every so many bodies; angular rates count by the square of a length.
+  VectorXd& rates() { return rates_; }
+  int every_body() const { return every_body_; }
+  double squared_length() const { return squared_length_; }
   void pass_over() {
     compared_ = false;
     last_.h = 0.0;
@@ -108,7 +113,7 @@ class StepSampling {
   };
 
   void look_for_contacts(const VectorXd& now, const VectorXd& y);
-  void balance(const Evaluation& at, const VectorXd& y, double potential);
+  void balance(const VectorXd& y, double kinetic, double potential);
   void keep_jump(double jump, const VectorXd& y_new);
   void meet_break(double t, double h, const VectorXd& y, const VectorXd& y_new);
   double change(double h, const VectorXd& y, const VectorXd& y_new);

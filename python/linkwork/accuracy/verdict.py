@@ -183,8 +183,8 @@ def estimate(
     before: float = 0.0,
 ) -> Verdict:
     """From what `_core.Run.judge` found."""
-    steps = tuple(itertools.starmap(StepEstimate, found["steps"]))
-    if not steps:
+    taken = found["taken"]
+    if not taken:
         why = "no step could be taken again" if found["failed"] else "no step was one of the method's own"
         return without_steps(why, energies, statistics, found["violation"], before)
     energy, replaced = energies.error()
@@ -202,8 +202,8 @@ def estimate(
         reactions=state * ratio if math.isfinite(ratio) else None,
         energy=energy,
         violation=violation,
-        steps=steps,
-        left_out=f"{failed} of {failed + len(steps)} steps could not be taken again" if failed else "",
+        steps=tuple(itertools.starmap(StepEstimate, found["steps"])),
+        left_out=f"{failed} of {failed + taken} steps could not be taken again" if failed else "",
         before=before,
         **_counts(statistics),
     )

@@ -177,7 +177,9 @@ class Ensemble:
                      "deterministic": True, "on_inaccurate": "pass"}  # fmt: skip
         wanted_times, arguments = _recorded(asked, times, float(t_end), arguments)
         last_state = asked is not None and times is None and all(it.of_last_state for it in asked)
-        method = method_of(example, float(t_end), arguments, count, judged=True, last_state=last_state)
+        state_alone = asked is not None and all(it.of_state_alone for it in asked)
+        method = method_of(example, float(t_end), arguments, count, judged=True, last_state=last_state,
+                           state_alone=state_alone)  # fmt: skip
         _check_run(self._members, method)
         if asked is not None:
             found = probe(example, arguments)
@@ -337,12 +339,14 @@ class _Kept:
 
     def keep(self, number: int, member: Member) -> None:
         """With outputs instead of the motion, where they were asked for."""
-        if member.result is not None and member.result.verdict is not None:
-            self._verdicts[number] = member.result.verdict
-        if self._outputs is not None and member.result is not None:
+        motion = member.motion
+        verdict = None if motion is None else motion.verdict
+        if verdict is not None:
+            self._verdicts[number] = verdict
+        if self._outputs is not None and motion is not None:
             try:
                 for it in self._outputs:
-                    self._values[it.label][number] = it.value(member.result, self._times)
+                    self._values[it.label][number] = it.value(motion, self._times)
                 member = Member(None, member.reason, {}, member.remarks)
             except (LinkworkError, ArithmeticError, LookupError, TypeError, ValueError) as error:
                 facts = {"type": type(error).__name__, "code": "", "message": str(error)}

@@ -72,7 +72,22 @@ class System:
     def __init__(self, model: Model, **options: Unpack[Options]) -> None:
         check_model(model)
         self.model = model
-        self._dynamics = _core.Dynamics(model.compiled(), compile_options(options))
+        self._given = compile_options(options)
+        self._dynamics = _core.Dynamics(model.compiled(), self._given)
+
+    def of(self, model: Model) -> System:
+        """
+        Another model with the same options; of one with the same joints and pose the rank is known.
+
+            heavier = lw.System(model).of(model.replaced("rod", mass=2.0))
+
+        ModelError, SingularSystemError as of a System.
+        """
+        check_model(model)
+        made = object.__new__(System)
+        made.model, made._given = model, self._given
+        made._dynamics = _core.Dynamics(model.compiled(), self._given, self._dynamics)
+        return made
 
     def compiled(self) -> _core.Dynamics:
         """

@@ -107,8 +107,8 @@ class Model(ModelBuilder):
 
     def _with_core(self, core: _core.Model) -> Model:
         """The same names, functions and shapes with other numbers."""
-        out = Model(core.gravity, self.name)
-        out._core = core
+        out = object.__new__(Model)
+        out._name, out._core = self._name, core
         out._bodies = Bodies(out, out._core)
         out._counts, out._signals = self._counts.copy(), self._signals.copy()
         out._drivers = self._drivers.copy()

@@ -27,7 +27,9 @@ LEAST = float(np.finfo(float).tiny)
 def of_run(model: Model, given: ArrayLike, t_start: float, t_end: float) -> list[float]:
     """Those after the start and not after the end [s], ascending. OptionError: times that are none."""
     try:
-        times = {*check_breaks(given, "simulate"), *model.compiled().breaks}
+        times = set(model.compiled().breaks)
+        if not (isinstance(given, tuple) and not given):
+            times.update(check_breaks(given, "simulate"))
     except ModelError as error:
         raise OptionError(error.message, code=error.code) from error
     for _, signal in model.signals:

@@ -165,6 +165,9 @@ def consistent(
     violation is too large to be an inaccuracy; its `joints` and `residuals` are those that violate it.
     NotConvergedError: joints contradict each other. `quiet`: without the warnings, which were given.
     """
+    position, velocity, roundoff = dynamics.residuals_at_start
+    if max(position, velocity) <= RESIDUAL_TOLERANCE + roundoff:
+        return None
     core = model.compiled()
     small = SMALL_RESIDUAL if correct else np.inf
     remarks = (_inaccuracy(core, level, level.rounding, small) for level in residuals(model, dynamics))

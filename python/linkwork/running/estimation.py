@@ -28,6 +28,7 @@ from linkwork.integrators import METHODS, EmbeddedPair, Integrator
 from linkwork.modeling.model import Model
 from linkwork.motion.records import Snapshot
 from linkwork.options import Options
+from linkwork.results.last_state import LastState
 from linkwork.results.result import Result
 from linkwork.running import callbacks, pulses
 from linkwork.running.schedule import Adaptive, Fixed
@@ -71,7 +72,8 @@ class ErrorEstimator:
         """`breaks` [s] of the run; `stops`: it, as soon as it is known to be inaccurate."""
         self._run, self._method, self._system = run, method, system
         self._stops, self._next_look = stops, FIRST_LOOK
-        self._options: Options = {**options, "stabilization": system.options["stabilization"]}
+        stabilization: Any = system.compiled().options.stabilization
+        self._options: Options = {**options, "stabilization": stabilization}
         self._plan = plan
         self._before = start.error if start is not None else 0.0
         self._energies = Energies(
@@ -98,9 +100,12 @@ class ErrorEstimator:
         if verdict.error > GOOD:
             raise AccuracyError(f"{say(verdict, self._system.model.name)}: stopped", code="inaccurate")
 
-    def verdict(self, statistics: Mapping[str, Any]) -> Verdict | None:
-        """Of the run, which is over: the system is used up. None: there was no step."""
-        return self._of(self._system, statistics) if self._run.steps_done else None
+    def verdict(self, statistics: Mapping[str, Any], *, steps: bool = True) -> Verdict | None:
+        """Of the run, which is over: the system is used up. None: there was no step.
+
+        steps  whether it lists those that were taken again
+        """
+        return self._of(self._system, statistics, steps=steps) if self._run.steps_done else None
 
     def verify(
         self, result: Result, output: str | os.PathLike[str] | None, run: Callable[[dict[str, Any]], Result]
@@ -128,7 +133,7 @@ class ErrorEstimator:
             add_finer(output, finer, result.statistics)
             result._finer = Result.load(output)._finer
 
-    def _of(self, system: System, statistics: Mapping[str, Any]) -> Verdict:
+    def _of(self, system: System, statistics: Mapping[str, Any], *, steps: bool = True) -> Verdict:
         self._energies.reach(*self._run.energies)
         stateful = callbacks.changed(self._contents, self._functions)
         if stateful:
@@ -137,7 +142,11 @@ class ErrorEstimator:
             return self._by_balance(why, statistics)
         try:
             system = self._strict(system)
-            found = self._run.judge(system.compiled(), *self._compiled())
+            if isinstance(self._run, _core.LaneRun):
+                listed = steps or bool(self._pulses)
+                found = self._run.judge(system.compiled(), *self._compiled(), steps=listed)
+            else:
+                found = self._run.judge(system.compiled(), *self._compiled())
         except Exception as error:  # also of the user's functions
             return self._by_balance(f"no step could be taken again ({error})", statistics)
         verdict = estimate(found, self._energies, self._resolution(), statistics, self._before)
@@ -192,14 +201,15 @@ def strict(options: Options) -> Options:
     return out
 
 
-def apply_policy(result: Result, policy: str) -> None:
+def apply_policy(result: Result | LastState, policy: str) -> None:
     """LinkworkWarning, with "warn", or AccuracyError, with "stop": the run is more than 1 % off."""
-    verdict = result.verdict
-    if verdict is None or verdict.level == "good" or policy == "pass":
+    verdict = None if policy == "pass" else result.verdict
+    if verdict is None or verdict.level == "good":
         return
     message = say(verdict, result.manifest.get("model"))
     if policy == "warn":
         return warn(f"{message} (result.verdict says more, on_inaccurate='pass' nothing)")
     error = AccuracyError(message, code="inaccurate")
+    assert isinstance(result, Result)
     error.result, error.state = result, result.snapshot()
     raise error

@@ -11,12 +11,14 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from linkwork import _core
+from linkwork.accuracy.verdict import Verdict
 from linkwork.equations.system import System
 from linkwork.errors import LinkworkError
 from linkwork.integrators import ButcherTableau, EmbeddedPair, Integrator, named
 from linkwork.modeling.model import Model
 from linkwork.motion.header import Header
 from linkwork.options import TABLE
+from linkwork.results.last_state import LastState
 from linkwork.results.result import Result
 from linkwork.running import checks, estimation, recording, schedule
 from linkwork.running.interrupts import Interrupts
@@ -45,7 +47,8 @@ SHARED = ("evaluations", "factorizations", "solves", "evaluate_time", "factorize
 class Member:
     """What became of one.
 
-    result  its motion; None where it failed
+    result  its motion; None where it failed, or has its last state alone
+    last    that, in lanes of a Method to which it is enough
     reason  why it was simulated by itself; empty: it ran in a lane
     error   of one that failed: type, code, message, and `reached`, the simulated time [s]
     """
@@ -54,6 +57,12 @@ class Member:
     reason: str = ""
     error: Mapping[str, Any] = field(default_factory=dict)
     remarks: Sequence[str] = ()
+    last: LastState | None = None
+
+    @property
+    def motion(self) -> Result | LastState | None:
+        """As much as there is; None where it failed."""
+        return self.result if self.last is None else self.last
 
 
 @dataclass(frozen=True)
@@ -67,6 +76,7 @@ class Method:
     plan: schedule.Fixed | schedule.Adaptive
     judged: bool = False  # whether members have a verdict
     last_state: bool = False  # in lanes the first and the last frame are enough
+    state_alone: bool = False  # and of that q and v
 
     @property
     def lanes_record_every(self) -> int:
@@ -106,9 +116,12 @@ class _Ready:
 
 def method_of(
     example: Model, t_end: float, arguments: Mapping[str, Any], threads: int, *,
-    judged: bool = False, last_state: bool = False,
+    judged: bool = False, last_state: bool = False, state_alone: bool = False,
 ) -> Method:  # fmt: skip
-    """`last_state`: the frames before are for the verdict alone. OptionError: a plan that makes no sense."""
+    """`last_state`: the frames before are for the verdict alone, `state_alone`: so is all but q and v of it.
+
+    OptionError: a plan that makes no sense.
+    """
     step, rtol, atol, every, at = (
         arguments.get(name) for name in ("step", "rtol", "atol", "record_every", "times")
     )
@@ -119,7 +132,8 @@ def method_of(
     alone = ""
     if not isinstance(found, ButcherTableau if isinstance(plan, schedule.Fixed) else EmbeddedPair):
         alone = "lanes have explicit Runge-Kutta methods only"
-    return Method(t_end, given, threads, alone, plan, judged, last_state)
+    state_alone = state_alone and last_state and judged
+    return Method(t_end, given, threads, alone, plan, judged, last_state, state_alone)
 
 
 def refusal(model: Model, method: Method) -> str:
@@ -145,7 +159,7 @@ def run_members(models: Sequence[Model | Exception], method: Method) -> list[Mem
         elif method.alone:
             found[place] = _alone(model, method, method.alone)
         else:
-            it = _prepared(place, model, method)
+            it = _prepared(place, model, method, ready[0].system if ready else None)
             if isinstance(it, Member):
                 found[place] = it
             else:
@@ -202,10 +216,10 @@ def _concluded(
     return Member(result, remarks=list(dict.fromkeys([*remarks, *more])))
 
 
-def _prepared(place: int, model: Model, method: Method) -> _Ready | Member:
+def _prepared(place: int, model: Model, method: Method, like: System | None) -> _Ready | Member:
     with remarked() as remarks:
         try:
-            it = _Ready(place, _stepped(model, method), remarks)
+            it = _Ready(place, _stepped(model, method, like), remarks)
             if method.judged:
                 _follow(it, method)
         except Exception as error:
@@ -213,10 +227,10 @@ def _prepared(place: int, model: Model, method: Method) -> _Ready | Member:
     return it
 
 
-def _stepped(model: Model, method: Method) -> Stepped:
+def _stepped(model: Model, method: Method, like: System | None = None) -> Stepped:
     with _core.OnePath(method.options.get("deterministic") is True):
         checks.check_bodies(model)
-        return what_steps(model, method.plan, method.given, method.options)
+        return what_steps(model, method.plan, method.given, method.options, like=like)
 
 
 def _follow(it: _Ready, method: Method) -> None:
@@ -249,11 +263,19 @@ def _in_lanes(ready: Sequence[_Ready], method: Method) -> dict[int, Member]:
             reason = answer["reason"] + ("" if when is None else f" (at t = {when:.6g} s)")
             found[it.place] = _alone(it.model, method, reason, it.remarks)
         else:
-            found[it.place] = Member(_result(it, answer["frames"], method), remarks=it.remarks)
+            found[it.place] = _ended(it, answer["frames"], method)
     return found
 
 
-def _result(it: _Ready, frames: Mapping[str, Any], method: Method) -> Result:
+def _ended(it: _Ready, frames: Mapping[str, Any], method: Method) -> Member:
+    poses = _singular_poses(it)
+    if not method.state_alone:
+        return Member(_result(it, frames, method, poses), remarks=it.remarks)
+    verdict, _ = _judged(it, frames, method, poses)
+    return Member(None, remarks=it.remarks, last=LastState(frames, verdict, {"model": it.model.name}))
+
+
+def _result(it: _Ready, frames: Mapping[str, Any], method: Method, poses: Mapping[str, Any]) -> Result:
     integrator = it.stepped.method
     assert isinstance(integrator, Integrator)
     facts: dict[str, Any] = {"model": it.model.name, "lane": True}
@@ -263,26 +285,31 @@ def _result(it: _Ready, frames: Mapping[str, Any], method: Method) -> Result:
     header = Header.of(
         it.model.compiled(), it.system.compiled(), facts, None, it.model.shapes, it.model.curves
     )
-    poses = _singular_poses(it)
-    return Result(frames, header, {"lane": True, **poses, **_judged(it, frames, method, poses)})
+    verdict, counts = _judged(it, frames, method, poses)
+    crossings = it.system.compiled().statistics()["singularity_crossings"]
+    statistics = {"lane": True, **poses, "singularity_crossings": crossings, **counts}
+    if verdict is not None:
+        statistics["verdict"] = verdict.numbers()
+    return Result(frames, header, statistics)
 
 
 def _singular_poses(it: _Ready) -> dict[str, Any]:
-    """Statistics of those that were passed; LinkworkWarning as asked for."""
-    found = it.system.compiled().statistics()
-    if it.system.options["on_singular"] == "warn":
+    """How many were passed; LinkworkWarning as asked for."""
+    compiled = it.system.compiled()
+    poses, changes = compiled.passed
+    if poses and compiled.options.on_singular == "warn":
         with remarked() as remarks:
-            recording.warn_of_singular_poses(found, 0)
+            recording.warn_of_singular_poses(compiled.statistics(), 0)
         it.remarks.extend(remarks)
-    return {name: found[name] for name in ("singular_poses", "row_changes", "singularity_crossings")}
+    return {"singular_poses": poses, "row_changes": changes}
 
 
 def _judged(
     it: _Ready, frames: Mapping[str, Any], method: Method, poses: Mapping[str, Any]
-) -> dict[str, Any]:
-    """Statistics with the verdict: as of the run by itself."""
+) -> tuple[Verdict | None, dict[str, Any]]:
+    """The verdict, and the statistics with which it comes: as of the run by itself."""
     if it.run is None or it.estimator is None:
-        return {}
+        return None, {}
     with _core.OnePath(method.options.get("deterministic") is True):
         it.estimator.look(it.run.take_balance() if method.last_state else frames)
         counts: dict[str, Any] = {
@@ -290,8 +317,7 @@ def _judged(
             "steps": it.run.steps_done,
             **method.plan.steps_with_breaks(it.stepped.breaks, 0.0),
         }
-        verdict = it.estimator.verdict(counts)
-    return counts if verdict is None else {**counts, "verdict": verdict.numbers()}
+        return it.estimator.verdict(counts, steps=not method.state_alone), counts
 
 
 def _alone(model: Model, method: Method, reason: str, remarks: Sequence[str] = ()) -> Member:

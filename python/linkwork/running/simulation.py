@@ -258,15 +258,19 @@ def what_steps(
     given: Mapping[str, Any],
     options: Options,
     start: Snapshot | None = None,
+    like: System | None = None,
 ) -> Stepped:
-    """The system of a run, with all that is looked at before. OptionError, ModelError: what cannot be run."""
+    """The system of a run, with all that is looked at before. `like`: one of these options, see System.of.
+
+    OptionError, ModelError: what cannot be run.
+    """
     t_start = checks.start_time(start)
     checks.check_tables(model, plan.t_end)
     breaks = breakpoints.of_run(model, given["breaks"], t_start, plan.t_end)
     breakpoints.check_drivers(model, t_start, plan.t_end, adaptive=isinstance(plan, schedule.Adaptive))
     method = _method(plan.usual_integrator if given["integrator"] is None else given["integrator"])
     options = _honored(method, options)
-    system, assembly = _system(model, method, options, plan, given["assemble"], start)
+    system, assembly = _system(model, method, options, plan, given["assemble"], start, like)
     return Stepped(method, options, system, assembly, breaks)
 
 
@@ -362,9 +366,10 @@ def _system(
     plan: schedule.Fixed | schedule.Adaptive,
     assemble: bool,
     start: Snapshot | None,
+    like: System | None,
 ) -> tuple[System, Assembly | None]:
     """The model with its method and a consistent initial state, and what it took to make it so."""
-    system = System(model, **options)
+    system = System(model, **options) if like is None else like.of(model)
     plan.check(method, system)
     if start is not None:
         return system, None

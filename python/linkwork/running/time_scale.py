@@ -37,10 +37,10 @@ def usual_end(model: Model) -> tuple[float, str]:
 def size(model: Model) -> float:
     """The longest arm from a center of mass to a joint, or the way between bodies, or 1 [m]."""
     core = model.compiled()
-    joints = core.joint_arrays()
-    arms = np.linalg.norm(joints["origin"], axis=-1)[joints["bodies"] >= 0]
+    if arm := float(core.longest_arm):
+        return arm
     spread = np.ptp(core.q0.reshape(-1, 7)[:, :3], axis=0) if core.body_count else np.zeros(3)
-    return float(arms.max(initial=0.0)) or float(np.linalg.norm(spread)) or 1.0
+    return float(np.linalg.norm(spread)) or 1.0
 
 
 def _round(t: float) -> float:

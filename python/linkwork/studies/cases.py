@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 import numpy as np
@@ -13,6 +13,7 @@ from linkwork import _core
 from linkwork.arguments import whole
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError
+from linkwork.results.last_state import LastState
 from linkwork.results.result import Result
 from linkwork.running.manifest import platform_facts
 from linkwork.running.members import facts_of, remarked
@@ -91,12 +92,13 @@ class Runner:
                 found = self.kept(self.result(case.values))
             except Exception as error:
                 found = {"status": "failed", "error": facts_of(error)}
-        return replace(self.noted(case, found, remarks), seconds=time.perf_counter() - started)
+        return self.noted(case, found, remarks, time.perf_counter() - started)
 
-    def noted(self, case: Case, found: Mapping[str, Any], remarks: Sequence[str]) -> Run:
-        return Run(case.key, **found, remarks="; ".join(remarks)[:REMARKS], values=dict(case.values))
+    def noted(self, case: Case, found: Mapping[str, Any], remarks: Sequence[str], seconds: float) -> Run:
+        return Run(case.key, **found, remarks="; ".join(remarks)[:REMARKS], seconds=seconds,
+                   values=dict(case.values))  # fmt: skip
 
-    def kept(self, result: Result) -> dict[str, Any]:
+    def kept(self, result: Result | LastState) -> dict[str, Any]:
         """Status, outputs and verdict of one that came to its end; failed where an output cannot be told."""
         try:
             outputs = {output.label: output.value(result, self.times).tolist() for output in self.outputs}
@@ -115,7 +117,7 @@ def machine() -> dict[str, str]:
     return {"cpu": str(platform_facts()["cpu"]), "instruction_set": _core.instruction_set()}
 
 
-def _verdict(result: Result) -> dict[str, Any]:
+def _verdict(result: Result | LastState) -> dict[str, Any]:
     verdict = result.verdict
     if verdict is None:
         return {}

@@ -9,13 +9,23 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from linkwork.errors import LinkworkError
 from linkwork.modeling.model import Model
+from linkwork.results.last_state import LastState
 from linkwork.running.estimation import apply_policy
-from linkwork.running.members import FRAMES, Method, facts_of, method_of, refusal, remarked, run_members
+from linkwork.running.members import (
+    FRAMES,
+    Member,
+    Method,
+    facts_of,
+    method_of,
+    refusal,
+    remarked,
+    run_members,
+)
 from linkwork.studies.cases import Answer, Case, Run, Runner, machine
 
 __all__ = ["PACK", "fits", "with_lanes"]
@@ -66,21 +76,27 @@ def _at_once(runner: Runner, cases: Sequence[Case]) -> list[Run]:
     models = [_model_or_error(runner, case) for case in cases]
     example = next((it for it in models if isinstance(it, Model)), None)
     if example is None:
-        members = [facts_of(it) for it in models if isinstance(it, Exception)]
+        errors = [facts_of(it) for it in models if isinstance(it, Exception)]
         return [Run(case.key, "failed", error=facts, values=dict(case.values))
-                for case, facts in zip(cases, members, strict=True)]  # fmt: skip
-    runs = []
-    for case, member in zip(cases, run_members(models, _method(runner, example)), strict=True):
-        remarks = list(member.remarks)
-        found: dict[str, Any] = {"status": "failed", "error": member.error}
-        if member.result is not None:
-            with remarked() as more:
-                found = runner.kept(member.result)
-                apply_policy(member.result, runner.options["on_inaccurate"])
-            remarks = list(dict.fromkeys([*remarks, *more]))
-        runs.append(runner.noted(case, found, remarks))
+                for case, facts in zip(cases, errors, strict=True)]  # fmt: skip
+    members = run_members(models, _method(runner, example))
+    kept = [_kept(runner, member) for member in members]
     seconds = (time.perf_counter() - started) / len(cases)
-    return [replace(run, seconds=seconds) for run in runs]
+    return [runner.noted(case, found, remarks, seconds)
+            for case, (found, remarks) in zip(cases, kept, strict=True)]  # fmt: skip
+
+
+def _kept(runner: Runner, member: Member) -> tuple[dict[str, Any], Sequence[str]]:
+    """As Runner.kept, with all remarks."""
+    motion = member.motion
+    if motion is None:
+        return {"status": "failed", "error": member.error}, member.remarks
+    if isinstance(motion, LastState) and runner.options["on_inaccurate"] == "pass":  # nothing remarks
+        return runner.kept(motion), member.remarks
+    with remarked() as more:
+        found = runner.kept(motion)
+        apply_policy(motion, runner.options["on_inaccurate"])
+    return found, list(dict.fromkeys([*member.remarks, *more]))
 
 
 def _model_or_error(runner: Runner, case: Case) -> Model | Exception:
@@ -93,5 +109,6 @@ def _model_or_error(runner: Runner, case: Case) -> Model | Exception:
 def _method(runner: Runner, example: Model) -> Method:
     last_state = runner.times is None and all(it.of_last_state for it in runner.outputs)
     return method_of(
-        example, runner.t_end, {**runner.options, "threads": 1}, 1, judged=True, last_state=last_state
-    )
+        example, runner.t_end, {**runner.options, "threads": 1}, 1, judged=True, last_state=last_state,
+        state_alone=all(it.of_state_alone for it in runner.outputs),
+    )  # fmt: skip

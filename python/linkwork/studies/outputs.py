@@ -18,6 +18,7 @@ from linkwork.arrays import Floats
 from linkwork.errors import LinkworkError, OptionError, nearest
 from linkwork.fingerprints import canonical
 from linkwork.modeling.coordinates import coordinate_of
+from linkwork.results.last_state import LastState
 from linkwork.results.result import Result
 from linkwork.results.tables import COORDINATES
 
@@ -87,7 +88,7 @@ class Output:
     @property
     def at_end(self) -> bool:
         """Whether the last frame is enough."""
-        return self.reduction == "final" or self.function in (_final_q, _final_v)
+        return self.reduction == "final" or self.of_state_alone
 
     @property
     def of_last_state(self) -> bool:
@@ -95,8 +96,16 @@ class Output:
         followed = any(step[1:2] == ("coordinate",) for step in self.steps)
         return self.at_end and not followed
 
-    def value(self, result: Result, times: Floats | None) -> Floats:
+    @property
+    def of_state_alone(self) -> bool:
+        """Whether it looks at q or v of the last frame, and at nothing else."""
+        return self.function in (_final_q, _final_v)
+
+    def value(self, result: Result | LastState, times: Floats | None) -> Floats:
         """OptionError: what is no number, or no frame at a time."""
+        if self.of_state_alone:
+            return np.array(result.recorded("q" if self.function is _final_q else "v", -1))
+        assert isinstance(result, Result)
         if self.function is not None:
             return _numbers(self.label, self.function(result))
         found = _followed(result, self.steps)

@@ -77,6 +77,7 @@ def _columns(parameters: Any) -> dict[str, Any]:
     if isinstance(parameters, Mapping):
         found = dict(parameters)
     elif hasattr(parameters, "columns") and hasattr(parameters, "to_dict"):
+        _check_once(list(parameters.columns))
         found = {name: parameters[name].tolist() for name in parameters.columns}
     elif isinstance(parameters, np.ndarray) and parameters.dtype.names:
         found = {name: parameters[name] for name in parameters.dtype.names}
@@ -94,6 +95,13 @@ def _columns(parameters: Any) -> dict[str, Any]:
     if wrong is not None:
         raise OptionError(f"parameter {wrong!r:.80}: its name is no text", code="parameters")
     return found
+
+
+def _check_once(names: Sequence[Any]) -> None:
+    """OptionError: two columns of a table have one name."""
+    double = next((name for name in names if names.count(name) > 1), None)
+    if double is not None:
+        raise OptionError(f"parameter '{double}': two columns of the table have this name", code="parameters")
 
 
 def _of_rows(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
