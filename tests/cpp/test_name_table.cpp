@@ -34,7 +34,9 @@ TEST_CASE("a name is given once, also where a group would repeat it") {
   CHECK_THROWS_AS(table.add(""), ModelError);
   CHECK_THROWS_AS(table.add_group("link", 3), ModelError);
   CHECK_THROWS_AS(table.add(Names(std::vector<std::string>{"new", "rod"}), 2), ModelError);
+  CHECK_THROWS_AS(table.add(Names(std::vector<std::string>{"new", "bar[5]", "new"}), 3), ModelError);
   CHECK(table.size() == 2);  // all of them, or none
   CHECK(table.find("new") == -1);
+  CHECK_NOTHROW(table.add_group("bar", 6));
   CHECK_NOTHROW(table.add_group("link", 2));
 }

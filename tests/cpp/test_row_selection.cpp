@@ -45,7 +45,7 @@ TEST_CASE("the rows to leave out belong to a joint that closes a loop, and leave
   const PerturbedPose found = perturb(solver, loops, q, {1}, scratch);
   LoopPose assembled(system, loops, {0.0, q, history}, tolerance);
   LoopPose perturbed(system, loops, {0.0, found.q, history}, tolerance);
-  const Places rows = redundant_rows(solver, loops, assembled, perturbed, found, tolerance);
+  const Places rows = redundant_rows(solver, loops, assembled, perturbed, found, tolerance).rows;
   REQUIRE(rows.size() == 3);
   for (const int place : rows) CHECK(loops.closing(model.joint_of_row(loops.rows()[place])));
   CHECK(condition(without(assembled.D, rows)) > 1e-2);
@@ -66,4 +66,58 @@ TEST_CASE("rows left out of the question do not change which of the others depen
     CHECK(dependent_rows(loops, rest, tolerance) == dependent_rows(alone, rest, tolerance));
     CHECK(rest.nonZeros() == D.nonZeros() - (left_out < 0 ? 0 : D.row(left_out).nonZeros()));
   }
+}
+
+namespace {
+
+constexpr int many_loops = 40;  // more than are chosen from by one kernel for all
+
+/// Of a ladder, its posts laid down along its line: a dead center of all its loops.
+VectorXd laid_down(const Model& model) {
+  VectorXd q = model.initial_q();
+  for (int k = 0; k <= many_loops; ++k) {
+    q.segment<3>(7 * k) << k + 0.5, 0.0, 0.0;
+    q.segment<4>(7 * k + 3) << std::sqrt(0.5), 0.0, 0.0, -std::sqrt(0.5);
+    if (k < many_loops) q.segment<3>(7 * (many_loops + 1 + k)) << k + 1.5, 0.0, 0.0;
+  }
+  return q;
+}
+
+struct Chosen {
+  std::size_t rows;
+  bool independent;
+  double condition;  ///< of the other rows, at the assembled pose
+};
+
+/// From a pose of the ladder, and its first one as the perturbed one.
+Chosen chosen(const Model& model, const VectorXd& q) {
+  const System system(model);
+  const Evaluation at = evaluate_initially(system);
+  const ClosedLoops loops(system, at, tolerance);
+  MassWeightedLeastSquares solver(system);
+  LoopPose assembled(system, loops, {0.0, q, {}}, tolerance);
+  LoopPose perturbed(system, loops, {0.0, model.initial_q(), {}}, tolerance);
+  CHECK(assembled.at.Phi.norm() < 1e-12);
+  const PerturbedPose found{{q, {1}}, {1}};
+  const RedundantRows redundant = redundant_rows(solver, loops, assembled, perturbed, found, tolerance);
+  for (const int place : redundant.rows) CHECK(loops.closing(model.joint_of_row(loops.rows()[place])));
+  return {redundant.rows.size(), redundant.independent.at(0) != 0, condition(without(assembled.D, redundant.rows))};
+}
+
+}  // namespace
+
+TEST_CASE("of a long ladder three rows of each closing joint are left out, and the rest is independent") {
+  const Model model = ladder(many_loops);
+  const Chosen upright = chosen(model, model.initial_q());
+  CHECK(upright.rows == 3 * many_loops);
+  CHECK(upright.independent);
+  CHECK(upright.condition > 1e-5);
+}
+
+TEST_CASE("the rest of a long ladder is not taken for independent at a dead center") {
+  const Model model = ladder(many_loops);
+  const Chosen flat = chosen(model, laid_down(model));
+  CHECK(flat.rows == 3 * many_loops);
+  CHECK(!flat.independent);
+  CHECK(flat.condition < 1e-12);
 }

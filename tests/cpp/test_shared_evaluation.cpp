@@ -1,10 +1,15 @@
 #include <doctest/doctest.h>
 
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "allocation_counter.hpp"
 #include "linkwork/formulation/dynamics.hpp"
+#include "linkwork/linear/saddle_solver.hpp"
+#include "linkwork/math/error.hpp"
+#include "linkwork/math/thread_pool.hpp"
 #include "mechanisms.hpp"
 
 using namespace support;
@@ -14,9 +19,9 @@ namespace {
 
 // Bodies: three chunks, and more work than one task takes; two chunks where sanitizers make it slow.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int many = 4200, side = 40;
+constexpr int many = 4200, side = 40, breakdowns = 10;
 #else
-constexpr int many = 10500, side = 60;
+constexpr int many = 10500, side = 60, breakdowns = 100;
 #endif
 
 /// A row of four-bars, each on the rocker of the one before: three of its equations in every loop are redundant.
@@ -204,12 +209,81 @@ TEST_CASE("a small model takes one thread, whatever was asked for") {
   CHECK(Dynamics(random_chain(random, 50, "revolute"), options).options().threads == 1);
 }
 
+namespace {
+
+/// Solutions by the block solver on so many threads; what a breakdown says, or nothing.
+class Solutions {
+ public:
+  Solutions(const Model& model, int threads) : system_(model) {
+    system_.use(std::make_shared<ThreadPool>(threads));
+    at_ = evaluate_initially(system_);
+    solver_ = make_saddle_solver("kkt", linear_solver_info("block"), system_);
+    solver_->analyze(system_, at_);
+    CHECK(solver_->shares_work());
+  }
+
+  std::string solve() {
+    x_.setZero(system_.v_size());
+    lambda_.setZero(system_.row_count());
+    try {
+      solver_->factorize_and_solve(at_, {}, at_.g.head(system_.v_size()), at_.gamma, x_, lambda_);
+    } catch (const SingularSystemError& error) {
+      return error.what();
+    }
+    return {};
+  }
+
+  /// As `solve` where this joint holds nothing.
+  std::string solve_without(int joint) {
+    const auto whole = at_.D;
+    for (const int index : system_.joint_blocks(joint)) {
+      const ConstraintBlock& block = system_.blocks()[index];
+      std::fill_n(at_.D.begin() + block.offset, 6 * block.rows, 0.0);
+    }
+    const std::string found = solve();
+    at_.D = whole;
+    return found;
+  }
+
+  const System& system() const { return system_; }
+  const VectorXd& x() const { return x_; }
+
+ private:
+  System system_;
+  Evaluation at_;
+  std::unique_ptr<SaddleSolver> solver_;
+  VectorXd x_, lambda_;
+};
+
+}  // namespace
+
+TEST_CASE("a hundred breakdowns anywhere end with the error of one thread, and the next solution has its bits") {
+  const Model model = net(30);
+  Solutions one(model, 1), four(model, 4);
+  CHECK(one.solve().empty());
+  const VectorXd right = one.x();
+  Random random(37);
+  for (int round = 0; round < breakdowns; ++round) {
+    const int joint = random.integer(0, one.system().joint_count() - 1);
+    CAPTURE(joint);
+    const std::string found = four.solve_without(joint);
+    CHECK(found.find("'" + model.joint_name(joint) + "'") != std::string::npos);
+    CHECK(found == one.solve_without(joint));
+    CHECK(four.solve().empty());
+    CHECK(four.x() == right);
+  }
+}
+
 #if CAN_COUNT_ALLOCATIONS
 TEST_CASE("several threads allocate nothing in an evaluation after the first") {
-  Options options;
-  options.threads = 3;
-  for (const Model& model : {branches(), net(30)}) {
+  const Options standard, tolerant = options_of("augmented_lagrangian");
+  for (const auto& [model, given] : {std::pair(branches(), standard), std::pair(net(30), standard),
+                                     std::pair(ladder(), standard), std::pair(with_rotors(ladder()), standard),
+                                     std::pair(with_rotors(branches()), standard), std::pair(mixed(), tolerant)}) {
+    Options options = given;
+    options.threads = 3;
     Dynamics dynamics(model, options);
+    CHECK(dynamics.options().threads == 3);
     VectorXd y_dot(dynamics.y_size());
     const VectorXd y = dynamics.initial_y();
     const auto evaluate = [&] {

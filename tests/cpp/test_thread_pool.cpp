@@ -4,11 +4,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <numeric>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -113,6 +116,37 @@ TEST_CASE("of a hundred works that fail each ends with its first failure, and th
     CHECK(first_failure(pool, 64, 3 + round % 7) == std::to_string(2 + round % 7));
     CHECK(first_failure(pool, 64, 100) == "none");
   }
+  CHECK(times_done(pool, 64) == std::vector<int>(64, 1));
+}
+
+TEST_CASE("a hundred errors, some at a time, on any thread and in any part, end works, and nobody waits for ever") {
+  ThreadPool pool(4);
+  std::mt19937 random(5);
+  std::vector<char> threw(pool.threads(), 0);
+  for (int errors = 0; errors < 100;) {
+    const int count = 1 + static_cast<int>(random() % 200);
+    std::vector<char> fails(count, 0);
+    for (int k = static_cast<int>(random() % 4); k-- > 0;) fails[random() % count] = 1;
+    const auto first = std::find(fails.begin(), fails.end(), 1) - fails.begin();
+    std::atomic<int> done = 0;
+    std::string found = "none";
+    try {
+      pool.run(count, [&](int k, int worker) {
+        if (k % 7 == 0) std::this_thread::sleep_for(std::chrono::microseconds(20));  // so that others have a turn
+        if (fails[k]) {
+          threw[worker] = 1;
+          throw Failed(k);
+        }
+        ++done;
+      });
+    } catch (const Failed& error) {
+      found = error.what();
+      ++errors;
+    }
+    CHECK(found == (first < count ? std::to_string(first) : "none"));
+    if (first == count) CHECK(done == count);
+  }
+  CHECK(std::count(threw.begin(), threw.end(), 1) > 1);
   CHECK(times_done(pool, 64) == std::vector<int>(64, 1));
 }
 

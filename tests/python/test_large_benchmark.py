@@ -256,7 +256,9 @@ def test_table_shows_each_model_and_the_least_times(capsys: pytest.CaptureFixtur
         (["--steps", "1"], "steps 1"),
         (["--repeats", "0"], "repeats 0 is too small"),
         (["--limit", "0"], "limit 0 s"),
-        (["--models", "chain", "--links", "0"], "bodies 0: the smallest 'chain' has 1"),
+        (["--links", "0"], "links 0 is not a whole number of at least 1"),
+        (["--models", "rope", "--links", "-3"], "links -3 is not"),
+        (["--models", "lattice", "--links", "2"], "links 2: the smallest 'lattice' has"),
     ],
 )
 def test_mistakes_are_named(arguments: list[str], says: str, capsys: pytest.CaptureFixture[str]) -> None:

@@ -64,7 +64,10 @@ ClosedLoops::ClosedLoops(const System& system, const Evaluation& at, double tole
   const auto& first = system.model().joint_rows();
   for (std::size_t joint = 0; joint + 1 < first.size(); ++joint)
     if (!pruned_[joint])
-      for (int row = first[joint]; row < first[joint + 1]; ++row) rows_.push_back(row);
+      for (int row = first[joint]; row < first[joint + 1]; ++row) {
+        rows_.push_back(row);
+        row_joint_.push_back(static_cast<int>(joint));
+      }
   find_components();
   find_tree();
 }
@@ -96,7 +99,7 @@ void ClosedLoops::find_components() {
   };
   for (const ConstraintBlock& block : system_->blocks())
     if (!pruned_[block.joint]) component(block.body);
-  for (const int row : rows_) row_component_.push_back(component(body_of_joint[system_->model().joint_of_row(row)]));
+  for (const int joint : row_joint_) row_component_.push_back(component(body_of_joint[joint]));
 }
 
 /// Breadth first from the ground, then from the first body of every component without a joint to it: node 0 is the
@@ -163,14 +166,12 @@ SparseRows ClosedLoops::scaled_D(const Evaluation& at, VectorXd* lengths) const 
   D.reserve(std::ptrdiff_t{2} * velocity_size * row_count());
   if (lengths) lengths->setOnes(row_count());
   std::vector<std::pair<int, double>> row;
-  const std::vector<int>& first_row = system_->model().joint_rows();
-  for (int place = 0, joint = 0; place < row_count(); ++place) {
+  for (int place = 0; place < row_count(); ++place) {
     D.startVec(place);
     const int number = rows_[place];
-    while (first_row[joint + 1] <= number) ++joint;
     double squares = 0.0, largest[2] = {0.0, 0.0};  // of translations and rotations
     row.clear();
-    for (const int index : system_->joint_blocks(joint)) {
+    for (const int index : system_->joint_blocks(row_joint_[place])) {
       const ConstraintBlock& block = system_->blocks()[index];
       for (int c = 0; c < 6; ++c) {
         const double value = at.D[block.offset + 6 * (number - block.row) + c];

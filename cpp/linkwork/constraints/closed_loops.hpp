@@ -20,6 +20,7 @@ class ClosedLoops {
   const System& system() const { return *system_; }
   const std::vector<int>& rows() const { return rows_; }  ///< constraint rows, ascending
   int row_count() const { return static_cast<int>(rows_.size()); }
+  int joint_of_row(int place) const { return row_joint_[place]; }
   int component_count() const { return component_count_; }
   int component_of_row(int place) const { return row_component_[place]; }
   /// -1 for bodies outside.
@@ -42,7 +43,7 @@ class ClosedLoops {
 
   const System* system_;
   VectorXd scale_;  ///< of velocities
-  std::vector<int> rows_, row_component_, body_component_;
+  std::vector<int> rows_, row_joint_, row_component_, body_component_;
   std::vector<char> pruned_, closing_;     ///< of all joints
   std::vector<int> parent_joint_, depth_;  ///< in the tree: of the ground, then of the bodies
   int component_count_ = 0;

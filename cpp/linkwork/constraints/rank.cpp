@@ -72,20 +72,18 @@ double tolerance_of_geometry(const System& system, const ClosedLoops& loops, con
 /// pose. Where all have some at the perturbed one, as in planar mechanisms, the assembled one has nothing to add.
 void find_unique(MassWeightedLeastSquares& solver, const ClosedLoops& loops, Evaluation& assembled,
                  Evaluation& perturbed, RankReport& report) {
-  const Model& model = solver.system().model();
-  std::vector<int> joint_of;
-  for (const int row : loops.rows()) joint_of.push_back(model.joint_of_row(row));
   std::vector<char> members(loops.row_count(), 0);
   const auto note = [&] {
     for (int place = 0; place < loops.row_count(); ++place)
-      if (members[place]) report.unique[joint_of[place]] = 0;
+      if (members[place]) report.unique[loops.joint_of_row(place)] = 0;
   };
   const auto kernel = make_kernel(solver, loops, perturbed, report);
   if (kernel->regular()) kernel->mark_members(members);
   else std::fill(members.begin(), members.end(), 1);
   note();
-  const auto unique = [&](int joint) { return report.unique[joint] != 0; };
-  if (!report.singular_rows.empty() || std::none_of(joint_of.begin(), joint_of.end(), unique)) return;
+  bool left = false;
+  for (int place = 0; place < loops.row_count(); ++place) left |= report.unique[loops.joint_of_row(place)] != 0;
+  if (!report.singular_rows.empty() || !left) return;
   ConstraintKernel at_start(solver, loops, assembled, report.redundant_rows);
   if (at_start.regular()) at_start.mark_members(members);
   note();
@@ -105,10 +103,11 @@ void find_redundancy(MassWeightedLeastSquares& solver, const ClosedLoops& loops,
   report.q = found.q;
   system.evaluate_constraints(0.0, report.q, VectorXd::Zero(system.v_size()), system.initial_history(), at);
   LoopPose perturbed(loops, std::move(at), tolerance);
-  const Places redundant = redundant_rows(solver, loops, assembled, perturbed, found, tolerance);
-  for (const int place : redundant) report.redundant_rows.push_back(row(place));
+  const RedundantRows redundant = redundant_rows(solver, loops, assembled, perturbed, found, tolerance);
+  for (const int place : redundant.rows) report.redundant_rows.push_back(row(place));
 
-  const Places kept = complement(redundant, loops.row_count());
+  Places kept = complement(redundant.rows, loops.row_count());
+  std::erase_if(kept, [&](int place) { return redundant.independent[loops.component_of_row(place)] != 0; });
   for (const int k : dependent_rows(loops, select_rows(assembled.D, kept), tolerance))
     report.singular_rows.push_back(row(kept[k]));
   find_unique(solver, loops, assembled.at, perturbed.at, report);

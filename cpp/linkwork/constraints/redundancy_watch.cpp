@@ -51,7 +51,7 @@ std::vector<int> choose(MassWeightedLeastSquares& solver, const ClosedLoops& loo
   const std::vector<char> all(loops.component_count(), 1);
   const PerturbedPose found{{{}, all}, all};
   std::vector<int> rows;
-  for (const int place : redundant_rows(solver, loops, pose, pose, found, rank_tolerance))
+  for (const int place : redundant_rows(solver, loops, pose, pose, found, rank_tolerance).rows)
     rows.push_back(loops.rows()[place]);
   for (const int row : redundant)
     if (!std::binary_search(loops.rows().begin(), loops.rows().end(), row)) rows.push_back(row);

@@ -9,6 +9,7 @@
 #include "linkwork/constraints/constraint_kernel.hpp"
 #include "linkwork/linear/block/kept_orders.hpp"
 #include "linkwork/linear/column_rank.hpp"
+#include "linkwork/linear/qr/left_kernel.hpp"
 #include "linkwork/math/interruption.hpp"
 
 namespace linkwork {
@@ -17,6 +18,7 @@ namespace {
 constexpr double no_choice = 1e-8;        // of the volume that a choice could keep
 constexpr double no_obstacle = 1e-6;      // part of gamma that obstructs no motion
 constexpr int most_motions = 6;           // that are tried in a dead center
+constexpr double firm = 1e-4;             // of it, of each row: its square
 constexpr double equal = 1e-6;            // relative difference of volumes that is none
 constexpr double most_selection = 5e6;    // flops of choosing rows in one component
 constexpr std::size_t longest_loop = 60;  // joints, for dense algebra
@@ -31,9 +33,11 @@ Eigen::Index first_of_largest(const VectorXd& x) {
 /// Which `count` rows to leave out so that the rest spans as much as possible of all, at both poses: by Gram-Schmidt
 /// with pivoting on the rows of orthonormal bases of ker D^T, because the volume of the kept rows is, up to a factor,
 /// the determinant of the basis at the others. Rows that are not `preferred` are chosen where there is no other way.
-/// The bases are used up.
-Places choose_rows(int count, const VectorXd& preferred, std::vector<MatrixXd>& bases) {
+/// The bases are used up. `weakest`, where given, becomes the least square, of all rows and bases, of what is left of a
+/// row as it is chosen: the rest spans all at both poses where this is no roundoff.
+Places choose_rows(int count, const VectorXd& preferred, std::vector<MatrixXd>& bases, double* weakest = nullptr) {
   Places chosen;
+  double least = 1.0;
   for (int k = 0; k < count; ++k) {
     VectorXd score = VectorXd::Ones(bases.front().rows());
     for (const MatrixXd& N : bases) score.array() *= N.rowwise().squaredNorm().array();
@@ -41,11 +45,13 @@ Places choose_rows(int count, const VectorXd& preferred, std::vector<MatrixXd>& 
     const Eigen::Index best = first_of_largest(among.maxCoeff() < no_choice * score.maxCoeff() ? score : among);
     chosen.push_back(static_cast<int>(best));
     for (MatrixXd& N : bases) {
+      least = std::min(least, N.row(best).squaredNorm());
       const VectorXd u = N.row(best).transpose().normalized();
       N -= (N * u) * u.transpose();
       N.row(best).setZero();
     }
   }
+  if (weakest) *weakest = least;
   return chosen;
 }
 
@@ -53,6 +59,11 @@ Places choose_rows(int count, const VectorXd& preferred, std::vector<MatrixXd>& 
 struct ComponentPose {
   Places dependent;  ///< places in its rows
   MatrixXd kernel;   ///< orthonormal basis; empty where it would be too large
+};
+
+/// Rows of a component that depend on the others, at each pose.
+struct DependentCounts {
+  std::size_t assembled, perturbed;
 };
 
 /// Finds the redundant rows of the loops, component by component.
@@ -65,31 +76,41 @@ class Selection {
         assembled_(assembled),
         perturbed_(perturbed),
         found_(found),
-        tolerance_(tolerance) {
+        tolerance_(tolerance),
+        prefer_closing_(prefer_closing) {
     rows_.resize(loops.component_count());
+    independent_.assign(loops.component_count(), 0);
     for (int place = 0; place < loops.row_count(); ++place) rows_[loops.component_of_row(place)].push_back(place);
-    list_joints();
+    list_first_rows();
     preferred_.resize(loops.row_count());
     for (int place = 0; place < loops.row_count(); ++place)
-      preferred_[place] = !prefer_closing || loops.closing(joint_of(place));
+      preferred_[place] = !prefer_closing_ || loops.closing(joint_of(place));
   }
 
-  Places run() {
+  RedundantRows run() {
     const std::vector<ComponentPose> assembled = components_at(assembled_), perturbed = components_at(perturbed_);
     Places redundant;
     for (std::size_t c = 0; c < rows_.size(); ++c) {
-      if (assembled[c].dependent.empty()) continue;
+      if (assembled[c].dependent.empty()) {
+        independent_[c] = 1;
+        continue;
+      }
       if (found_.mobile[c] && !found_.reached[c]) {
         append_permanent(c, assembled[c].kernel, redundant);
         continue;
       }
       const bool both = found_.reached[c] && perturbed[c].dependent.size() <= assembled[c].dependent.size();
       const ComponentPose& generic = both ? perturbed[c] : assembled[c];
-      for (const int local : redundant_rows(c, generic, both ? &assembled[c] : nullptr))
-        redundant.push_back(rows_[c][local]);
+      if (generic.dependent.empty()) continue;
+      look_for_interruption();
+      const Places chosen =
+          generic.kernel.cols() > 0
+              ? redundant_rows(c, generic, both ? &assembled[c] : nullptr)
+              : redundant_rows_by_loops(c, both, {assembled[c].dependent.size(), perturbed[c].dependent.size()});
+      for (const int local : chosen) redundant.push_back(rows_[c][local]);
     }
     std::sort(redundant.begin(), redundant.end());
-    return redundant;
+    return {std::move(redundant), std::move(independent_)};
   }
 
  private:
@@ -182,92 +203,72 @@ class Selection {
   /// Rows of joints that close loops are preferred: without them the tree holds in every pose, so that the kept rows
   /// degenerate only where the loops do.
   Places redundant_rows(std::size_t c, const ComponentPose& generic, const ComponentPose* other) {
-    if (generic.dependent.empty()) return {};
-    look_for_interruption();
     std::vector<MatrixXd> bases;
     for (const ComponentPose* pose : {&generic, other})
       if (pose && pose->kernel.cols() > 0) bases.push_back(pose->kernel);
-    if (generic.kernel.cols() == 0) return redundant_rows_by_loops(c, other != nullptr);
     return choose_rows(static_cast<int>(generic.dependent.size()), preferred_of(c), bases);
   }
 
   /// Where the kernel is too large to be written out: what each closing joint repeats of the tree's part of its loop,
-  /// and then whatever is still dependent.
-  Places redundant_rows_by_loops(std::size_t c, bool both) {
+  /// and then whatever is still dependent. Where the rows of the tree stay, what is left out depends on what stays: the
+  /// rest is independent where it is as many rows as are dependent in all, and at both poses where each row was chosen
+  /// firmly.
+  Places redundant_rows_by_loops(std::size_t c, bool both, DependentCounts dependent) {
     Places redundant;
+    bool firmly = both && prefer_closing_;
     for (std::size_t first = 0; first < rows_[c].size();) {
       const Places joint = rows_of(joint_of(rows_[c][first]));
       if (preferred_[joint.front()] > 0.0) {
-        const Places found = repeated_in_loop(joint_of(joint.front()), joint, both);
+        const Places found = repeated_in_loop(joint_of(joint.front()), joint, both, firmly);
         redundant.insert(redundant.end(), found.begin(), found.end());
       }
       first += joint.size();
     }
+    const std::size_t count = redundant.size();
+    if (!prefer_closing_ || count != dependent.perturbed) append_dependent(c, redundant);
+    else independent_[c] = firmly && count == dependent.assembled;
+    for (int& place : redundant)
+      place = static_cast<int>(std::lower_bound(rows_[c].begin(), rows_[c].end(), place) - rows_[c].begin());
+    return redundant;
+  }
+
+  /// Those that depend on each other beside `redundant` ones, which are ascending and remain so.
+  void append_dependent(std::size_t c, Places& redundant) {
     Places kept;
     for (const int place : rows_[c])
       if (!std::binary_search(redundant.begin(), redundant.end(), place)) kept.push_back(place);
     for (const int k : dependent_rows(loops_, select_rows(perturbed_.D, kept), tolerance_))
       redundant.push_back(kept[k]);
     std::sort(redundant.begin(), redundant.end());
-    for (int& place : redundant)
-      place = static_cast<int>(std::lower_bound(rows_[c].begin(), rows_[c].end(), place) - rows_[c].begin());
-    return redundant;
   }
 
-  /// Rows of a closing joint; ascending.
-  Places repeated_in_loop(int joint, const Places& own, bool both) {
+  /// Rows of a closing joint; ascending. `firmly` becomes false where they hardly depend on the others at one of the
+  /// poses.
+  Places repeated_in_loop(int joint, const Places& own, bool both, bool& firmly) {
     look_for_interruption();
     Places rows = own;
     for (const int other : loops_.loop_of(joint, longest_loop))
       if (other != joint)
         for (const int place : rows_of(other)) rows.push_back(place);
     if (rows.size() == own.size()) return {};
-    std::vector<MatrixXd> bases = {left_kernel(perturbed_.D, rows)};
-    if (both) bases.push_back(left_kernel(assembled_.D, rows));
+    std::vector<MatrixXd> bases = {left_kernel_.of(perturbed_.D, rows, tolerance_)};
+    if (both) bases.push_back(left_kernel_.of(assembled_.D, rows, tolerance_));
     Eigen::Index count = rows.size();
     for (const MatrixXd& N : bases) count = std::min(count, N.cols());
     VectorXd preferred = VectorXd::Zero(static_cast<Eigen::Index>(rows.size()));
     preferred.head(static_cast<Eigen::Index>(own.size())).setOnes();
     Places out;
-    for (const int k : choose_rows(static_cast<int>(count), preferred, bases))
+    double weakest = 0.0;
+    for (const int k : choose_rows(static_cast<int>(count), preferred, bases, &weakest))
       if (k < std::ssize(own)) out.push_back(own[k]);
+    firmly &= weakest > firm;
     std::sort(out.begin(), out.end());
     return out;
   }
 
-  /// Orthonormal basis of ker A^T, A some rows of D.
-  MatrixXd left_kernel(const SparseRows& D, const Places& rows) {
-    columns_.clear();
-    for (const int row : rows)
-      for (SparseRows::InnerIterator it(D, row); it; ++it) columns_.push_back(static_cast<int>(it.col()));
-    std::sort(columns_.begin(), columns_.end());
-    columns_.erase(std::unique(columns_.begin(), columns_.end()), columns_.end());
-    const auto count = static_cast<Eigen::Index>(rows.size());
-    A_.setZero(count, static_cast<Eigen::Index>(columns_.size()));
-    for (Eigen::Index k = 0; k < count; ++k) {
-      auto column = columns_.begin();
-      for (SparseRows::InnerIterator it(D, rows[k]); it; ++it) {
-        column = std::lower_bound(column, columns_.end(), static_cast<int>(it.col()));
-        A_(k, column - columns_.begin()) = it.value();
-      }
-    }
-    qr_.compute(A_);
-    qr_.setThreshold(tolerance_);
-    MatrixXd N = MatrixXd::Zero(count, count - qr_.rank());
-    N.bottomRows(N.cols()).setIdentity();
-    N.applyOnTheLeft(qr_.householderQ());
-    return N;
-  }
-
-  void list_joints() {
-    const auto& first = solver_.system().model().joint_rows();
-    first_of_.resize(first.size());
-    for (int place = 0, joint = 0; place < loops_.row_count(); ++place) {
-      const int row = loops_.rows()[place];
-      while (first[joint + 1] <= row) ++joint;
-      joint_of_.push_back(joint);
-      if (first[joint] == row) first_of_[joint] = place;
-    }
+  void list_first_rows() {
+    first_of_.resize(solver_.system().joint_count());
+    for (int place = loops_.row_count(); place-- > 0;) first_of_[joint_of(place)] = place;
   }
 
   std::vector<int> rows_at(Places places) const {
@@ -275,7 +276,7 @@ class Selection {
     return places;
   }
 
-  int joint_of(int place) const { return joint_of_[place]; }
+  int joint_of(int place) const { return loops_.joint_of_row(place); }
 
   /// Places of a joint's rows.
   Places rows_of(int joint) const {
@@ -289,14 +290,13 @@ class Selection {
   const ClosedLoops& loops_;
   LoopPose &assembled_, &perturbed_;
   const PerturbedPose& found_;
-  double tolerance_;
+  const double tolerance_;
+  const bool prefer_closing_;
   std::vector<Places> rows_;   ///< per component
-  std::vector<int> joint_of_;  ///< per row of the loops
   std::vector<int> first_of_;  ///< of each joint in them: its first row
-  VectorXd preferred_;         ///< per row of the loops: 1 for joints that close loops, else 0
-  std::vector<int> columns_;   ///< of the loop at hand, as what follows: memory for many
-  MatrixXd A_;
-  Eigen::ColPivHouseholderQR<MatrixXd> qr_;
+  std::vector<char> independent_;
+  VectorXd preferred_;  ///< per row of the loops: 1 for joints that close loops, else 0
+  qr::LeftKernel left_kernel_;
 };
 
 /// Numbers for rows next to each other that have the same bodies.
@@ -338,8 +338,8 @@ LoopPose::LoopPose(const System& system, const ClosedLoops& loops, const TimedPo
 LoopPose::LoopPose(const ClosedLoops& loops, Evaluation given, double tolerance)
     : at(std::move(given)), D(loops.scaled_D(at)), dependent(dependent_rows(loops, D, tolerance)) {}
 
-Places redundant_rows(MassWeightedLeastSquares& solver, const ClosedLoops& loops, LoopPose& assembled,
-                      LoopPose& perturbed, const PerturbedPose& found, double tolerance, bool prefer_closing) {
+RedundantRows redundant_rows(MassWeightedLeastSquares& solver, const ClosedLoops& loops, LoopPose& assembled,
+                             LoopPose& perturbed, const PerturbedPose& found, double tolerance, bool prefer_closing) {
   return Selection(solver, loops, assembled, perturbed, found, tolerance, prefer_closing).run();
 }
 

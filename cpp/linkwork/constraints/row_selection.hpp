@@ -24,10 +24,18 @@ struct LoopPose {
   Places dependent;
 };
 
-/// The rows to leave out because they are dependent at the assembled and at the perturbed pose, ascending. There is a
-/// choice: rows of joints that close loops come first, and among these the ones that leave the others best conditioned
-/// at both poses. Without `prefer_closing` the best conditioned are chosen whatever their joints.
-Places redundant_rows(MassWeightedLeastSquares& solver, const ClosedLoops& loops, LoopPose& assembled,
-                      LoopPose& perturbed, const PerturbedPose& found, double tolerance, bool prefer_closing = true);
+/// The rows to leave out because they are dependent at both poses.
+struct RedundantRows {
+  Places rows;  ///< ascending
+  std::vector<char>
+      independent;  ///< per component: whether the others are known to be independent at the assembled pose
+};
+
+/// Of rows that are dependent at the assembled and at the perturbed pose. There is a choice: rows of joints that close
+/// loops come first, and among these the ones that leave the others best conditioned at both poses. Without
+/// `prefer_closing` the best conditioned are chosen whatever their joints.
+RedundantRows redundant_rows(MassWeightedLeastSquares& solver, const ClosedLoops& loops, LoopPose& assembled,
+                             LoopPose& perturbed, const PerturbedPose& found, double tolerance,
+                             bool prefer_closing = true);
 
 }  // namespace linkwork

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <string_view>
-#include <unordered_set>
 
 #include "linkwork/math/error.hpp"
 
@@ -23,50 +21,51 @@ int number_in(const std::string& name, const std::string& prefix) {
 
 }  // namespace
 
-void NameTable::check_free(const std::string& name) const {
-  if (name.empty()) throw ModelError("empty_name", std::string(what_) + ": the name is empty; give it one");
-  if (index_.empty()) return;
-  if (index_.count(name) || (name.back() == ']' && find(name) >= 0)) throw_taken(name);
-}
-
 void NameTable::throw_taken(const std::string& name) const {
   throw ModelError("duplicate_name", std::string(what_) + " '" + name + "' exists already; choose another name");
 }
 
-void NameTable::add(const std::string& name) {
-  check_free(name);
-  add_free(name);
+void NameTable::take(const std::string& name) {
+  if (name.empty()) throw ModelError("empty_name", std::string(what_) + ": the name is empty; give it one");
+  if (name.back() == ']' && find(name) >= 0) throw_taken(name);
+  if (!index_.try_emplace(name, static_cast<int>(groups_.size())).second) throw_taken(name);
 }
 
-void NameTable::add_free(const std::string& name) {
-  index_.emplace(name, static_cast<int>(groups_.size()));
+void NameTable::add(const std::string& name) {
+  take(name);
   groups_.push_back({.prefix = name, .first = size_, .count = 1, .single = true});
   if (name.back() == ']') bracketed_.push_back(name);
   size_ += 1;
 }
 
 void NameTable::add_group(const std::string& prefix, int count) {
-  check_free(prefix);
   for (const std::string& name : bracketed_)
     if (const int k = number_in(name, prefix); k >= 0 && k < count) throw_taken(name);
-  index_.emplace(prefix, static_cast<int>(groups_.size()));
+  take(prefix);
   groups_.push_back({.prefix = prefix, .first = size_, .count = count, .single = false});
   size_ += count;
 }
 
 void NameTable::add(const Names& names, int count) {
   if (names.group()) return add_group(names.prefix(), count);
-  std::unordered_set<std::string_view> seen;
-  if (count > 1) seen.reserve(names.each().size());
   if (count > size_) {
     groups_.reserve(groups_.size() + names.each().size());
     index_.reserve(index_.size() + names.each().size());
   }
-  for (const std::string& name : names.each()) {
-    check_free(name);
-    if (!seen.insert(name).second) throw_taken(name);
+  const std::size_t groups = groups_.size(), bracketed = bracketed_.size();
+  try {
+    for (const std::string& name : names.each()) add(name);
+  } catch (const ModelError&) {
+    forget_from(groups, bracketed);
+    throw;
   }
-  for (const std::string& name : names.each()) add_free(name);
+}
+
+void NameTable::forget_from(std::size_t group, std::size_t bracketed) {
+  if (group < groups_.size()) size_ = groups_[group].first;
+  for (std::size_t k = group; k < groups_.size(); ++k) index_.erase(groups_[k].prefix);
+  groups_.erase(groups_.begin() + static_cast<std::ptrdiff_t>(group), groups_.end());
+  bracketed_.resize(bracketed);
 }
 
 std::string NameTable::name(int index) const {

@@ -50,8 +50,8 @@ class NameTable {
     int first, count;
     bool single;  ///< one name, not a prefix
   };
-  void check_free(const std::string& name) const;
-  void add_free(const std::string& name);
+  void take(const std::string& name);
+  void forget_from(std::size_t group, std::size_t bracketed);
   [[noreturn]] void throw_taken(const std::string& name) const;
 
   const char* what_;

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from linkwork.arguments import whole
 from linkwork.benchmark.subject import Subject
 from linkwork.errors import OptionError, nearest
 
@@ -33,7 +34,7 @@ class LargeModel:
         """In one of the SIZES, or the largest with no more bodies than that. OptionError: none so small."""
         always = dict(self.always or {})
         if links is not None and Subject.of(self.mechanism).record.size is not None:
-            return [Subject.of(self.mechanism, links, always)]
+            return [Subject.of(self.mechanism, links, always, "links")]
         chosen = [self.small] if size == "small" else self.full
         return [Subject.of(self.mechanism, None, {**it, **always}) for it in chosen]
 
@@ -63,7 +64,11 @@ LARGE_MODELS: dict[str, LargeModel] = {
 def large_subjects(
     names: Sequence[str] = (), size: str = "small", links: int | None = None
 ) -> list[tuple[LargeModel, Subject]]:
-    """All models, or those of these names. OptionError: a name or size that does not exist."""
+    """All models, or those of these names. OptionError: a name or size that does not exist; a model of `links`
+    that has none so small.
+    """
+    if links is not None:
+        whole(links, 1, "links")
     if size not in SIZES:
         raise OptionError(f"size '{size}' is not available{nearest(size, SIZES)}", code="unknown_option")
     for name in names:

@@ -22,9 +22,14 @@ class Subject:
 
     @classmethod
     def of(
-        cls, mechanism: str, bodies: int | None = None, parameters: Mapping[str, Any] | None = None
+        cls,
+        mechanism: str,
+        bodies: int | None = None,
+        parameters: Mapping[str, Any] | None = None,
+        option: str = "bodies",
     ) -> Subject:
-        """A registered mechanism with its parameters, or the largest with no more than so many bodies.
+        """A registered mechanism with its parameters, or the largest with no more than so many bodies, which
+        were given by an option of that name.
 
         OptionError: no such mechanism or parameter; none so small; `bodies` where there is one size only.
         """
@@ -39,11 +44,11 @@ class Subject:
         if bodies is not None:
             if record.size is None:
                 raise OptionError(
-                    f"bodies {bodies}: mechanism '{mechanism}' has one size only", code="one_size"
+                    f"{option} {bodies}: mechanism '{mechanism}' has one size only", code="one_size"
                 )
             value = record.size.value_for(bodies)
             if (smallest := record.size.bodies(value)) > bodies:
-                message = f"bodies {bodies}: the smallest '{mechanism}' has {smallest}"
+                message = f"{option} {bodies}: the smallest '{mechanism}' has {smallest}"
                 raise OptionError(message, code="bodies")
             chosen = {record.size.parameter: value} | chosen
         return cls(mechanism, chosen)
