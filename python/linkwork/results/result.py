@@ -22,7 +22,16 @@ from linkwork.modeling.coordinates import JointCoordinate, coordinate_of, coordi
 from linkwork.modeling.handles import Body, Joint, Named
 from linkwork.motion.former_names import renamed_manifest, renamed_statistics
 from linkwork.motion.header import Header, record_reactions
-from linkwork.motion.records import BodyResult, Excess, ForceResult, Reaction, SingularPose, Snapshot, rotate
+from linkwork.motion.records import (
+    BodyResult,
+    Checkpoint,
+    Excess,
+    ForceResult,
+    Reaction,
+    SingularPose,
+    Snapshot,
+    rotate,
+)
 
 if TYPE_CHECKING:
     import pandas
@@ -30,7 +39,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from linkwork.modeling.model import Model
-    from linkwork.motion.records import Checkpoint, Occurrence
+    from linkwork.motion.records import Occurrence
+    from linkwork.results.checkpoints import StoredCheckpoint
     from linkwork.view import Page
 
 Frame = Literal["inertial", "joint"]
@@ -52,7 +62,7 @@ class Result:
 
     def __init__(self, frames: Mapping[str, Any], header: Header, statistics: Mapping[str, Any], *,
                  run: str | None = None, events: Sequence[Occurrence] = (),
-                 checkpoint: Checkpoint | None = None) -> None:  # fmt: skip
+                 checkpoint: Checkpoint | StoredCheckpoint | None = None) -> None:  # fmt: skip
         """`frames`: the arrays of `Simulation.advance` joined over time, or the fields of a result file."""
         shapes = header.frame_shapes()
         count = len(frames["t"])
@@ -264,7 +274,14 @@ class Result:
         state = self._field("q", frame), self._field("v", frame)
         found = Snapshot(float(self.t[frame]), *state, self.history[frame], self._error_at(frame))
         last = int(frame) % count == count - 1
-        return found.resumable(self._checkpoint, float(self._field("work", frame))) if last else found
+        if not last:
+            return found
+        return found.resumable(self._settled(), float(self._field("work", frame)))
+
+    def _settled(self) -> Checkpoint | None:
+        """What a run begins with that goes on from the last frame to the last bit."""
+        found = self._checkpoint
+        return found if found is None or isinstance(found, Checkpoint) else found()
 
     def _error_at(self, frame: int) -> float:
         """The part of the accumulated error that a run has made up to a frame."""
@@ -513,7 +530,7 @@ class Result:
         target = check_new(path, "result", overwrite)
         self._need_reactions()
         writing.save(
-            target, self._header, self._frames, self.statistics, self._run, self._events, self._checkpoint
+            target, self._header, self._frames, self.statistics, self._run, self._events, self._settled()
         )
         if self._finer is not None:
             writing.add_finer(target, self._finer, self.statistics)
@@ -526,14 +543,14 @@ class Result:
 
         FileError: there is no such file, it is damaged from the beginning, or of another kind.
         """
-        return cls._read(path, trusted=False)
+        return cls._read(path)
 
     @classmethod
-    def _read(cls, path: str | os.PathLike[str], *, trusted: bool) -> Result:
-        """`trusted`: written a moment ago, so that its digests need not be compared."""
+    def _read(cls, path: str | os.PathLike[str], *, written: Header | None = None) -> Result:
+        """`written`: a moment ago, with this header."""
         from linkwork.results import reading
 
-        stored = reading.read(path_of(path, "result"), trusted=trusted)
+        stored = reading.read(path_of(path, "result"), written=written)
         result = cls(stored.fields, stored.header, stored.statistics, run=stored.run, events=stored.events,
                      checkpoint=stored.checkpoint)  # fmt: skip
         if stored.finer is not None:
