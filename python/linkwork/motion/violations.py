@@ -78,10 +78,12 @@ def separations(
 
     bodies (m, 2), origin (m, 2, 3) in the bodies [m]
     """
-    q = _with_ground(result.recorded("q", np.s_[::every]))
-    first, second = (rotation.matrix(q[:, bodies[:, side], 3:]) for side in (0, 1))
+    involved, places = np.unique(bodies, return_inverse=True)
+    places = places.reshape(bodies.shape) - np.count_nonzero(involved < 0)  # of the ground -1, as before
+    q = _with_ground(result.recorded_of("q", involved[involved >= 0], every))
+    first, second = (rotation.matrix(q[:, places[:, side], 3:]) for side in (0, 1))
     points = [
-        q[:, bodies[:, side], :3] + np.einsum("kmab,mb->kma", turn, origin[:, side])
+        q[:, places[:, side], :3] + np.einsum("kmab,mb->kma", turn, origin[:, side])
         for side, turn in enumerate((first, second))
     ]
     return points[1] - points[0], (first, second)

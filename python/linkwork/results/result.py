@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import uuid
 from collections.abc import Mapping, Sequence
@@ -9,7 +10,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from linkwork import rotation
 from linkwork.accuracy.verdict import Verdict
@@ -42,6 +43,7 @@ if TYPE_CHECKING:
     from linkwork.motion.records import Occurrence
     from linkwork.results.checkpoints import StoredCheckpoint
     from linkwork.view import Page
+    from linkwork.view.serving import Server
 
 Frame = Literal["inertial", "joint"]
 
@@ -50,6 +52,9 @@ MISSED_TURN = np.pi / 2
 
 #: Of poses that are read at a time.
 READ_NUMBERS = 4_000_000
+
+#: So many bodies or joints are read by themselves, without the others.
+FEW_PLACES = 128
 
 
 class Result:
@@ -406,6 +411,32 @@ class Result:
             self._need_reactions()
         return self._field(name, part)
 
+    def recorded_of(self, name: str, places: ArrayLike, every: int = 1) -> Floats:
+        """Of some bodies or joints, by index, (k, places, ...) of a recorded field such as "q".
+
+            ends = result.recorded_of("q", [0, -1])
+
+        every  of every so manyth frame
+
+        Of few places nothing else is read; of many some frames at a time. OptionError: there is no such field,
+        or `every` is not a positive whole number.
+        """
+        _check_every(every)
+        known = {field: shape for field, shape in self._header.frame_shapes().items() if shape}
+        shape = known[one_of(name, known, "field", "unknown_name")]
+        chosen = np.arange(shape[0])[np.asarray(places, dtype=int)]
+        unique, back = np.unique(chosen, return_inverse=True)
+        if not len(unique):
+            return np.zeros((len(self.t[::every]), 0, *shape[1:]))
+        if len(unique) <= FEW_PLACES:
+            return self.recorded(name, (slice(None, None, every), unique))[:, back]
+        each = every * max(1, READ_NUMBERS // math.prod(shape))
+        pieces = [
+            self.recorded(name, np.s_[first : first + each : every])[:, chosen]
+            for first in range(0, len(self), each)
+        ]
+        return np.concatenate(pieces)
+
     def sampled_positions(self, every: int) -> Floats:
         """Centers of mass (., n, 3) of every so manyth frame [m].
 
@@ -694,6 +725,22 @@ class Result:
         if path is not None:
             page.save(path)
         return page
+
+    def serve(self, other: Result | None = None, *, labels: Sequence[str] = (), port: int = 0) -> Server:
+        """The page of `view` by a server for this machine alone, with all frames, however many there are: the
+        page asks for the poses near the time that it shows. A context manager; `close()` ends it.
+
+            with result.serve() as server:
+                print(server.url)
+
+        other, labels  as of `view`
+        port           0: a free one, see `url`
+
+        OptionError: there are no frames, or the port is taken.
+        """
+        from linkwork.view.serving import Server
+
+        return Server([self] if other is None else [self, other], labels, port)
 
     def report(self, path: str | os.PathLike[str] | None = None) -> Page:
         """A page on the run: model, method, diagnostics, plots, viewer; written to `path` when given.
