@@ -1,4 +1,4 @@
-"""Ctrl-C in runs of very large mechanisms: honored in the midst of a frame, and nothing that counts is lost."""
+"""Ctrl-C in runs of very large mechanisms: honored amid a frame, and nothing that counts is lost."""
 
 from __future__ import annotations
 

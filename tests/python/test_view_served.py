@@ -212,9 +212,7 @@ def test_what_was_asked_for_is_given_up_when_the_time_goes_elsewhere(
 
 
 @browser
-def test_a_served_motion_plays_to_its_end(
-    tab: chromium.Page, swing: lw.Result, frame_by_frame: None
-) -> None:
+def test_a_served_motion_plays_to_its_end(tab: chromium.Page, swing: lw.Result, frame_by_frame: None) -> None:
     with swing.serve() as server:
         opened(tab, server)
         tab.evaluate("(() => { linkwork.player.speed = 20; linkwork.player.play() })()")
@@ -238,9 +236,7 @@ def test_between_frames_a_body_turns_the_short_way(tab: chromium.Page, swing: lw
 
 
 @browser
-def test_a_server_that_has_ended_is_told(
-    tab: chromium.Page, swing: lw.Result, frame_by_frame: None
-) -> None:
+def test_a_server_that_has_ended_is_told(tab: chromium.Page, swing: lw.Result, frame_by_frame: None) -> None:
     with swing.serve() as server:
         opened(tab, server)
     seek_last = "linkwork.player.seek(linkwork.player.end)"
@@ -304,3 +300,17 @@ def test_options_of_the_command_that_contradict_each_other(
 ) -> None:
     assert run(["view", *options], debug=False) == 2
     assert said in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("limit", "said"), [("16", ""), ("0.01", "the page has 51 of 101 frames; --serve shows all")]
+)
+def test_the_command_says_that_a_page_leaves_frames_out(
+    limit: str, said: str, swing: lw.Result, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    swing.save(tmp_path / "run.h5")
+    command = ["view", str(tmp_path / "run.h5"), "--html", str(tmp_path / "page.html"), "--limit", limit]
+    assert run(command, debug=False) == 0
+    assert capsys.readouterr().err == (f"note: {said}\n" if said else "")
+    shown = 51 if said else 101
+    assert f'"frames":{{"recorded":101,"shown":{shown},' in (tmp_path / "page.html").read_text()

@@ -33,9 +33,7 @@ if TYPE_CHECKING:
     "--limit", type=click.FloatRange(min=0, min_open=True), default=16.0, show_default=True, metavar="MB",
     help="Most recorded data in the page; frames beyond are left out evenly.",
 )  # fmt: skip
-@click.option(
-    "--serve", is_flag=True, help="Show all frames, by a server on this machine that ctrl-C ends."
-)
+@click.option("--serve", is_flag=True, help="Show all frames, by a server on this machine that ctrl-C ends.")
 @click.option(
     "--port", type=click.IntRange(0, 65535), metavar="PORT", help="Of the server.  [default: a free one]"
 )
@@ -77,8 +75,19 @@ def view(
             _serve(first, second, [file, other or ""], port or 0, opens)
             return
         shown = first.view(page, second, labels=[file, other or ""], limit=limit * 1e6)
+        _say_left_out(first, limit * 1e6 / (1 if second is None else 2))
     where = page if page is not None else str(shown.open())
     out.print_pairs([("page", f"{where} ({len(shown.html.encode()) / 1e6:.2f} MB)")])
+
+
+def _say_left_out(result: Result, limit: float) -> None:
+    """Of frames, of which a page of `limit` [bytes] may not have all."""
+    from linkwork.cli import output as out
+    from linkwork.view.run import every_frame
+
+    if (every := every_frame(result, limit)) > 1:
+        shown = -(-(len(result) - 1) // every) + 1
+        out.note(f"the page has {shown} of {len(result)} frames; --serve shows all")
 
 
 def _pose(name: str, page: str | None) -> Page:

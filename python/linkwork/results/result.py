@@ -418,8 +418,8 @@ class Result:
 
         every  of every so manyth frame
 
-        Of few places nothing else is read; of many some frames at a time. OptionError: there is no such field,
-        or `every` is not a positive whole number.
+        Of few places nothing else is read; of many some frames at a time. OptionError: no such field, or
+        `every` is not a positive whole number.
         """
         _check_every(every)
         known = {field: shape for field, shape in self._header.frame_shapes().items() if shape}
@@ -727,8 +727,8 @@ class Result:
         return page
 
     def serve(self, other: Result | None = None, *, labels: Sequence[str] = (), port: int = 0) -> Server:
-        """The page of `view` by a server for this machine alone, with all frames, however many there are: the
-        page asks for the poses near the time that it shows. A context manager; `close()` ends it.
+        """The page of `view` by a server for this machine alone, with all frames, however many there are: it
+        asks for the poses near the time that it shows. A context manager; `close()` ends it.
 
             with result.serve() as server:
                 print(server.url)

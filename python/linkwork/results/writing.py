@@ -122,9 +122,9 @@ class ResultWriter:
     ) -> None:
         """
         checkpoint  for the last frame that was written
-        pause       called between the pieces of the head, of large frames, and of what is written after them.
-                    What it raises goes through: the frame in which that was is not kept, and `close` in a hurry
-                    is to follow
+        pause       called between the pieces of the head, of large frames, and of what is written after
+                    them. What it raises goes through: the frame in which that was is not kept, and `close`
+                    in a hurry is to follow
         """
         self.path = path_of(path, "result")
         self._header = header

@@ -95,9 +95,7 @@ def view(results: Sequence[Result], labels: Sequence[str] = (), limit: float = L
 def streamed_page(results: Sequence[Result], labels: Sequence[str] = ()) -> tuple[Page, list[int]]:
     """The same for a server, which gives out so many pieces of poses of each run. See `stream_piece`."""
     each = LIMIT / len(results)
-    documents = [
-        document(result, label, each, streamed=True) for result, label in _labelled(results, labels)
-    ]
+    documents = [document(result, label, each, streamed=True) for result, label in _labelled(results, labels)]
     return _page(documents), [it.facts["pieces"]["count"] for it in documents]
 
 

@@ -1,4 +1,4 @@
-"""The poses of a run on their way into a page: as one array, in pieces of some frames, or one by one by a server.
+"""The poses of a run on their way into a page: as one array, in pieces of some frames, or by a server.
 
 Of many bodies a page would have to hold all frames as numbers at once, tens of times what they take deflated.
 So they come in pieces of their own, which the page inflates when the time comes to them, and forgets again.
@@ -74,7 +74,7 @@ def pieces_of_stream(result: Result) -> int:
 
 
 def stream_piece(result: Result, number: int) -> bytes:
-    """The poses of some frames, 7 numbers a body, float32, frame by frame. FileError: the file has changed."""
+    """The poses of some frames, 7 numbers a body, float32, frame by frame. FileError: the file changed."""
     each = frames_of_stream(result.header.body_count)
     return result.recorded("q", slice(each * number, each * (number + 1))).astype("<f4").tobytes()
 

@@ -46,8 +46,8 @@ COORDINATES, FEW_COORDINATES = 100, 20
 #: Share of the limit that poses may take; the rest is for what can be plotted, of so many bodies at least.
 POSES, FOLLOWED = 0.6, 6
 
-#: Where a server gives the poses out: bodies and joints that can be plotted of a result that is larger than that,
-#: which is not read as a whole [bytes].
+#: Where a server gives the poses out: bodies and joints that can be plotted of a result that is larger than
+#: that, which is not read as a whole [bytes].
 FEW_FOLLOWED, WHOLE_READ = 100, 1e9
 
 
@@ -81,8 +81,7 @@ class Choice:
                 f"limit {limit:.3g} bytes is too small for two frames of {n} bodies: give {56 * n} or more",
                 code="limit",
             )
-        most = min(MOST_FRAMES, max(2, int(POSES * limit / max(14 * n, 1))))
-        every = max(1, -(-(count - 1) // (most - 1)))
+        every = every_frame(result, limit)
         frames = -(-count // every) + 1
         left = limit - 14 * n * frames
         pieces = in_pieces(frames, n)
@@ -91,6 +90,13 @@ class Choice:
         bodies = max(int(share * n), least)
         loaded = _most(_load(result), int(share * joints))
         return cls(every, _most(_travel(result), bodies), loaded, FEW_COORDINATES if pieces else COORDINATES)
+
+
+def every_frame(result: Result, limit: float) -> int:
+    """A page of `limit` [bytes] has every so manyth frame."""
+    poses = POSES * limit / max(14 * result.header.body_count, 1)
+    most = min(MOST_FRAMES, max(2, int(poses)))
+    return max(1, -(-(len(result) - 1) // (most - 1)))
 
 
 class Document(NamedTuple):

@@ -1,4 +1,4 @@
-"""The page by a server on this machine: it asks for the poses near the time it shows, of all frames there are.
+"""The page by a server on this machine: it asks for the poses near the time it shows, of all frames.
 
 What can be plotted and drawn is in the page; poses are read from the result as they are asked for, so that
 neither the server nor the page ever holds all of them.
@@ -54,16 +54,15 @@ class Server:
         page, self._pieces = streamed_page(results, labels)
         self._results, self._page = list(results), page.html.encode()
         try:
-            self._server = http.server.ThreadingHTTPServer(("127.0.0.1", port), _handler(self))
+            self._listener = _Listener(port, self)
         except (OSError, OverflowError, TypeError) as error:
             raise OptionError(f"port {port!r:.40}: {error}; 0 takes a free one", code="port") from error
-        own = self._server.server_address[1]
-        self._hosts = {f"127.0.0.1:{own}", f"localhost:{own}"}
+        own = self._listener.server_address[1]
+        self.hosts = {f"127.0.0.1:{own}", f"localhost:{own}"}
         self._token = secrets.token_urlsafe(16)
         self.url = f"http://127.0.0.1:{own}/{self._token}/"
-        self._connections: set[socket.socket] = set()
         self._thread = threading.Thread(
-            target=self._server.serve_forever, args=(LOOK,), name="view", daemon=True
+            target=self._listener.serve_forever, args=(LOOK,), name="view", daemon=True
         )
         self._thread.start()
 
@@ -74,11 +73,7 @@ class Server:
 
     def close(self) -> None:
         """End it, and the connections of pages that are open, which keep what they have."""
-        self._server.shutdown()
-        self._server.server_close()
-        for connection in list(self._connections):
-            with suppress(OSError):
-                connection.shutdown(socket.SHUT_RDWR)
+        self._listener.end()
 
     def __enter__(self) -> Server:
         return self
@@ -89,7 +84,7 @@ class Server:
     def __repr__(self) -> str:
         return f"<Server of a result at {self.url}>"
 
-    def _content(self, path: str) -> tuple[str, bytes] | None:
+    def content(self, path: str) -> tuple[str, bytes] | None:
         """Type and bytes of what a path means; None: nothing."""
         match = re.fullmatch(r"/([\w-]{1,64})/(?:poses([01])-([0-9]{1,9}))?", path, re.ASCII)
         if match is None or not hmac.compare_digest(match[1], self._token):
@@ -102,47 +97,62 @@ class Server:
         return "application/octet-stream", stream_piece(self._results[run], number)
 
 
-def _handler(server: Server) -> type[http.server.BaseHTTPRequestHandler]:
-    class Handler(http.server.BaseHTTPRequestHandler):
-        protocol_version = "HTTP/1.1"  # connections stay: a motion that plays asks some times a second
-        server_version = "linkwork"
-        sys_version = ""
+class _Listener(http.server.ThreadingHTTPServer):
+    """On this machine alone; knows the connections that are open, which would outlive it."""
 
-        def setup(self) -> None:
-            super().setup()
-            server._connections.add(self.connection)
+    def __init__(self, port: int, owner: Server) -> None:
+        self.owner = owner
+        self.connections: set[socket.socket] = set()
+        super().__init__(("127.0.0.1", port), _Handler)
 
-        def finish(self) -> None:
-            server._connections.discard(self.connection)
-            super().finish()
+    def end(self) -> None:
+        self.shutdown()
+        self.server_close()
+        for connection in list(self.connections):
+            with suppress(OSError):
+                connection.shutdown(socket.SHUT_RDWR)
 
-        def do_GET(self) -> None:
-            if self.headers.get("Host") not in server._hosts:  # another name that leads here
-                self._answer(403, *_text("This server is of this machine alone."))
-                return
-            try:
-                found = server._content(self.path)
-            except LinkworkError as error:  # the file is gone, or is another by now
-                self._answer(410, *_text(str(error)))
-                return
-            self._answer(*((404, *_text("There is no such page.")) if found is None else (200, *found)))
 
-        def _answer(self, status: int, kind: str, body: bytes) -> None:
+class _Handler(http.server.BaseHTTPRequestHandler):
+    """Answers the questions of one connection."""
+
+    server: _Listener
+    protocol_version = "HTTP/1.1"  # connections stay: a motion that plays asks some times a second
+    server_version, sys_version = "linkwork", ""
+
+    def setup(self) -> None:
+        super().setup()
+        self.server.connections.add(self.connection)
+
+    def finish(self) -> None:
+        self.server.connections.discard(self.connection)
+        super().finish()
+
+    def do_GET(self) -> None:
+        if self.headers.get("Host") not in self.server.owner.hosts:  # another name that leads here
+            self._answer(403, *_text("This server is of this machine alone."))
+            return
+        try:
+            found = self.server.owner.content(self.path)
+        except LinkworkError as error:  # the file is gone, or is another by now
+            self._answer(410, *_text(str(error)))
+            return
+        self._answer(*((404, *_text("There is no such page.")) if found is None else (200, *found)))
+
+    def _answer(self, status: int, kind: str, body: bytes) -> None:
+        try:
             self.send_response(status)
             for name, value in HEADERS.items():
                 self.send_header(name, value)
             self.send_header("Content-Type", kind)
             self.send_header("Content-Length", str(len(body)))
             self.end_headers()
-            try:
-                self.wfile.write(body)
-            except ConnectionError:  # the page does not need it any more
-                self.close_connection = True
+            self.wfile.write(body)
+        except ConnectionError:  # the page does not need it any more
+            self.close_connection = True
 
-        def log_message(self, format: str, *args: object) -> None:
-            log.debug(format, *args)
-
-    return Handler
+    def log_message(self, format: str, *args: object) -> None:
+        log.debug(format, *args)
 
 
 def _text(sentence: str) -> tuple[str, bytes]:
