@@ -9,6 +9,7 @@
 #include "linkwork/formulation/not_finite.hpp"
 #include "linkwork/formulation/right_hand_side_times.hpp"
 #include "linkwork/math/error.hpp"
+#include "linkwork/math/interruption.hpp"
 
 namespace linkwork::python {
 namespace {
@@ -223,11 +224,14 @@ py::tuple reactions(const Dynamics& dynamics, const Doubles& t, const Doubles& q
   if (history && history->size() != frames * variables)
     throw OptionError("shape", "history needs " + std::to_string(variables) + " numbers for each of the " +
                                    std::to_string(frames) + " times");
+  InterruptionMeter meter;
+  meter.add(system.body_count());  // for the evaluation
   for (py::ssize_t k = 0; k < frames; ++k) {
     const Vector position(q.data() + k * system.q_size(), system.q_size());
     if (history)
       system.evaluate_constraints(t.data()[k], position, rest, Vector(history->data() + k * variables, variables), at);
     else system.evaluate_constraints(t.data()[k], position, rest, system.initial_history(), at);
+    meter.add(system.body_count());
     system.reactions(at, position, Vector(multipliers.data() + k * system.row_count(), system.row_count()),
                      Columns(force.mutable_data() + 3 * k * joints, 3, joints),
                      Columns(torque.mutable_data() + 3 * k * joints, 3, joints));
@@ -397,9 +401,14 @@ struct Residuals {
 Residuals residuals_at(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
   const System& system = dynamics.system();
   Evaluation at = system.make_evaluation();
+  look_for_interruption();
   system.evaluate(t, q, v, dynamics.history(), at);
+  look_for_interruption();
   VectorXd lengths = row_lengths(system, at);
-  const double rate = characteristic_rate(system, at, v), roundoff = roundoff_of_positions(system, q);
+  look_for_interruption();
+  const double rate = characteristic_rate(system, at, v);
+  look_for_interruption();
+  const double roundoff = roundoff_of_positions(system, q);
   return {std::move(at.Phi), std::move(at.Phi_dot), std::move(lengths), rate, roundoff};
 }
 

@@ -33,14 +33,14 @@ class Page:
         self.requests: list[str] = []  # beside data in the page itself
         self.complaints: list[str] = []
 
-    def open(self, path: Path, width: int = 1280, height: int = 800, dark: bool = False) -> None:
-        """A file from disk, until the viewer says that it is ready."""
+    def open(self, page: Path | str, width: int = 1280, height: int = 800, dark: bool = False) -> None:
+        """A file from disk, or an address, until the viewer says that it is ready."""
         for domain in ("Page", "Runtime", "Network", "Log"):
             self.call(f"{domain}.enable")
         self.resize(width, height)
         scheme = {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}
         self.call("Emulation.setEmulatedMedia", features=[scheme])
-        self.call("Page.navigate", url=path.absolute().as_uri())
+        self.call("Page.navigate", url=page if isinstance(page, str) else page.absolute().as_uri())
         self.wait_for("document.documentElement?.dataset.ready === 'true'")
 
     def resize(self, width: int, height: int) -> None:

@@ -54,7 +54,7 @@ def test_pieces_have_the_numbers_of_one_array(swing: lw.Result, monkeypatch: pyt
     frames_of(monkeypatch, swing, 7)
     found = document(swing, "")
     assert whole.pieces == [] and whole.facts["pieces"] is None
-    assert found.facts["pieces"] == {"count": 8, "frames": 7}
+    assert found.facts["pieces"] == {"count": 8, "frames": 7, "streamed": False}
     assert found.facts["frames"] == whole.facts["frames"] == {"recorded": 51, "shown": 51, "every": 1}
     width = 7 * swing.header.body_count
 

@@ -8,7 +8,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork.modeling.shapes import Shape
-from linkwork.view.appearance import at_least, body_color, default_shapes, solids
+from linkwork.view.appearance import at_least, body_color, default_shapes, scene
 from linkwork.view.camera import Camera
 from linkwork.view.movie import Painter
 from linkwork.view.raster import Raster
@@ -155,7 +155,7 @@ def test_bodies_that_slide_in_each_other_are_a_cylinder_and_a_thinner_piston(dri
         model.displacement_driver("cylinder", "piston", at=(1.6, 0, 0), axis=(1, 0, 0), displacement=0.0)
     model.body("load", mass=1.0, inertia=(1, 1, 1), position=(1.6, 0, 0))
     model.spherical("piston", "load", at=(1.6, 0, 0))
-    drawn = solids(lw.simulate(model, t_end=0.002, step=1e-3))
+    drawn = scene(lw.simulate(model, t_end=0.002, step=1e-3)).solids
     cylinder, collar = (it.shape for it in drawn if it.layer == "body" and it.body == 0)
     (piston,) = (it.shape for it in drawn if it.layer == "body" and it.body == 1)
     assert isinstance(cylinder, lw.Rod) and isinstance(piston, lw.Rod) and isinstance(collar, lw.Rod)

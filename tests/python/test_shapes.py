@@ -10,7 +10,7 @@ import pytest
 from linkwork import rotation
 from linkwork.errors import FileError, ModelError
 from linkwork.modeling.shapes import Shape
-from linkwork.view.appearance import Solid, default_shapes, solids
+from linkwork.view.appearance import Solid, default_shapes, scene
 
 TETRAHEDRON = """solid t
 facet normal 0 0 0
@@ -175,7 +175,7 @@ def test_shapes_are_kept_from_another_initial_state_and_change_no_hash() -> None
 
 def drawn(model: lw.Model, layer: str) -> list[Solid]:
     result = lw.simulate(model, t_end=0.01, step=1e-3)
-    return [solid for solid in solids(result) if solid.layer == layer]
+    return [solid for solid in scene(result).solids if solid.layer == layer]
 
 
 def test_link_is_a_rod_between_its_joints() -> None:

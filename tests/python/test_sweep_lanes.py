@@ -120,9 +120,14 @@ def test_cases_that_fail_leave_the_others_of_their_pack_as_they_are() -> None:
     same(good, found, *(k for k in range(17) if k not in found.errors))
 
 
+def half_way(t: float, _: Any) -> float:
+    return t - RUN["t_end"] / 2
+
+
 @pytest.mark.parametrize("options", [
     {"deterministic": False}, {"integrator": "ab2"}, {"formulation": "penalty"}, {"on_inaccurate": "stop"},
     {"stabilization": "projection"}, {"rtol": 1e-6, "step": None}, {"events": ()},
+    {"rtol": 1e-6, "step": None, "events": (lw.Event(half_way, terminal=True),)},
 ])  # fmt: skip
 def test_with_and_without_lanes_cases_are_runs(options: dict[str, Any]) -> None:
     found = study(MASSES[:2], **options)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from linkwork.cli import output as out
 from linkwork.cli.base import may_replace
-from linkwork.errors import OptionError
+from linkwork.errors import OptionError, counted
 from linkwork.motion.records import Snapshot
 from linkwork.results.result import Result
 from linkwork.running.time_scale import TOLERANCE, usual_end
@@ -42,9 +42,7 @@ def simulate_and_show(
     try:
         result = lw.simulate(model, **settings, output=output, overwrite=may_replace())
     except KeyboardInterrupt as stop:
-        begun = output and getattr(stop, "result", None) is not None
-        kept = f"; '{output}' has the frames so far" if begun else ""
-        raise type(stop)(f"interrupted{kept}") from stop
+        raise type(stop)(f"interrupted{_kept(output, getattr(stop, 'result', None))}") from stop
     if plot is not None:
         result.plot(plot)
     files = {"result": output, "picture": plot}
@@ -55,6 +53,15 @@ def simulate_and_show(
         })  # fmt: skip
     else:
         out.print_pairs([*summary.lines(result), *((label, path or "") for label, path in files.items())])
+
+
+def _kept(output: str | None, result: Result | None) -> str:
+    """What is left of a run that was interrupted, in words."""
+    if output is None or result is None:
+        return ""
+    if not len(result):
+        return f"; '{output}' has no frame yet"
+    return f"; '{output}' has {counted(len(result), 'frame')} up to t = {result.t[-1]:g} s"
 
 
 def _settings(mechanism: Mechanism, options: Mapping[str, Any], model: Model) -> dict[str, Any]:

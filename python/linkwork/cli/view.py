@@ -3,10 +3,18 @@
 from __future__ import annotations
 
 import os
+import sys
+import webbrowser
+from typing import TYPE_CHECKING
 
 import click
 
 from linkwork.cli import base, shells
+from linkwork.running.interrupts import Terminated
+
+if TYPE_CHECKING:
+    from linkwork.results.result import Result
+    from linkwork.view import Page
 
 
 @click.command(cls=base.Command)
@@ -25,7 +33,14 @@ from linkwork.cli import base, shells
     "--limit", type=click.FloatRange(min=0, min_open=True), default=16.0, show_default=True, metavar="MB",
     help="Most recorded data in the page; frames beyond are left out evenly.",
 )  # fmt: skip
-def view(file: str, page: str | None, other: str | None, limit: float) -> None:
+@click.option("--serve", is_flag=True, help="Show all frames, by a server on this machine that ctrl-C ends.")
+@click.option(
+    "--port", type=click.IntRange(0, 65535), metavar="PORT", help="Of the server.  [default: a free one]"
+)
+@click.option("--open/--no-open", "opens", default=True, help="Whether the server opens a browser.")
+def view(
+    file: str, page: str | None, other: str | None, limit: float, serve: bool, port: int | None, opens: bool
+) -> None:
     """Show the motion in a result file, or the initial pose of a mechanism.
 
     One HTML file that needs no network: the mechanism, a time slider, plots of what was recorded. Of a
@@ -37,23 +52,73 @@ def view(file: str, page: str | None, other: str | None, limit: float) -> None:
     linkwork view run.h5                            in the web browser
     linkwork view run.h5 --html run.html            as a file to send to others
     linkwork view run.h5 --with other.h5            two runs, one over the other
+    linkwork view run.h5 --serve                    all frames of a large run, as they are needed
     linkwork view arm.urdf                          before anything is computed
     """
     import linkwork as lw
     from linkwork.cli import output as out
-    from linkwork.mechanisms import is_file, is_model_file, named
+    from linkwork.mechanisms import is_file, is_model_file
 
+    _check_served(serve, page, port, opens)
     if page is not None:
         out.check_writable(page, "page")
     if is_model_file(file) or not (is_file(file) or os.path.exists(file)):
         if other is not None:
             raise click.UsageError("--with lays a second result file over a first, not over a mechanism")
-        mechanism = named(file)
-        model = mechanism.function(**{it.name: it.default for it in mechanism.parameters})
-        shown = model.view(page)
+        if serve:
+            raise click.UsageError("--serve gives out the frames of a result file; a mechanism has none")
+        shown = _pose(file, page)
     else:
         first = lw.Result.load(file)
         second = lw.Result.load(other) if other is not None else None
+        if serve:
+            _serve(first, second, [file, other or ""], port or 0, opens)
+            return
         shown = first.view(page, second, labels=[file, other or ""], limit=limit * 1e6)
+        _say_left_out(first, limit * 1e6 / (1 if second is None else 2))
     where = page if page is not None else str(shown.open())
     out.print_pairs([("page", f"{where} ({len(shown.html.encode()) / 1e6:.2f} MB)")])
+
+
+def _say_left_out(result: Result, limit: float) -> None:
+    """Of frames, of which a page of `limit` [bytes] may not have all."""
+    from linkwork.cli import output as out
+    from linkwork.view.run import every_frame
+
+    if (every := every_frame(result, limit)) > 1:
+        shown = -(-(len(result) - 1) // every) + 1
+        out.note(f"the page has {shown} of {len(result)} frames; --serve shows all")
+
+
+def _pose(name: str, page: str | None) -> Page:
+    """The initial pose of a mechanism with its default parameters."""
+    from linkwork.mechanisms import named
+
+    mechanism = named(name)
+    return mechanism.function(**{it.name: it.default for it in mechanism.parameters}).view(page)
+
+
+def _check_served(serve: bool, page: str | None, port: int | None, opens: bool) -> None:
+    """UsageError: options that contradict each other."""
+    if serve and page is not None:
+        raise click.UsageError("--serve shows a page that needs its server, --html writes one: choose one")
+    if not serve and (port is not None or not opens):
+        raise click.UsageError("--port and --no-open are for the server: give --serve, too")
+
+
+def _serve(first: Result, second: Result | None, labels: list[str], port: int, opens: bool) -> None:
+    """Until ctrl-C, which is how it ends."""
+    from linkwork.cli import output as out
+
+    with first.serve(second, labels=labels, port=port) as server:
+        frames = max(len(first), len(second) if second is not None else 0)
+        try:
+            out.print_pairs([("page", server.url), ("frames", f"all {frames}, read as they are asked for"),
+                             ("end", "ctrl-C")])  # fmt: skip
+            sys.stdout.flush()  # before the end, also into a pipe
+            if opens:
+                webbrowser.open(server.url)
+            server.wait()
+        except KeyboardInterrupt as stop:
+            if isinstance(stop, Terminated):
+                raise

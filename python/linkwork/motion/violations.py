@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -16,6 +17,9 @@ from linkwork.motion.header import Header, Indices
 
 if TYPE_CHECKING:
     from linkwork.results.result import Result
+
+#: Equations of angles, each of pairs of axes.
+Angles = tuple[tuple[tuple[int, int], ...], ...]
 
 #: Placements of joints that hold directions only: they sit nowhere.
 UNPLACED = ("direction", "two_directions", "orientation")
@@ -31,7 +35,7 @@ class Holds:
     placed: bool  #: it sits at points of its bodies
     turning: bool  #: about its z axis, and about no other
     sliding: bool  #: along its z axis, and along no other
-    angles: tuple[Sequence[tuple[int, int]], ...]  #: of its rotations at zero, see EquationInfo.perpendicular
+    angles: Angles  #: of its rotations at zero, see EquationInfo.perpendicular
 
     @classmethod
     def of(cls, kind: str) -> Holds:
@@ -49,7 +53,7 @@ class Holds:
             info.placement not in UNPLACED,
             [("rotation", axis) in held for axis in range(3)] == [True, True, False],
             (x, y, z) == (True, True, False),
-            tuple(it.perpendicular for it in equations if it.perpendicular),
+            tuple(tuple(it.perpendicular) for it in equations if it.perpendicular),
         )
 
     @property
@@ -60,8 +64,9 @@ class Holds:
 
 def joint_kinds(header: Header) -> list[Holds]:
     """Of each joint."""
-    known = {kind: Holds.of(kind) for kind in set(header.joint_kinds)}
-    return [known[kind] for kind in header.joint_kinds]
+    kinds = list(header.joint_kinds)
+    known = {kind: Holds.of(kind) for kind in set(kinds)}
+    return [known[kind] for kind in kinds]
 
 
 def gaps(result: Result, joints: NDArray[np.integer], every: int = 1) -> tuple[Floats, Floats]:
@@ -78,10 +83,12 @@ def separations(
 
     bodies (m, 2), origin (m, 2, 3) in the bodies [m]
     """
-    q = _with_ground(result.recorded("q", np.s_[::every]))
-    first, second = (rotation.matrix(q[:, bodies[:, side], 3:]) for side in (0, 1))
+    involved, places = np.unique(bodies, return_inverse=True)
+    places = places.reshape(bodies.shape) - np.count_nonzero(involved < 0)  # of the ground -1, as before
+    q = _with_ground(result.recorded_of("q", involved[involved >= 0], every))
+    first, second = (rotation.matrix(q[:, places[:, side], 3:]) for side in (0, 1))
     points = [
-        q[:, bodies[:, side], :3] + np.einsum("kmab,mb->kma", turn, origin[:, side])
+        q[:, places[:, side], :3] + np.einsum("kmab,mb->kma", turn, origin[:, side])
         for side, turn in enumerate((first, second))
     ]
     return points[1] - points[0], (first, second)
@@ -100,20 +107,31 @@ def violations(result: Result, joints: NDArray[np.integer], every: int = 1) -> t
     a, b = (turns[side] @ header.joint_frame[joints, side] for side in (0, 1))
     held = np.array([it.translations for it in holds], float).reshape(-1, 3)
     apart: Floats = np.linalg.norm(np.einsum("kjab,kja->kjb", a, gap) * held, axis=-1)
-    askew = np.zeros_like(apart)
     for place, (j, it) in enumerate(zip(joints, holds, strict=True)):
+        if not it.distance:
+            continue
         length = header.parameters("joint", int(j))[-1:]
-        if it.distance and np.isfinite(length).all() and len(length):
+        if len(length) and np.isfinite(length).all():
             apart[:, place] = np.abs(np.linalg.norm(gap[:, place], axis=-1) - length)
-        askew[:, place] = _askew(a[:, place], b[:, place], it.angles)
+    askew = np.zeros_like(apart)
+    for angles, places in _alike([it.angles for it in holds]):
+        askew[:, places] = _askew(a[:, places], b[:, places], angles)
     return apart, askew
 
 
-def _askew(a: Floats, b: Floats, equations: Sequence[Sequence[tuple[int, int]]]) -> Floats:
-    """Angle between the axes (k, 3, 3) of a joint on its two bodies that its equations do not allow (k,)."""
-    squares = np.zeros(len(a))
+def _alike(angles: Sequence[Angles]) -> Iterator[tuple[Angles, NDArray[np.intp]]]:
+    """The places of joints whose rotations are held by the same equations."""
+    places: dict[Angles, list[int]] = defaultdict(list)
+    for place, equations in enumerate(angles):
+        places[equations].append(place)
+    return ((equations, np.array(found)) for equations, found in places.items())
+
+
+def _askew(a: Floats, b: Floats, equations: Angles) -> Floats:
+    """Angle between the axes (k, j, 3, 3) of joints on their two bodies that they do not allow (k, j)."""
+    squares = np.zeros(a.shape[:2])
     for pairs in equations:
-        products = [np.einsum("kc,kc->k", a[..., u], b[..., w]) for u, w in pairs]
+        products = [np.einsum("kjc,kjc->kj", a[..., u], b[..., w]) for u, w in pairs]
         error = products[0] if len(products) == 1 else (products[0] - products[1]) / 2
         squares += np.arcsin(np.clip(error, -1, 1)) ** 2
     root: Floats = np.sqrt(squares)

@@ -1,7 +1,8 @@
 """Checkpoints on disk: what a run can go on from to the last bit, beside its frames.
 
 While a run is writing, its last checkpoint is in a file of its own beside the output, replaced by renaming;
-when it ends, in the output itself, as bytes in /checkpoint with their CRC-32 as attribute `digest`.
+when it ends, in the output itself, as bytes in /checkpoint with their CRC-32 as attribute `digest`. That of a
+very large mechanism stays beside where the run is interrupted, which is to end at once.
 """
 
 from __future__ import annotations
@@ -9,7 +10,9 @@ from __future__ import annotations
 import json
 import os
 import zlib
+from collections.abc import Callable
 from contextlib import suppress
+from dataclasses import dataclass
 from pathlib import Path
 
 import h5py
@@ -17,12 +20,46 @@ import numpy as np
 
 from linkwork.motion.records import Checkpoint
 
-__all__ = ["DATASET", "beside", "digest_of", "make_place", "read", "read_beside", "write", "write_beside"]
+__all__ = [
+    "DATASET",
+    "StoredCheckpoint",
+    "beside",
+    "digest_of",
+    "make_place",
+    "read",
+    "read_beside",
+    "write",
+    "write_beside",
+]
 
 DATASET, DIGEST = "checkpoint", "digest"
 
 #: Of the dataset [bytes].
 CHUNK_BYTES = (4096, 2**22)
+
+#: Written beside between two looks at signals [bytes].
+PIECE_BYTES = 2**24
+
+#: The line before the state is shorter [bytes].
+HEAD_BYTES = 4096
+
+#: Of the digest in a file beside [bytes].
+DIGEST_BYTES = 4
+
+
+@dataclass(frozen=True)
+class StoredCheckpoint:
+    """That of a run which ended a moment ago, in its file or beside; called, it is read."""
+
+    path: Path
+    run: str
+
+    def __call__(self) -> Checkpoint | None:
+        """None: there is none, or the file has become that of another run."""
+        with suppress(OSError, ValueError, KeyError), h5py.File(self.path, "r") as file:
+            if file.attrs["run"] == self.run:
+                return read(file, self.run, os.path.getsize(self.path)) or read_beside(self.path, self.run)
+        return None
 
 
 def beside(path: Path) -> Path:
@@ -30,13 +67,24 @@ def beside(path: Path) -> Path:
     return path.with_name(f".{path.name}.checkpoint")
 
 
-def write_beside(path: Path, checkpoint: Checkpoint, run: str) -> None:
-    """OSError: it cannot be written."""
+def write_beside(
+    path: Path, checkpoint: Checkpoint, run: str, pause: Callable[[], None] = lambda: None
+) -> None:
+    """OSError: it cannot be written. What `pause` raises, which is called between pieces, goes through."""
     target = beside(path)
     new = target.with_name(f"{target.name}.{os.getpid()}")
-    content = _packed(checkpoint, run)
+    head, state = _head(checkpoint, run), memoryview(checkpoint.state)
+    digest = zlib.crc32(head)
     try:
-        new.write_bytes(_digest(content).to_bytes(4, "little") + content)
+        with new.open("wb") as file:
+            file.write(bytes(DIGEST_BYTES) + head)
+            for first in range(0, len(state), PIECE_BYTES):
+                piece = state[first : first + PIECE_BYTES]
+                digest = zlib.crc32(piece, digest)
+                file.write(piece)
+                pause()
+            file.seek(0)
+            file.write(_not_zero(digest).to_bytes(DIGEST_BYTES, "little"))
         os.replace(new, target)
     finally:
         with suppress(OSError):
@@ -52,8 +100,9 @@ def read_beside(path: Path, run: str) -> Checkpoint | None:
         found = source.read_bytes()
     except OSError:
         return None
-    whole = int.from_bytes(found[:4], "little") == _digest(found[4:])
-    return _unpacked(found[4:], run) if whole else None
+    content = memoryview(found)[DIGEST_BYTES:]
+    whole = int.from_bytes(found[:DIGEST_BYTES], "little") == _digest(content)
+    return _unpacked(content, run) if whole else None
 
 
 def make_place(file: h5py.File, bodies: int) -> None:
@@ -66,11 +115,11 @@ def make_place(file: h5py.File, bodies: int) -> None:
 
 def write(file: h5py.File, checkpoint: Checkpoint, run: str) -> None:
     """Into its place."""
-    content = np.frombuffer(_packed(checkpoint, run), dtype="u1")
+    content = _head(checkpoint, run) + checkpoint.state
     dataset = file[DATASET]
     dataset.resize(len(content), axis=0)
-    dataset[:] = content
-    dataset.attrs.modify(DIGEST, _digest(content.tobytes()))
+    dataset[:] = np.frombuffer(content, dtype="u1")
+    dataset.attrs.modify(DIGEST, _digest(content))
 
 
 def digest_of(file: h5py.File) -> int:
@@ -86,24 +135,30 @@ def read(file: h5py.File, run: str, limit: float) -> Checkpoint | None:
     dataset = file[DATASET]
     if dataset.size > limit:
         raise ValueError(f"{dataset.name} is larger than the file")
-    content = dataset[()].tobytes()
+    content = memoryview(dataset[()])
     if _digest(content) != digest:
         raise ValueError(f"{dataset.name} is not what was written")
     return _unpacked(content, run)
 
 
-def _packed(checkpoint: Checkpoint, run: str) -> bytes:
+def _head(checkpoint: Checkpoint, run: str) -> bytes:
+    """The line before the state."""
     head = {"run": run, "method": checkpoint.method, "t": float(checkpoint.t).hex()}
-    return json.dumps(head).encode() + b"\n" + checkpoint.state
+    return json.dumps(head).encode() + b"\n"
 
 
-def _unpacked(content: bytes, run: str) -> Checkpoint | None:
+def _unpacked(content: memoryview, run: str) -> Checkpoint | None:
     """None: it is that of another run."""
-    head, _, state = content.partition(b"\n")
+    head = bytes(content[:HEAD_BYTES]).partition(b"\n")[0]
     found = json.loads(head)
-    return Checkpoint(found["method"], float.fromhex(found["t"]), state) if found["run"] == run else None
+    if found["run"] != run:
+        return None
+    return Checkpoint(found["method"], float.fromhex(found["t"]), bytes(content[len(head) + 1 :]))
 
 
-def _digest(content: bytes) -> int:
-    """Not 0."""
-    return zlib.crc32(content) or 1
+def _digest(content: bytes | memoryview) -> int:
+    return _not_zero(zlib.crc32(content))
+
+
+def _not_zero(digest: int) -> int:
+    return digest or 1

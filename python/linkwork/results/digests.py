@@ -15,7 +15,7 @@ to the file before the times that make its frames count.
 from __future__ import annotations
 
 import zlib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import h5py
@@ -121,17 +121,22 @@ class Blocks:
         return taken
 
 
-def head(file: h5py.File, limit: float = np.inf) -> int:
-    """Of all that is written before the first frame. ValueError: an array is larger than `limit` [bytes]."""
+def head(file: h5py.File, limit: float = np.inf, pause: Callable[[], None] = lambda: None) -> int:
+    """Of all that is written before the first frame. ValueError: an array is larger than `limit` [bytes].
+
+    `pause` is called between pieces; what it raises goes through.
+    """
     found = 0
     for name in ("format", "version", "run", "manifest"):
         found = _crc(f"{name} {file.attrs[name]}".encode(), found)
     for name, dataset in sorted(file["frames"].items()):
         found = _crc(f"{name} {dataset.shape[1:]} {dataset.dtype.str}".encode(), found)
-    return content(file["model"], found, limit)
+    return content(file["model"], found, limit, pause)
 
 
-def content(group: h5py.Group, start: int, limit: float = np.inf) -> int:
+def content(
+    group: h5py.Group, start: int, limit: float = np.inf, pause: Callable[[], None] = lambda: None
+) -> int:
     """Of all arrays in a group, by their names. ValueError: one is larger than `limit` [bytes]."""
     names: list[str] = []
     group.visit(names.append)
@@ -139,6 +144,7 @@ def content(group: h5py.Group, start: int, limit: float = np.inf) -> int:
         found = group[name]
         if isinstance(found, h5py.Dataset):
             start = _of_dataset(name, found, start, limit)
+            pause()
     return start
 
 

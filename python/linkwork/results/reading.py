@@ -86,7 +86,7 @@ class StoredRun:
     fields: dict[str, StoredField]
     events: list[Occurrence]
     finer: tuple[float, dict[str, StoredField]] | None  #: see `verification`
-    checkpoint: Checkpoint | None
+    checkpoint: Checkpoint | checkpoints.StoredCheckpoint | None
 
 
 class _Content(NamedTuple):
@@ -97,31 +97,38 @@ class _Content(NamedTuple):
     statistics: dict[str, Any]
     finer: tuple[float, int] | None  #: factor and frames
     notes: dict[str, Any]  #: for the manifest
-    checkpoint: Checkpoint | None = None
+    checkpoint: Checkpoint | checkpoints.StoredCheckpoint | None = None
 
 
 #: Of a file that a run began and did not end.
 NO_END = "the end of the run: it was interrupted, or what says how it ended is lost"
 
 
-def read(path: str | os.PathLike[str], *, trusted: bool = False) -> StoredRun:
+def read(path: str | os.PathLike[str], *, written: Header | None = None) -> StoredRun:
     """The result in a file, finished or not; the frames stay on disk until asked for.
 
-    trusted  the file was written a moment ago: its digests are not compared
+    written  the file was written a moment ago, with this header: only what comes after it is read, no digest
+             is compared, and the checkpoint stays on disk, too
 
     FileError: no such file, one of another kind, or one that is damaged before the first frame.
     """
     path = Path(path)
-    with _failures(path), _damaged(path), _open(path) as file, _looked_through(path, trusted):
+    with _failures(path), _damaged(path), _open(path) as file, _looked_through(path, written is not None):
         has_digests = _check_kind(path, file)
         size = path.stat().st_size
-        if has_digests and not trusted:
+        if written is not None:
+            header = _as_of_a_file(written, file)
+            content = _as_it_is(file, size)._replace(
+                checkpoint=checkpoints.StoredCheckpoint(path, str(file.attrs["run"]))
+            )
+        elif has_digests:
             start = _check_head(path, file, size)
             header = _read_header(file)
             content = _compared(file, header, start, size)
         else:
             header = _read_header(file)
-            content = _as_it_is(file, size, {} if has_digests else {"digests": NO_DIGESTS})
+            checkpoint = _or_none(lambda: checkpoints.read(file, str(file.attrs["run"]), size))
+            content = _as_it_is(file, size)._replace(notes={"digests": NO_DIGESTS}, checkpoint=checkpoint)
         run = str(file.attrs["run"])
     if content.notes:
         missing = [*header.manifest.get("missing", ()), *content.notes.get("missing", ())]
@@ -140,7 +147,9 @@ def _stored(path: Path, run: str, header: Header, content: _Content) -> StoredRu
     checkpoint = content.checkpoint
     if checkpoint is None and not content.statistics:
         checkpoint = _or_none(lambda: checkpoints.read_beside(path, run))
-    if checkpoint is not None and not (content.frames and checkpoint.t <= frames["t"][content.frames - 1]):
+    if isinstance(checkpoint, Checkpoint) and not (
+        content.frames and checkpoint.t <= frames["t"][content.frames - 1]
+    ):
         checkpoint = None
     return StoredRun(run, header, content.statistics, frames, content.events, finer, checkpoint)
 
@@ -171,13 +180,12 @@ def _check_head(path: Path, file: h5py.File, size: int) -> int:
     return start
 
 
-def _as_it_is(file: h5py.File, size: int, notes: dict[str, Any]) -> _Content:
-    """Without digests, or trusting them."""
+def _as_it_is(file: h5py.File, size: int) -> _Content:
+    """Without digests, or trusting them; without the checkpoint."""
     count = _frames_with_time(file["frames"]["t"], _frames_on_disk(file["frames"], size))
     finer = (float(file["finer"].attrs["factor"]), len(file["finer"]["t"])) if "finer" in file else None
     statistics = renamed_statistics(json.loads(file.attrs.get("statistics") or "{}"))
-    checkpoint = _or_none(lambda: checkpoints.read(file, str(file.attrs["run"]), size))
-    return _Content(count, _read_events(file), statistics, finer, notes, checkpoint)
+    return _Content(count, _read_events(file), statistics, finer, {})
 
 
 def _compared(file: h5py.File, header: Header, start: int, size: int) -> _Content:
@@ -256,6 +264,12 @@ def _read_header(file: h5py.File) -> Header:
         values["history_count"] = file["frames"]["history"].shape[1]
     manifest = renamed_manifest(json.loads(file.attrs["manifest"]))
     return Header(manifest=manifest, shapes=read_shapes(model), curves=curves, **values)
+
+
+def _as_of_a_file(written: Header, file: h5py.File) -> Header:
+    """The header that was written to a file, as if it had been read from it."""
+    manifest = json.loads(file.attrs["manifest"])
+    return replace(written, manifest=manifest, expected_frames=None, reactions=None, force_element=None)
 
 
 def _read_events(file: h5py.File, limit: float = math.inf) -> list[Occurrence]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import uuid
 from collections.abc import Mapping, Sequence
@@ -9,7 +10,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from linkwork import rotation
 from linkwork.accuracy.verdict import Verdict
@@ -22,7 +23,16 @@ from linkwork.modeling.coordinates import JointCoordinate, coordinate_of, coordi
 from linkwork.modeling.handles import Body, Joint, Named
 from linkwork.motion.former_names import renamed_manifest, renamed_statistics
 from linkwork.motion.header import Header, record_reactions
-from linkwork.motion.records import BodyResult, Excess, ForceResult, Reaction, SingularPose, Snapshot, rotate
+from linkwork.motion.records import (
+    BodyResult,
+    Checkpoint,
+    Excess,
+    ForceResult,
+    Reaction,
+    SingularPose,
+    Snapshot,
+    rotate,
+)
 
 if TYPE_CHECKING:
     import pandas
@@ -30,8 +40,10 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from linkwork.modeling.model import Model
-    from linkwork.motion.records import Checkpoint, Occurrence
+    from linkwork.motion.records import Occurrence
+    from linkwork.results.checkpoints import StoredCheckpoint
     from linkwork.view import Page
+    from linkwork.view.serving import Server
 
 Frame = Literal["inertial", "joint"]
 
@@ -40,6 +52,9 @@ MISSED_TURN = np.pi / 2
 
 #: Of poses that are read at a time.
 READ_NUMBERS = 4_000_000
+
+#: So many bodies or joints are read by themselves, without the others.
+FEW_PLACES = 128
 
 
 class Result:
@@ -52,7 +67,7 @@ class Result:
 
     def __init__(self, frames: Mapping[str, Any], header: Header, statistics: Mapping[str, Any], *,
                  run: str | None = None, events: Sequence[Occurrence] = (),
-                 checkpoint: Checkpoint | None = None) -> None:  # fmt: skip
+                 checkpoint: Checkpoint | StoredCheckpoint | None = None) -> None:  # fmt: skip
         """`frames`: the arrays of `Simulation.advance` joined over time, or the fields of a result file."""
         shapes = header.frame_shapes()
         count = len(frames["t"])
@@ -264,7 +279,14 @@ class Result:
         state = self._field("q", frame), self._field("v", frame)
         found = Snapshot(float(self.t[frame]), *state, self.history[frame], self._error_at(frame))
         last = int(frame) % count == count - 1
-        return found.resumable(self._checkpoint, float(self._field("work", frame))) if last else found
+        if not last:
+            return found
+        return found.resumable(self._settled(), float(self._field("work", frame)))
+
+    def _settled(self) -> Checkpoint | None:
+        """What a run begins with that goes on from the last frame to the last bit."""
+        found = self._checkpoint
+        return found if found is None or isinstance(found, Checkpoint) else found()
 
     def _error_at(self, frame: int) -> float:
         """The part of the accumulated error that a run has made up to a frame."""
@@ -388,6 +410,32 @@ class Result:
         if name in ("reaction_force", "reaction_torque"):
             self._need_reactions()
         return self._field(name, part)
+
+    def recorded_of(self, name: str, places: ArrayLike, every: int = 1) -> Floats:
+        """Of some bodies or joints, by index, (k, places, ...) of a recorded field such as "q".
+
+            ends = result.recorded_of("q", [0, -1])
+
+        every  of every so manyth frame
+
+        Of few places nothing else is read; of many some frames at a time. OptionError: no such field, or
+        `every` is not a positive whole number.
+        """
+        _check_every(every)
+        known = {field: shape for field, shape in self._header.frame_shapes().items() if shape}
+        shape = known[one_of(name, known, "field", "unknown_name")]
+        chosen = np.arange(shape[0])[np.asarray(places, dtype=int)]
+        unique, back = np.unique(chosen, return_inverse=True)
+        if not len(unique):
+            return np.zeros((len(self.t[::every]), 0, *shape[1:]))
+        if len(unique) <= FEW_PLACES:
+            return self.recorded(name, (slice(None, None, every), unique))[:, back]
+        each = every * max(1, READ_NUMBERS // math.prod(shape))
+        pieces = [
+            self.recorded(name, np.s_[first : first + each : every])[:, chosen]
+            for first in range(0, len(self), each)
+        ]
+        return np.concatenate(pieces)
 
     def sampled_positions(self, every: int) -> Floats:
         """Centers of mass (., n, 3) of every so manyth frame [m].
@@ -513,7 +561,7 @@ class Result:
         target = check_new(path, "result", overwrite)
         self._need_reactions()
         writing.save(
-            target, self._header, self._frames, self.statistics, self._run, self._events, self._checkpoint
+            target, self._header, self._frames, self.statistics, self._run, self._events, self._settled()
         )
         if self._finer is not None:
             writing.add_finer(target, self._finer, self.statistics)
@@ -526,14 +574,14 @@ class Result:
 
         FileError: there is no such file, it is damaged from the beginning, or of another kind.
         """
-        return cls._read(path, trusted=False)
+        return cls._read(path)
 
     @classmethod
-    def _read(cls, path: str | os.PathLike[str], *, trusted: bool) -> Result:
-        """`trusted`: written a moment ago, so that its digests need not be compared."""
+    def _read(cls, path: str | os.PathLike[str], *, written: Header | None = None) -> Result:
+        """`written`: a moment ago, with this header."""
         from linkwork.results import reading
 
-        stored = reading.read(path_of(path, "result"), trusted=trusted)
+        stored = reading.read(path_of(path, "result"), written=written)
         result = cls(stored.fields, stored.header, stored.statistics, run=stored.run, events=stored.events,
                      checkpoint=stored.checkpoint)  # fmt: skip
         if stored.finer is not None:
@@ -677,6 +725,22 @@ class Result:
         if path is not None:
             page.save(path)
         return page
+
+    def serve(self, other: Result | None = None, *, labels: Sequence[str] = (), port: int = 0) -> Server:
+        """The page of `view` by a server for this machine alone, with all frames, however many there are: it
+        asks for the poses near the time that it shows. A context manager; `close()` ends it.
+
+            with result.serve() as server:
+                print(server.url)
+
+        other, labels  as of `view`
+        port           0: a free one, see `url`
+
+        OptionError: there are no frames, or the port is taken.
+        """
+        from linkwork.view.serving import Server
+
+        return Server([self] if other is None else [self, other], labels, port)
 
     def report(self, path: str | os.PathLike[str] | None = None) -> Page:
         """A page on the run: model, method, diagnostics, plots, viewer; written to `path` when given.

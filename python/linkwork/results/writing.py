@@ -65,6 +65,16 @@ FLUSH_SECONDS = 0.5
 #: A kill costs a run that is resumed so much more.
 CHECKPOINT_SECONDS = 5.0
 
+#: Frames that are larger are written in pieces, their fields, and one that is interrupted is not kept; larger
+#: checkpoints stay beside an output that is closed in a hurry.
+LARGE_BYTES, LARGE_CHECKPOINT_BYTES = 2**26, 2**24
+
+#: Of the head, between two looks at signals [bytes].
+HEAD_PIECE_BYTES = 2**24
+
+#: Names that are encoded between two such looks.
+NAMES = 50_000
+
 #: HDF5's index of chunks splits beyond 64 chunks, and is inconsistent for an instant.
 CHUNKS = 48
 CHUNK_BYTES = (4096, 32 * 2**20)
@@ -108,14 +118,23 @@ class ResultWriter:
         *,
         run: str | None = None,
         checkpoint: Callable[[], Checkpoint | None] = lambda: None,
+        pause: Callable[[], None] = lambda: None,
     ) -> None:
-        """`checkpoint` for the last frame that was written."""
+        """
+        checkpoint  for the last frame that was written
+        pause       called between the pieces of the head, of large frames, and of what is written after
+                    them. What it raises goes through: the frame in which that was is not kept, and `close`
+                    in a hurry is to follow
+        """
         self.path = path_of(path, "result")
         self._header = header
         self._frames = 0
         self._pending: list[Floats] = []
         self._failure: FileError | None = None
         self._checkpoint, self._checkpoint_due = checkpoint, 0.0
+        self._pause = pause
+        self._beside_bytes = 0  # of the last checkpoint that was written beside
+        self._large = _frame_bytes(header) > LARGE_BYTES
         self._flushed_at = time.monotonic()
         self._size = self._reserved = 0  # of the file [bytes]: with all chunks begun so far; made sure of
         self._fields: dict[str, h5py.Dataset] = {}
@@ -143,16 +162,29 @@ class ResultWriter:
             (-(-end // chunk[0]) + -start // chunk[0]) * math.prod(chunk) * 8
             for chunk in self._chunks.values()
         )
-        with self._failures():
+        with self._failures(), self._whole_or_not():
             for name, dataset in self._fields.items():
                 if name != "t":
                     dataset.resize(end, axis=0)
                     dataset[start:end] = values[name]
+                    if self._large:
+                        self._pause()
         self._frames = end
         self._blocks.add_frames(values, len(t))
         self._pending.append(t)
-        if time.monotonic() - self._flushed_at > FLUSH_SECONDS:
+        if self._large or time.monotonic() - self._flushed_at > FLUSH_SECONDS:
             self.flush()
+
+    @contextmanager
+    def _whole_or_not(self) -> Iterator[None]:
+        """Frames that are being written are taken back where that is interrupted."""
+        try:
+            yield
+        except KeyboardInterrupt:
+            for name, dataset in self._fields.items():
+                if name != "t" and len(dataset) > self._frames:
+                    dataset.resize(self._frames, axis=0)
+            raise
 
     def write_events(self, occurrences: Sequence[Occurrence]) -> None:
         """Append events; like that of frames, their `t` grows last."""
@@ -179,7 +211,13 @@ class ResultWriter:
         self._blocks.add_events(occurrences)
 
     def flush(self) -> None:
-        """Bring the frames so far to the file: first data and digests, then the times that count."""
+        """Bring the frames so far to the file, and now and then a checkpoint."""
+        self._flush_frames()
+        if self._flushed_at >= self._checkpoint_due:
+            self._write_checkpoint_beside()
+
+    def _flush_frames(self) -> None:
+        """First data and digests, then the times that count."""
         self._check_mine()
         with self._failures():
             self._write_digests()
@@ -192,16 +230,17 @@ class ResultWriter:
                 self._pending.clear()
                 self._file.flush()
         self._flushed_at = time.monotonic()
-        if self._flushed_at >= self._checkpoint_due:
-            self._write_checkpoint_beside()
 
     def _write_checkpoint_beside(self) -> None:
         """Without it the run can be gone on from, but not to the last bit: no reason to end."""
         checkpoint = self._checkpoint()
+        if checkpoint is None:
+            return
         self._checkpoint_due = self._flushed_at + CHECKPOINT_SECONDS
-        if checkpoint is not None:
-            with suppress(OSError):
-                checkpoints.write_beside(self._target, checkpoint, self._run)
+        pause = self._pause if self._large else lambda: None
+        with suppress(OSError):
+            checkpoints.write_beside(self._target, checkpoint, self._run, pause)
+            self._beside_bytes = len(checkpoint.state)
 
     def _write_digests(self) -> None:
         self._blocks.seal()
@@ -212,24 +251,30 @@ class ResultWriter:
             dataset.resize(start + len(rows), axis=0)
             dataset[start:] = rows
 
-    def close(self, statistics: Mapping[str, Any] | None = None) -> None:
-        """End the file; without `statistics` it is marked as unfinished."""
+    def close(self, statistics: Mapping[str, Any] | None = None, *, hurried: bool = False) -> None:
+        """End the file; without `statistics` it is marked as unfinished.
+
+        hurried  a large checkpoint that is beside stays there, and no later one is written
+        """
         if not self._file:
             return
+        stays = hurried and self._beside_bytes > LARGE_CHECKPOINT_BYTES
         try:
-            self.flush()
+            self._flush_frames()
         except FileError:
             self._release()
             raise
         with self._failures():
             try:
+                if not stays:
+                    self._write_checkpoint()
                 self._write_end(statistics)
             finally:
                 self._release()
-            checkpoints.beside(self._target).unlink(missing_ok=True)
+            if not stays:
+                checkpoints.beside(self._target).unlink(missing_ok=True)
 
     def _write_end(self, statistics: Mapping[str, Any] | None) -> None:
-        self._write_checkpoint()
         if statistics is not None:
             text = json.dumps(dict(statistics), default=_plain)
             self._reserve([2 * len(text)])
@@ -287,7 +332,7 @@ class ResultWriter:
             begun, os.O_RDWR | os.O_CREAT | os.O_EXCL | getattr(os, "O_BINARY", 0), 0o666
         )
         try:
-            _write_whole(self._descriptor, head)
+            _write_whole(self._descriptor, head, self._pause)
             self._reserved = len(head) + MARGIN_BYTES
             _allocate(self._descriptor, len(head), self._reserved)
             self._file = h5py.File(begun, "r+")
@@ -304,7 +349,9 @@ class ResultWriter:
         """The file before its first frame, and its digest."""
         with h5py.File(f"{run}.head", "w", driver="core", backing_store=False) as file:
             digest = self._write_header(file, run)
+            self._pause()
             file.flush()
+            self._pause()
             return file.id.get_file_image(), digest
 
     def _write_header(self, file: h5py.File, run: str) -> int:
@@ -316,8 +363,10 @@ class ResultWriter:
         for name in MODEL_ARRAYS:
             model[name] = getattr(self._header, name)
             _name_unit(model[name], name)
+            self._pause()
         for name in MODEL_NAMES:
-            model[name] = _encoded(getattr(self._header, name))
+            model[name] = _encoded(getattr(self._header, name), self._pause)
+            self._pause()
         write_shapes(model, self._header.shapes)
         for joint, line in self._header.curves.items():
             model[f"curves/{joint}"] = line
@@ -333,7 +382,7 @@ class ResultWriter:
         checkpoints.make_place(file, self._header.body_count)
         rows = digests.CHUNK_ROWS, digests.COLUMNS
         file.create_dataset(digests.BLOCKS, (0, rows[1]), "u8", maxshape=(None, rows[1]), chunks=rows)
-        digest = file.attrs[digests.DIGEST] = digests.head(file)
+        digest = file.attrs[digests.DIGEST] = digests.head(file, pause=self._pause)
         file.attrs.update({"statistics": "", digests.CLOSING: 0})
         return digest
 
@@ -543,15 +592,19 @@ def _allocate(descriptor: int, start: int, end: int) -> None:
             raise
 
 
-def _write_whole(descriptor: int, content: bytes) -> None:
+def _write_whole(descriptor: int, content: bytes, pause: Callable[[], None]) -> None:
     """OSError: there is no room for it, or no leave."""
     view = memoryview(content)
     while view:
-        view = view[os.write(descriptor, view) :]
+        pause()
+        view = view[os.write(descriptor, view[:HEAD_PIECE_BYTES]) :]
 
 
-def _encoded(names: Any) -> NDArray[np.bytes_]:
-    texts = [name.encode() for name in names]
+def _encoded(names: Sequence[str], pause: Callable[[], None]) -> NDArray[np.bytes_]:
+    texts: list[bytes] = []
+    for first in range(0, len(names), NAMES):
+        texts += [name.encode() for name in names[first : first + NAMES]]
+        pause()
     return np.array(texts, dtype=f"S{max(map(len, texts), default=1) or 1}")
 
 

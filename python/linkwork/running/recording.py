@@ -20,7 +20,7 @@ from linkwork.equations.system import System
 from linkwork.errors import FileError, LinkworkError, OptionError, warn
 from linkwork.integrators import Integrator
 from linkwork.modeling.model import Model
-from linkwork.motion.header import Header, frame_shapes
+from linkwork.motion.header import Header, frame_shapes, record_reactions
 from linkwork.motion.records import Checkpoint, Occurrence, Snapshot
 from linkwork.results.result import Result
 from linkwork.running.interrupts import Interrupts
@@ -54,11 +54,16 @@ LOOK_BYTES = 2**28
 
 
 class Recorder(Protocol):
-    """Where frames go."""
+    """Where frames go.
+
+    takes_more  whether the frames that are still in the run are to be written after an error
+    abandon     what there is after an error
+    """
 
     def write(self, frames: Frames) -> None: ...
     def note(self, occurrences: Sequence[Occurrence]) -> None: ...
-    def abandon(self) -> Result | None: ...
+    def takes_more(self, error: BaseException) -> bool: ...
+    def abandon(self, error: BaseException) -> Result | None: ...
     def result(self, statistics: Mapping[str, Any]) -> Result: ...
 
 
@@ -112,7 +117,10 @@ class _Memory:
     def note(self, occurrences: Sequence[Occurrence]) -> None:
         self._occurrences.extend(occurrences)
 
-    def abandon(self) -> Result | None:
+    def takes_more(self, error: BaseException) -> bool:
+        return True
+
+    def abandon(self, error: BaseException) -> Result | None:
         return self.result({}) if self._pieces else None
 
     def result(self, statistics: Mapping[str, Any]) -> Result:
@@ -125,23 +133,39 @@ class _Memory:
 
 
 class _File:
-    def __init__(self, path: str | os.PathLike[str], header: Header, checkpoints: Checkpoints) -> None:
-        from linkwork.results.writing import ResultWriter
+    """Frames of more than LARGE_BYTES may be interrupted, and do not count then."""
 
-        self._writer = ResultWriter(path, header, checkpoint=checkpoints.of_frames)
+    def __init__(
+        self,
+        path: str | os.PathLike[str],
+        header: Header,
+        checkpoints: Checkpoints,
+        interrupts: Interrupts,
+    ) -> None:
+        from linkwork.results.writing import LARGE_BYTES, ResultWriter
+
+        self._header, self._interrupts = header, interrupts
+        self._large = 8 * sum(map(math.prod, header.frame_shapes().values())) > LARGE_BYTES
+        self._writer = ResultWriter(path, header, checkpoint=checkpoints.of_frames, pause=interrupts.check)
 
     def write(self, frames: Frames) -> None:
+        if self._large:
+            with self._interrupts.computing():
+                frames = record_reactions(self._header, frames)
         self._writer.write(frames)
 
     def note(self, occurrences: Sequence[Occurrence]) -> None:
         self._writer.write_events(occurrences)
 
-    def abandon(self) -> Result | None:
+    def takes_more(self, error: BaseException) -> bool:
+        return not (self._large and isinstance(error, KeyboardInterrupt))
+
+    def abandon(self, error: BaseException) -> Result | None:
         try:
-            self._writer.close()
+            self._writer.close(hurried=isinstance(error, KeyboardInterrupt))
             return self._own()
-        except FileError as error:
-            if error.code == "replaced":
+        except FileError as failure:
+            if failure.code == "replaced":
                 return None
             raise
 
@@ -154,7 +178,7 @@ class _File:
         from linkwork.results.writing import replaced
 
         try:
-            found = Result._read(self._writer.path, trusted=True)
+            found = Result._read(self._writer.path, written=self._header)
         except FileError as error:
             if error.code != "not_found":
                 raise
@@ -164,11 +188,13 @@ class _File:
         return found
 
 
-def recorder(output: str | os.PathLike[str] | None, header: Header, checkpoints: Checkpoints) -> Recorder:
+def recorder(
+    output: str | os.PathLike[str] | None, header: Header, checkpoints: Checkpoints, interrupts: Interrupts
+) -> Recorder:
     """To a file, or to memory. FileError: the file cannot be written."""
     if output is None:
         return _Memory(header, checkpoints)
-    return _File(output, header, checkpoints)
+    return _File(output, header, checkpoints, interrupts)
 
 
 def frame_bytes(model: Model) -> int:
@@ -226,9 +252,10 @@ def _abandon(
     """Keep what there is, and say in the error how far the run came."""
     try:
         to.note(_occurrences(run, labels))
-        to.write(run.take_frames())
+        if to.takes_more(error):
+            to.write(run.take_frames())
     finally:
-        result = to.abandon()
+        result = to.abandon(error)
         if isinstance(error, KeyboardInterrupt):
             error.result = result  # type: ignore[attr-defined]
         if isinstance(error, LinkworkError):

@@ -324,7 +324,9 @@ def _carried_out(
     """The result, with what the run took since `started` [s], and who can take steps of it again."""
     checkpoints = recording.Checkpoints(it.run, it.key)
     with interrupts.computing():
-        recorder = recording.recorder(output, it.header(), checkpoints)
+        estimator = estimator or estimator_of(it)
+        header = it.header()
+    recorder = recording.recorder(output, header, checkpoints, interrupts)
     model, run, plan, t_start = it.system.model, it.run, it.plan, it.t_start
     spent = {"setup_seconds": time.perf_counter() - started}
     log.info("%s: %g to %g s by %s", model.describe(), t_start, plan.t_end, _listed(it.chosen))
@@ -333,7 +335,6 @@ def _carried_out(
     with reporting(progress, plan.t_end, run.steps_total, t_start) as report:
         pieces = recording.pieces(run, interrupts, it.method, it.system)
         labels, warns = it.facts["events"], it.system.options["on_singular"] == "warn"
-        estimator = estimator or estimator_of(it)
         with recording.kept(run, recorder, labels, checkpoints):
             spent["driver_seconds"] = recording.record(
                 run, pieces, recorder, report, labels, estimator, interrupts, warns=warns

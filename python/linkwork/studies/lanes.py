@@ -37,7 +37,7 @@ PACK = 8
 AT_ONCE = 4 * PACK
 
 #: Options of `simulate` that lanes do not have.
-ALONE = ("events", "verify", "threads")
+ALONE = ("verify", "threads")
 
 
 @dataclass(frozen=True)

@@ -38,6 +38,8 @@ SPAN_COLORS = {"bar": "#7a828c", "coil": FORCE_COLOR, "damper": "#98a1ab"}
 #: Of many bodies the first to the last are of one color after the other: neighbors look alike.
 RAMP = ("#35608d", "#2f9384", "#7fae4a", "#e3b43c", "#dd7f3c", "#b5547a")
 
+RAMP_BYTES = [bytes.fromhex(color[1:]) for color in RAMP]
+
 #: Many.
 RAMPED = 200
 
@@ -93,21 +95,22 @@ class Scene:
 def scene(result: Result) -> Scene:
     """What is drawn of a result."""
     header = result.header
-    thickness = _thickness(header, _points_of_bodies(header, joint_kinds(header)))
+    holds = joint_kinds(header)
+    points = _points_of_bodies(header, holds)
+    thickness = _thickness(header, points)
     spans = [
         Span(it.element.role, it.element.index, it.form, it.element.bodies, it.element.origin, it.radius,
              SPAN_COLORS[it.form])
         for it in machine_elements.stretched(header, thickness)
     ]  # fmt: skip
-    return Scene(solids(result), spans)
+    return Scene(_solids(result, holds, points, thickness), spans)
 
 
-def solids(result: Result) -> list[Solid]:
-    """Everything solid, in the order of the bodies and joints."""
+def _solids(
+    result: Result, holds: Sequence[Holds], points: dict[int, list[Floats]], thickness: float
+) -> list[Solid]:
+    """Everything solid, in the order of the bodies and joints; `points` of the joints on each body."""
     header = result.header
-    holds = joint_kinds(header)
-    points = _points_of_bodies(header, holds)
-    thickness = _thickness(header, points)
     given = header.shapes.by_body()
     telescopes = _telescopes(header, holds, given, thickness)
     default = _once_each(thickness)
@@ -134,8 +137,8 @@ def body_color(body: int, count: int) -> str:
         return BODY_COLORS[body % len(BODY_COLORS)]
     place = body / (count - 1) * (len(RAMP) - 1)
     first = min(int(place), len(RAMP) - 2)
-    pairs = zip(bytes.fromhex(RAMP[first][1:]), bytes.fromhex(RAMP[first + 1][1:]), strict=True)
-    return "#" + bytes(round(a + (place - first) * (b - a)) for a, b in pairs).hex()
+    pairs = zip(RAMP_BYTES[first], RAMP_BYTES[first + 1], strict=True)
+    return "#" + bytes([round(a + (place - first) * (b - a)) for a, b in pairs]).hex()
 
 
 def _once_each(thickness: float) -> Callable[[Sequence[Floats], float, Floats], list[Shape]]:
@@ -345,12 +348,13 @@ def _points_of_bodies(
 ) -> dict[int, list[Floats]]:
     """Where placed joints and bushings sit on each body; `without` these joints."""
     points: dict[int, list[Floats]] = defaultdict(list)
+    bodies = header.joint_bodies.tolist()
     for j, it in enumerate(holds):
         if j in without:
             continue
-        for body, origin in zip(header.joint_bodies[j], header.joint_origin[j], strict=True):
+        for body, origin in zip(bodies[j], header.joint_origin[j], strict=True):
             if body >= 0 and it.placed:
-                points[int(body)].append(origin)
+                points[body].append(origin)
     for bearing in machine_elements.bearings(header):
         for body, origin in zip(bearing.bodies, bearing.origin, strict=True):
             if body >= 0:
@@ -360,8 +364,11 @@ def _points_of_bodies(
 
 def _thickness(header: Header, points: dict[int, list[Floats]]) -> float:
     """Radius of rods: 1/36 of a usual distance between the joints of a body or from one to its center."""
-    spans = [2 * np.linalg.norm(several, axis=1).max() for several in points.values()]
-    usual = float(np.median(spans)) if spans else 0.0
+    counts = [len(several) for several in points.values()]
+    joined = np.concatenate([np.zeros((0, 3)), *points.values()])
+    reach = np.linalg.norm(joined, axis=1)
+    spans = 2 * np.maximum.reduceat(reach, np.cumsum([0, *counts[:-1]])) if counts else reach
+    usual = float(np.median(spans)) if len(spans) else 0.0
     if usual <= 0:
         heavy = header.mass > 0
         radii = np.sqrt(np.trace(header.inertia[heavy], axis1=1, axis2=2) / header.mass[heavy])

@@ -78,21 +78,21 @@ class Stretched:
 def elements(header: Header, role: Role) -> Iterator[Element]:
     """Of a result; force elements are known to files of this version on."""
     kinds = getattr(header, f"{role}_kinds")
-    bodies, origin, frame = (getattr(header, f"{role}_{what}") for what in ("bodies", "origin", "frame"))
+    origin, frame = (getattr(header, f"{role}_{what}") for what in ("origin", "frame"))
+    bodies = getattr(header, f"{role}_bodies").tolist()
     for index, kind in enumerate(kinds):
         info = KINDS[role].get(kind)
-        values = header.parameters(role, index).tolist()
+        values = header.parameters(role, index).tolist() if info and info.parameters else []
         numbers = dict(zip(info.parameters, values, strict=True)) if info and values else {}
-        first, second = (int(body) for body in bodies[index])
+        first, second = bodies[index]
         yield Element(role, index, kind, (first, second), origin[index], frame[index], numbers)
 
 
 def stretched(header: Header, thickness: float) -> list[Stretched]:
     """Bars of joints that hold a distance, springs and dampers between points; `thickness` of a rod [m]."""
     distances = {kind for kind in set(header.joint_kinds) if Holds.of(kind).distance}
-    found = [
-        Stretched(it, "bar", 0.5 * thickness) for it in elements(header, "joint") if it.kind in distances
-    ]
+    joints = elements(header, "joint") if distances else ()
+    found = [Stretched(it, "bar", 0.5 * thickness) for it in joints if it.kind in distances]
     for it in elements(header, "force"):
         if "free_length" not in it.numbers:
             continue

@@ -86,14 +86,28 @@ def view(results: Sequence[Result], labels: Sequence[str] = (), limit: float = L
 
     OptionError: the limit is too small for two frames.
     """
-    if not isinstance(labels, Iterable) or isinstance(labels, np.ndarray | str):
-        raise OptionError(f"labels {labels!r:.80} are no names of runs", code="labels")
     if not is_number(limit):
         raise OptionError(f"limit {limit!r:.80} is not a finite number of bytes", code="limit")
-    names = [*map(str, labels), *("" for _ in results)][: len(results)]
-    documents = [
-        document(result, label, limit / len(results)) for result, label in zip(results, names, strict=True)
-    ]
+    each = limit / len(results)
+    return _page([document(result, label, each) for result, label in _labelled(results, labels)])
+
+
+def streamed_page(results: Sequence[Result], labels: Sequence[str] = ()) -> tuple[Page, list[int]]:
+    """The same for a server, which gives out so many pieces of poses of each run. See `stream_piece`."""
+    each = LIMIT / len(results)
+    documents = [document(result, label, each, streamed=True) for result, label in _labelled(results, labels)]
+    return _page(documents), [it.facts["pieces"]["count"] for it in documents]
+
+
+def _labelled(results: Sequence[Result], labels: Sequence[str]) -> Iterator[tuple[Result, str]]:
+    """OptionError: the labels are no names."""
+    if not isinstance(labels, Iterable) or isinstance(labels, np.ndarray | str):
+        raise OptionError(f"labels {labels!r:.80} are no names of runs", code="labels")
+    names = [*map(str, labels), *("" for _ in results)]
+    return zip(results, names, strict=False)
+
+
+def _page(documents: Sequence[Document]) -> Page:
     model = documents[0].facts["model"]
     return Page(
         _PAGE.format(

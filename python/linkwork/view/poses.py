@@ -1,4 +1,4 @@
-"""The poses of a run on their way into a page: as one array, or in pieces of some frames.
+"""The poses of a run on their way into a page: as one array, in pieces of some frames, or by a server.
 
 Of many bodies a page would have to hold all frames as numbers at once, tens of times what they take deflated.
 So they come in pieces of their own, which the page inflates when the time comes to them, and forgets again.
@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 
 #: Numbers of one array; of more there are pieces, each of not more, or of a frame.
 MOST_NUMBERS = 4_000_000
+
+#: Numbers of a piece that a server gives out: few, as a page that jumps to a time waits for one.
+STREAMED_NUMBERS = 1_000_000
 
 
 def add_poses(
@@ -59,6 +62,26 @@ def in_pieces(frames: int, bodies: int) -> bool:
 
 def frames_of_piece(bodies: int) -> int:
     return max(1, MOST_NUMBERS // max(7 * bodies, 1))
+
+
+def frames_of_stream(bodies: int) -> int:
+    """Of a piece that a server gives out."""
+    return max(1, STREAMED_NUMBERS // max(7 * bodies, 1))
+
+
+def pieces_of_stream(result: Result) -> int:
+    return -(-len(result) // frames_of_stream(result.header.body_count))
+
+
+def stream_piece(result: Result, number: int) -> bytes:
+    """The poses of some frames, 7 numbers a body, float32, frame by frame. FileError: the file changed."""
+    each = frames_of_stream(result.header.body_count)
+    return result.recorded("q", slice(each * number, each * (number + 1))).astype("<f4").tobytes()
+
+
+def stream_precision(low: Floats, high: Floats) -> float:
+    """The error of positions between two corners (3,) by rounding [m]."""
+    return float(np.spacing(np.float32(max(np.abs(low).max(), np.abs(high).max())))) / 2
 
 
 def _chunks(result: Result, frames: Sequence[int], each: int) -> Iterator[Floats]:

@@ -21,7 +21,15 @@ from linkwork.motion.summary import method
 from linkwork.motion.violations import joint_kinds, violations
 from linkwork.view.appearance import Scene, Solid, Span, scene
 from linkwork.view.encoding import Pack
-from linkwork.view.poses import add_poses, frames_of_piece, in_pieces
+from linkwork.view.poses import (
+    add_poses,
+    continuous,
+    frames_of_piece,
+    frames_of_stream,
+    in_pieces,
+    pieces_of_stream,
+    stream_precision,
+)
 
 if TYPE_CHECKING:
     from linkwork.results.result import Result
@@ -38,6 +46,10 @@ COORDINATES, FEW_COORDINATES = 100, 20
 #: Share of the limit that poses may take; the rest is for what can be plotted, of so many bodies at least.
 POSES, FOLLOWED = 0.6, 6
 
+#: Where a server gives the poses out: bodies and joints that can be plotted of a result that is larger than
+#: that, which is not read as a whole [bytes].
+FEW_FOLLOWED, WHOLE_READ = 100, 1e9
+
 
 @dataclass(frozen=True)
 class Choice:
@@ -47,6 +59,18 @@ class Choice:
     bodies: NDArray[np.intp]  #: of which velocities can be plotted, and positions where poses are in pieces
     joints: NDArray[np.intp]  #: of which reactions can be plotted and drawn
     coordinates: int  #: of the first so many of them also coordinates
+    travel: Floats | None = None  #: of all bodies (n,) [m]; only where a server gives the poses out
+
+    @classmethod
+    def streamed(cls, result: Result, limit: float) -> Choice:
+        """All frames, whose poses a server gives out; within `limit` [bytes] what can be plotted."""
+        count, n, joints = len(result), result.header.body_count, result.header.joint_count
+        share = min(1.0, limit / max(1, count * ((24 + 14) * n + 24 * joints)))
+        bodies, loaded = max(int(share * n), min(FOLLOWED, n)), int(share * joints)
+        if 8.0 * count * (19 * n + 6 * joints) > WHOLE_READ:
+            bodies, loaded = min(bodies, FEW_FOLLOWED), min(loaded, FEW_FOLLOWED)
+        travel = _travel(result)
+        return cls(1, _most(travel, bodies), _most(_load(result), loaded), FEW_COORDINATES, travel)
 
     @classmethod
     def of(cls, result: Result, limit: float) -> Choice:
@@ -57,8 +81,7 @@ class Choice:
                 f"limit {limit:.3g} bytes is too small for two frames of {n} bodies: give {56 * n} or more",
                 code="limit",
             )
-        most = min(MOST_FRAMES, max(2, int(POSES * limit / max(14 * n, 1))))
-        every = max(1, -(-(count - 1) // (most - 1)))
+        every = every_frame(result, limit)
         frames = -(-count // every) + 1
         left = limit - 14 * n * frames
         pieces = in_pieces(frames, n)
@@ -69,6 +92,13 @@ class Choice:
         return cls(every, _most(_travel(result), bodies), loaded, FEW_COORDINATES if pieces else COORDINATES)
 
 
+def every_frame(result: Result, limit: float) -> int:
+    """A page of `limit` [bytes] has every so manyth frame."""
+    poses = POSES * limit / max(14 * result.header.body_count, 1)
+    most = min(MOST_FRAMES, max(2, int(poses)))
+    return max(1, -(-(len(result) - 1) // (most - 1)))
+
+
 class Document(NamedTuple):
     """A run in a page."""
 
@@ -77,22 +107,24 @@ class Document(NamedTuple):
     pieces: list[str]  #: blocks of poses; none where they are among the arrays
 
 
-def document(result: Result, label: str, limit: float = LIMIT) -> Document:
-    """What goes into a page of a result.
+def document(
+    result: Result, label: str, limit: float = LIMIT, *, streamed: bool = False
+) -> Document:  # Long: 34 lines are the facts.
+    """What goes into a page of a result; `streamed`: a server gives the poses of all frames out.
 
     OptionError: a result without frames, a limit that is too small.
     """
     if not len(result):
         raise OptionError("the result has no frames: there is nothing to view", code="empty")
     header = result.header
-    choice, pack = Choice.of(result, limit), Pack()
+    choice, pack = (Choice.streamed if streamed else Choice.of)(result, limit), Pack()
     drawn = scene(result)
+    low, high = _extent(result, drawn)
     pieces, precision = _add_frames(pack, result, choice)
     coordinates = _add_coordinates(pack, result, choice)
     pack.add("joints.bodies", header.joint_bodies, "i4")
     pack.add("joints.origin", header.joint_origin, "f4")
     manifest = result.manifest
-    low, high = _extent(result, drawn)
     facts = {
         "label": label,
         "model": manifest.get("model") or "model",
@@ -101,7 +133,7 @@ def document(result: Result, label: str, limit: float = LIMIT) -> Document:
         "still": bool(manifest.get("still")),
         "loose": [[int(joint), text] for joint, text in manifest.get("loose", {}).items()],
         "frames": {"recorded": len(result), "shown": pack.directory["t"]["shape"][0], "every": choice.every},
-        "precision": precision,
+        "precision": stream_precision(low, high) if streamed else precision,
         "gravity": np.asarray(header.gravity, float).tolist(),
         "extent": [low.tolist(), high.tolist()],
         "bodies": {"names": list(header.body_names), "plotted": choice.bodies.tolist()},
@@ -115,9 +147,17 @@ def document(result: Result, label: str, limit: float = LIMIT) -> Document:
         "events": [{"t": it.t, "name": it.name} for it in result.events][:200]
         + [{"t": it.t, "name": "singular pose"} for it in result.singular_poses],
         "arrays": pack.directory,
-        "pieces": {"count": len(pieces), "frames": frames_of_piece(header.body_count)} if pieces else None,
+        "pieces": _piece_facts(result, len(pieces), streamed),
     }
     return Document(facts, pack.text(), pieces)
+
+
+def _piece_facts(result: Result, count: int, streamed: bool) -> dict[str, Any] | None:
+    """How the poses are divided; None: they are one array."""
+    bodies = result.header.body_count
+    if streamed:
+        return {"count": pieces_of_stream(result), "frames": frames_of_stream(bodies), "streamed": True}
+    return {"count": count, "frames": frames_of_piece(bodies), "streamed": False} if count else None
 
 
 def _joint_facts(header: Header, choice: Choice) -> dict[str, Any]:
@@ -147,17 +187,23 @@ def _thinned(result: Result, name: str, every: int) -> Floats:
     return np.concatenate([values, result.recorded(name, np.s_[-1:])])
 
 
+def _thinned_of(result: Result, name: str, places: NDArray[np.intp], every: int) -> Floats:
+    """The same of some bodies or joints."""
+    values = result.recorded_of(name, places, every)
+    if (len(result) - 1) % every == 0:
+        return values
+    return np.concatenate([values, result.recorded(name, np.s_[-1:])[:, places]])
+
+
 def _add_frames(pack: Pack, result: Result, choice: Choice) -> tuple[list[str], float]:
     """Times, poses, series; what is not an energy or violation quantized. See `add_poses`."""
     every = choice.every
-    t = _thinned(result, "t", every)
-    pack.add("t", t, "f8")
-    shown = [*range(0, len(result), every)]
-    poses = add_poses(pack, result, shown + [len(result) - 1] * (shown[-1] != len(result) - 1), choice.bodies)
+    pack.add("t", _thinned(result, "t", every), "f8")
+    poses = _add_poses(pack, result, choice)
     for name, field in (("v", "v"), ("vdot", "vdot")):
-        pack.add_quantized(name, _thinned(result, field, every)[:, choice.bodies])
+        pack.add_quantized(name, _thinned_of(result, field, choice.bodies, every))
     for part in ("force", "torque"):
-        pack.add_quantized(part, _thinned(result, f"reaction_{part}", every)[:, choice.joints])
+        pack.add_quantized(part, _thinned_of(result, f"reaction_{part}", choice.joints, every))
     kinetic, potential, work = (_thinned(result, name, every) for name in ("kinetic", "potential", "work"))
     energy = kinetic + potential
     scalars = (kinetic, potential, energy, work, energy - energy[:1] - work)
@@ -166,6 +212,17 @@ def _add_frames(pack: Pack, result: Result, choice: Choice) -> tuple[list[str], 
     for name, values in zip(("gap", "askew"), joint_violations(result, choice), strict=True):
         pack.add_quantized(name, np.log10(np.maximum(values, 1e-17)))
     return poses
+
+
+def _add_poses(pack: Pack, result: Result, choice: Choice) -> tuple[list[str], float]:
+    """As `add_poses`; where a server gives them out the tracks of some bodies, and how far all of them go."""
+    if choice.travel is not None:
+        pack.add("travel", choice.travel, "f4")
+        pack.add_quantized("track", continuous(_thinned_of(result, "q", choice.bodies, 1)))
+        return [], 0.0
+    shown = [*range(0, len(result), choice.every)]
+    last = [len(result) - 1] * (shown[-1] != len(result) - 1)
+    return add_poses(pack, result, shown + last, choice.bodies)
 
 
 def _add_coordinates(pack: Pack, result: Result, choice: Choice) -> list[str]:

@@ -7,17 +7,18 @@ import { leftOut } from "./left_out.js";
 import { Overlay } from "./overlay.js";
 import { Panel, figure } from "./panel.js";
 import { Player } from "./player.js";
-import { Run, unpacked } from "./run.js";
+import { Run, fetched, unpacked } from "./run.js";
 import { GAP, World } from "./world.js";
 
 const VIEWS = [["-y", "front: along y"], ["y", "back"], ["x", "right: against x"], ["-x", "left"], ["z", "top: against z"], ["-z", "bottom"]];
+const BEHIND = { true: "frames are being read", false: "frames are being unpacked" };
 const SECOND = { played: "first", overlaid: "second" };
 
 async function main() {
   const descriptions = JSON.parse(document.getElementById("runs").textContent);
   const blocks = await Promise.all(descriptions.map((_, k) => unpacked(document.getElementById(`block${k}`).textContent.trim())));
-  const text = (name) => document.getElementById(name).textContent.trim();
-  const runs = descriptions.map((it, k) => new Run(it, blocks[k], (number) => text(`poses${k}-${number}`)));
+  const inPage = (name) => unpacked(document.getElementById(name).textContent.trim());
+  const runs = descriptions.map((it, k) => new Run(it, blocks[k], (number, signal) => (it.pieces.streamed ? fetched : inPage)(`poses${k}-${number}`, signal)));
   runs.forEach((run, k) => (run.short = run.label && run.label.length <= 24 ? run.label : k ? SECOND.overlaid : SECOND.played));
   await Promise.all(runs.map((run) => run.poses.ready()));
   new Page(document.getElementById("viewer"), runs);
@@ -88,7 +89,7 @@ class Page {
     const run = this.runs[0];
     const violation = run.jointCount && !run.still ? `violation ${figure(run.violation[run.frame])}` : "";
     const broken = this.runs.find((it) => it.poses.error);
-    this.part("now").textContent = broken ? `frames cannot be read: ${broken.poses.error.message}` : player.behind ? "frames are being unpacked" : violation;
+    this.part("now").textContent = broken ? `frames cannot be read: ${broken.poses.error.message}` : player.behind ? BEHIND[Boolean(run.pieces?.streamed)] : violation;
   }
 
   #transport() {
@@ -282,8 +283,9 @@ function layout(runs) {
   const { recorded, shown } = run.frames;
   const frames = recorded === shown ? `${recorded} frames` : `${shown} of ${recorded} frames`;
   const size = document.documentElement.outerHTML.length / 1e6;
+  const where = run.pieces?.streamed ? "read as the time comes to them" : `${size.toFixed(2)} MB`;
   const loose = run.loose.length ? `<span class="loose">${run.loose.length} joint${run.loose.length > 1 ? "s" : ""} not held</span>` : "";
-  const facts = run.still ? "the initial pose, as it is given" : `${frames} · positions to ${figure(run.precision)} m · ${size.toFixed(2)} MB`;
+  const facts = run.still ? "the initial pose, as it is given" : `${frames} · positions to ${figure(run.precision)} m · ${where}`;
   const second = two
     ? `<div class="runs"><span><i></i>${escaped(run.label || SECOND.played)}</span><span><i class="second"></i>${escaped(runs[1].label || SECOND.overlaid)}</span></div>`
     : "";

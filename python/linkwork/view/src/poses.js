@@ -1,7 +1,11 @@
-// The poses of a run, frame by frame: 7 numbers a body. Of many bodies they stay in the page, deflated in pieces of some
-// frames, and are taken out when the time comes to them.
+// The poses of a run, frame by frame: 7 numbers a body. Of many bodies they are in pieces of some frames, which are taken
+// when the time comes to them: out of the page, where they are deflated, or from the server that shows it.
 
 const KEPT = 4; // pieces that are out at once
+const MEMORY = 192e6; // for those from a server [bytes]
+const MOST = 64; // of them, however small they are
+const AHEAD = 8; // of them that are asked for before the time comes to them
+const AT_ONCE = 2; // questions to a server
 
 /** Numbers that are there at once. */
 export class Poses {
@@ -18,11 +22,28 @@ export class Poses {
 }
 
 export class PosePieces {
-  /** `frames` in all, `each` a piece; `take(number)` promises the bytes of one; `low`, `step`: of each channel. */
-  constructor({ frames, each, low, step, take }) {
-    Object.assign(this, { frames, each, low, step, take, width: low.length, out: new Map(), coming: new Map() });
+  /** `frames` in all, `each` a piece, `width` numbers a frame; `take(number, signal)` promises the numbers of a piece. */
+  constructor({ frames, each, width, take, kept = KEPT, ahead = 1 }) {
+    Object.assign(this, { frames, each, width, take, kept, ahead, out: new Map(), coming: new Map() });
     this.arrived = () => {};
-    this.error = null; // of a piece that could not be taken out
+    this.error = null; // of a piece that could not be taken
+  }
+
+  /** Deflated in the page, channel by channel in differences: `unpack(number)` promises the bytes; `low`, `step` of each. */
+  static inPage({ frames, each, low, step, unpack }) {
+    const width = low.length;
+    const take = async (number) => {
+      const size = width * Math.min(each, frames - number * each);
+      return decoded(new Uint16Array(await unpack(number), 0, size), low, step);
+    };
+    return new PosePieces({ frames, each, width, take });
+  }
+
+  /** From a server: `fetched(number, signal)` promises the bytes of float32. */
+  static served({ frames, each, width, fetched }) {
+    const kept = Math.min(Math.max(Math.floor(MEMORY / (4 * width * each)), KEPT), MOST);
+    const take = async (number, signal) => new Float32Array(await fetched(number, signal));
+    return new PosePieces({ frames, each, width, take, kept, ahead: Math.min(AHEAD, kept - 3) });
   }
 
   /** When the first frame is out. */
@@ -30,11 +51,12 @@ export class PosePieces {
     return this.#fetch(0);
   }
 
-  /** As of Poses, or null where the piece is still in the page; `arrived` is called when it is out. */
+  /** As of Poses, or null where the piece is still to be taken; `arrived` is called when it is there. */
   frame(k) {
     const number = Math.floor(k / this.each);
     const values = this.out.get(number);
     if (!values) {
+      this.#forgetAll((other) => other < number || other > number + this.ahead);
       this.#fetch(number);
       return null;
     }
@@ -43,42 +65,56 @@ export class PosePieces {
     return { values, at: (k - number * this.each) * this.width };
   }
 
-  /** Have the piece after that of a frame taken out, too: a motion that plays comes to it next. */
+  /** Have the pieces after that of a frame taken, too, nearest first: a motion that plays comes to them next. */
   expect(k) {
-    const next = Math.floor(k / this.each) + 1;
-    if (next * this.each < this.frames && !this.out.has(next)) this.#fetch(next);
+    const now = Math.floor(k / this.each);
+    const last = Math.min(now + this.ahead, Math.ceil(this.frames / this.each) - 1);
+    for (let next = now + 1; next <= last && this.coming.size < AT_ONCE; next++) if (!this.out.has(next)) this.#fetch(next);
   }
 
   #fetch(number) {
-    if (!this.coming.has(number)) this.coming.set(number, this.error ? Promise.resolve() : this.#taken(number));
-    return this.coming.get(number);
+    if (!this.coming.has(number)) {
+      const ender = new AbortController();
+      this.coming.set(number, { ender, done: this.error ? Promise.resolve() : this.#taken(number, ender.signal) });
+    }
+    return this.coming.get(number).done;
   }
 
-  async #taken(number) {
-    try {
-      const whole = new Uint16Array(await this.take(number), 0, this.width * Math.min(this.each, this.frames - number * this.each));
-      while (this.out.size >= KEPT) this.out.delete(this.out.keys().next().value);
-      this.out.set(number, this.#decoded(whole));
-    } catch (error) {
-      this.error = error;
-    } finally {
+  /** What was asked for and is of no use any more: the time went elsewhere. */
+  #forgetAll(useless) {
+    for (const [number, { ender }] of this.coming) {
+      if (!useless(number)) continue;
+      ender.abort();
       this.coming.delete(number);
     }
-    this.arrived();
   }
 
-  /** Channel by channel in differences, to numbers frame by frame. */
-  #decoded(differences) {
-    const { width, low, step } = this;
-    const frames = differences.length / width;
-    const values = new Float32Array(differences.length);
-    for (let c = 0; c < width; c++) {
-      let whole = 0;
-      for (let k = 0; k < frames; k++) {
-        whole = (whole + differences[c * frames + k]) & 0xffff;
-        values[k * width + c] = low[c] + step[c] * whole;
-      }
+  async #taken(number, signal) {
+    try {
+      const values = await this.take(number, signal);
+      if (signal.aborted) return;
+      while (this.out.size >= this.kept) this.out.delete(this.out.keys().next().value);
+      this.out.set(number, values);
+    } catch (error) {
+      if (signal.aborted) return;
+      this.error = error;
     }
-    return values;
+    this.coming.delete(number);
+    this.arrived();
   }
+}
+
+/** Channel by channel in differences, to numbers frame by frame. */
+function decoded(differences, low, step) {
+  const width = low.length;
+  const frames = differences.length / width;
+  const values = new Float32Array(differences.length);
+  for (let c = 0; c < width; c++) {
+    let whole = 0;
+    for (let k = 0; k < frames; k++) {
+      whole = (whole + differences[c * frames + k]) & 0xffff;
+      values[k * width + c] = low[c] + step[c] * whole;
+    }
+  }
+  return values;
 }

@@ -18,8 +18,20 @@ function bytesOf(text) {
   return bytes;
 }
 
+/** The bytes of an answer of the server that shows the page. */
+export async function fetched(name, signal) {
+  let answer;
+  try {
+    answer = await fetch(name, { signal });
+  } catch (error) {
+    throw signal.aborted ? error : new Error("the server of this page has ended");
+  }
+  if (!answer.ok) throw new Error(await answer.text());
+  return answer.arrayBuffer();
+}
+
 export class Run {
-  /** `piece(number)` is the text of a block of poses. */
+  /** `piece(number, signal)` promises the bytes of a piece of the poses. */
   constructor(description, buffer, piece) {
     Object.assign(this, description);
     this.buffer = buffer;
@@ -65,8 +77,9 @@ export class Run {
   }
 
   #pieces(piece) {
-    const take = (number) => unpacked(piece(number));
-    return new PosePieces({ frames: this.count, each: this.pieces.frames, low: this.array("q.low"), step: this.array("q.step"), take });
+    const { count: frames, pieces: { frames: each } } = this;
+    if (this.pieces.streamed) return PosePieces.served({ frames, each, width: 7 * this.bodyCount, fetched: piece });
+    return PosePieces.inPage({ frames, each, low: this.array("q.low"), step: this.array("q.step"), unpack: piece });
   }
 
   /** Place of a body in `track`; undefined where the page does not have its way. */
@@ -135,14 +148,21 @@ export class Run {
     this.behind = !from || !to;
     this.frame = this.nearest(time);
     if (this.behind) return; // what is shown stays until they are there
+    this.#between(from, to, f, width);
+  }
+
+  #between(from, to, f, width) {
     const { pose } = this;
-    for (let i = 0; i < width; i++) {
-      const a = from.values[from.at + i];
-      pose[i] = a + f * (to.values[to.at + i] - a);
-    }
-    for (let i = 3; i < width; i += 7) {
-      const norm = Math.hypot(pose[i], pose[i + 1], pose[i + 2], pose[i + 3]) || 1;
-      for (let c = 0; c < 4; c++) pose[i + c] /= norm;
+    const [a, b] = [from.values, to.values];
+    for (let i = 0; i < width; i += 7) {
+      const p = from.at + i;
+      const q = to.at + i;
+      for (let c = 0; c < 3; c++) pose[i + c] = a[p + c] + f * (b[q + c] - a[p + c]);
+      const alike = a[p + 3] * b[q + 3] + a[p + 4] * b[q + 4] + a[p + 5] * b[q + 5] + a[p + 6] * b[q + 6];
+      const sign = alike < 0 ? -f : f; // p and -p are the same pose
+      for (let c = 3; c < 7; c++) pose[i + c] = (1 - f) * a[p + c] + sign * b[q + c];
+      const norm = Math.hypot(pose[i + 3], pose[i + 4], pose[i + 5], pose[i + 6]) || 1;
+      for (let c = 3; c < 7; c++) pose[i + c] /= norm;
     }
   }
 
@@ -255,11 +275,20 @@ export class Run {
 
   /** Bodies that move the most, most first; of those of which the page has the way. */
   movers(most) {
-    const step = this.array("q.step");
-    const travel = (i) => Math.max(step[7 * i], step[7 * i + 1], step[7 * i + 2]);
+    const travel = this.#travel();
     const known = this.pieces ? this.bodies.plotted : [...this.bodies.names.keys()];
     const all = known.filter((i) => travel(i) > 0);
     return all.sort((a, b) => travel(b) - travel(a)).slice(0, most);
+  }
+
+  /** How far a body goes, or what grows with it. */
+  #travel() {
+    if (this.pieces?.streamed) {
+      const travel = this.array("travel");
+      return (i) => travel[i];
+    }
+    const step = this.array("q.step");
+    return (i) => Math.max(step[7 * i], step[7 * i + 1], step[7 * i + 2]);
   }
 }
 
