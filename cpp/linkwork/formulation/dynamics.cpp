@@ -299,6 +299,7 @@ void Dynamics::solve(const ConstVector& a, const ConstVector& b, MutableVector v
 }
 
 void Dynamics::find_solution(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {
+  meter_.add(system_.body_count());
   statistics_.solves += 1;
   if (unconnected()) return system_.multiply_inverse_mass(a, v_dot);
   if (!formulation_->factorized()) {

@@ -6,11 +6,18 @@
 
 #include "linkwork/formulation/not_finite.hpp"
 #include "linkwork/math/error.hpp"
+#include "linkwork/math/interruption.hpp"
 
 namespace linkwork {
 namespace {
 
-constexpr double same_time = 1e-9;  // relative to the step: roundoff of t_end / step
+constexpr double same_time = 1e-9;            // relative to the step: roundoff of t_end / step
+constexpr Eigen::Index long_steps = 100'000;  // numbers of a state; shorter steps are not worth to be interrupted
+
+/// Between the passes over all bodies of one step.
+void look_where_steps_are_long(Eigen::Index numbers) {
+  if (numbers >= long_steps) look_for_interruption();
+}
 
 }  // namespace
 
@@ -127,8 +134,10 @@ double Simulation::begin_step() {
     kept_y_ = y_;
     if (finished_) finish();
     if (finished_) break;
+    look_where_steps_are_long(y_.size());
     if (!leaping_) with_time(t(), next_step(), [&] { begin_leap(); });
     if (!leaping_) {
+      look_where_steps_are_long(y_.size());
       sampling_.before(dynamics_, y_);
       return next_step();
     }
@@ -174,6 +183,7 @@ void Simulation::forget() {
 void Simulation::evaluate_and_record() {
   if (evaluated_) return;
   dynamics_.evaluate(time_of(steps_done_), y_);
+  look_where_steps_are_long(y_.size());
   accept_state();
   if (!leaping_) monitor_violation(t());
   evaluated_ = true;
@@ -203,6 +213,7 @@ void Simulation::record() {
 void Simulation::finish_step() {
   const System& system = dynamics_.system();
   const double t_new = time_of(steps_done_ + 1);
+  look_where_steps_are_long(y_.size());
   if (!y_.allFinite()) with_time(t_new, next_step(), [&] { throw_not_finite(system, y_, t_new); });
   divergence_.check(y_, t_new, next_step());
   system.normalize(y_.head(system.q_size()));
