@@ -462,7 +462,8 @@ def main() -> None:
     parser.add_argument("--cases", type=int, help="of a study; each part has its own number")
     parser.add_argument("--alone", type=int, default=400, help="throughput: cases of the pool in a round")
     parser.add_argument("--rounds", type=int, default=3, help="throughput: sweep and pool, in turn")
-    parser.add_argument("--every", type=float, default=3.0, help="workers: between two kills [s]")
+    parser.add_argument("--every", type=float, default=3.0,
+                        help="workers: between two kills [s], longer than one takes to start")  # fmt: skip
     parser.add_argument("--shards", type=int, default=8, help="workers: of which three are killed")
     parser.add_argument("--answered", type=float, metavar="SECONDS", help="bookkeeping: no simulation")
     parser.add_argument("--processes", type=int, default=2)

@@ -111,12 +111,15 @@ class Collected:
         self._settle()
         usual = self._columns({label: shape for label, shape in labels.items() if label not in self._outputs})
         found = {**self._outputs, **usual}
-        once = len(self._first) == len(self._place)
-        return {label: found[label] if once else found[label][self._place] for label in labels}
+        return {label: self._each(found[label]) for label in labels}
+
+    def _each(self, column: NDArray[Any]) -> NDArray[Any]:
+        """No copy where every case has a key of its own."""
+        return column if len(self._first) == len(self._place) else column[self._place]
 
     def status(self, lost: Mapping[str, str], keys: Sequence[str]) -> NDArray[np.str_]:
         self._settle()
-        names = np.array(["skipped", "finished", "failed"])[self._state[self._place]]
+        names = np.array(["skipped", "finished", "failed"])[self._each(self._state)]
         for k, key in enumerate(keys if lost else ()):
             if names[k] == "skipped" and key in lost:
                 names[k] = "failed"
@@ -141,15 +144,15 @@ class Collected:
 
     @property
     def seconds(self) -> Floats:
-        return np.asarray(self._seconds[self._place])
+        return self._each(self._seconds)
 
     @property
     def accuracy(self) -> Floats:
-        return np.asarray(self._accuracy[self._place])
+        return self._each(self._accuracy)
 
     @property
     def level(self) -> NDArray[np.str_]:
-        return np.asarray(self._level[self._place])
+        return self._each(self._level)
 
 
 def _shapes(outputs: Mapping[str, Any]) -> Shapes:
