@@ -64,8 +64,8 @@ LARGE_MODELS: dict[str, LargeModel] = {
 def large_subjects(
     names: Sequence[str] = (), size: str = "small", links: int | None = None
 ) -> list[tuple[LargeModel, Subject]]:
-    """All models, or those of these names. OptionError: a name or size that does not exist; a model of `links`
-    that has none so small.
+    """All models, or those of these names. OptionError: a name or size that does not exist, or no model of so
+    few links.
     """
     if links is not None:
         whole(links, 1, "links")
