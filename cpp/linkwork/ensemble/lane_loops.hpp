@@ -637,9 +637,9 @@ void backward_joints(const FrontPlace& at, const LaneData& data, double* x, doub
   }
 }
 
-/// x = M^-1 (a + D^T lambda).
-void backward_body(const CoreBody& body, const LaneData& data, const double* a, double* x, const double* lambda) {
-  Native sum[6]{}, odd[6]{};
+/// D^T lambda of the rows of a body: those in odd places apart.
+LINKWORK_INLINE void sum_reactions(const CoreBody& body, const LaneData& data, const double* lambda, Native* sum) {
+  Native odd[6]{};
   const auto add = [&](int row, Native* to) {
     const block::BodyRow& it = data.rows[body.first_row + row];
     const Native l = get(lambda, it.row);
@@ -656,6 +656,12 @@ void backward_body(const CoreBody& body, const LaneData& data, const double* a, 
   if (row < body.rows) add(row, sum);
   LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
     sum[k] += odd[k];
+}
+
+/// x = M^-1 (a + D^T lambda).
+void backward_body(const CoreBody& body, const LaneData& data, const double* a, double* x, const double* lambda) {
+  Native sum[6]{};
+  sum_reactions(body, data, lambda, sum);
   if (body.slot >= 0) {
     const double* own = data.factors + body.own_factors * width;
     Native solution[6];
