@@ -105,6 +105,23 @@ def test_residuals_are_those_of_the_evaluation_at_the_same_state(make: Callable[
     assert lengths.shape == Phi.shape and lengths.min() > 0 and rate > 0
 
 
+def coupled(factor: float) -> lw.Model:
+    """Two sliders with two couplers, which say the same where the factor is 2."""
+    model = lw.Model(name="coupled")
+    for k in range(2):
+        slider = model.body(f"slider {k}", mass=1.0 + k, inertia=(0.1, 0.1, 0.1), position=(0, k, 0))
+        model.translational(model.ground, slider, at=(0, k, 0), axis=(1, 0, 0), name=f"rail {k}")
+    for given in (2.0, factor):
+        model.coupler([("rail 0", 1.0), ("rail 1", -given)])
+    return model
+
+
+def test_factors_of_couplers_are_part_of_the_geometry() -> None:
+    twice, otherwise = lw.System(coupled(2.0)), lw.System(coupled(3.0))
+    assert twice.of(coupled(3.0)).compiled().rank().redundant_rows == []
+    assert len(otherwise.of(coupled(2.0)).compiled().rank().redundant_rows) == 1
+
+
 def test_a_system_of_another_one_has_the_bits_of_one_made_by_itself() -> None:
     """With another mass, whose rank is known; of a mechanism with other redundant equations, whose is not."""
     first = lw.System(lw.mechanisms.four_bar(), deterministic=True)

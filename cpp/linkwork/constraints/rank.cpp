@@ -179,9 +179,17 @@ bool same_number(const Parameter& a, const Parameter& b) {
   return a.signal < 0 && b.signal < 0 && a.constant == b.constant;
 }
 
-/// Joints with functions of time, or with a memory, are not compared; nor what inerters make of masses.
+bool has_special_joint(const Model& model) {
+  for (int joint = 0; joint < static_cast<int>(model.joints().size()); ++joint)
+    if (model.special_joint(joint)) return true;
+  return false;
+}
+
+/// Joints with functions of time, with a memory, or with numbers of their own such as the factors of a coupler are not
+/// compared; nor what inerters make of masses.
 bool comparable(const System& system) {
-  return system.initial_history().size() == 0 && system.inerters().empty() && !system.time_dependent_constraints();
+  return system.initial_history().size() == 0 && system.inerters().empty() && !system.time_dependent_constraints() &&
+         !has_special_joint(system.model());
 }
 
 }  // namespace
