@@ -111,8 +111,8 @@ def coupled(factor: float) -> lw.Model:
     for k in range(2):
         slider = model.body(f"slider {k}", mass=1.0 + k, inertia=(0.1, 0.1, 0.1), position=(0, k, 0))
         model.translational(model.ground, slider, at=(0, k, 0), axis=(1, 0, 0), name=f"rail {k}")
-    for given in (2.0, factor):
-        model.coupler([("rail 0", 1.0), ("rail 1", -given)])
+    for ratio in (2.0, factor):
+        model.coupler([("rail 0", 1.0), ("rail 1", -ratio)])
     return model
 
 
