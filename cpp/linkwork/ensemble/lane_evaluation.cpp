@@ -246,7 +246,7 @@ void LaneEvaluation::take_inerters(int l, Evaluation& out) const {
 // --- forces, in the order of System::evaluate ---
 
 void LaneEvaluation::evaluate_forces(LaneGuard& guard) {
-  const ForceArrays out{at_.g.data(), last_.data(),         next_.data(),     rate_.data(),
+  const ForceArrays out{at_.g.data(),     last_.data(),         next_.data(),     rate_.data(),
                         switches_.data(), at_.potential.data(), at_.power.data(), nullptr};
   if (!posed_.empty()) each_lane(guard, [&](int l) { pose_bodies(l, *user_forces_.place(l).at); });
   for (std::size_t k = 0; k < forces_.size(); ++k) {

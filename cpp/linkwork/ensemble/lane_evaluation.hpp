@@ -102,7 +102,7 @@ class LaneEvaluation {
   std::vector<Elements> joints_, inerters_, forces_;  ///< as in the structure
   std::vector<EvaluateJointLanes> inerter_rows_;      ///< of the same kinds
   Numbers inerter_gamma_, inerter_values_;
-  Numbers switches_;                         ///< see Wrenches
+  Numbers switches_;  ///< see Wrenches
   VectorXd switches_of_lane_;
   Numbers last_, next_, rate_;               ///< history variables
   std::vector<std::vector<Driven>> driven_;  ///< of each lane

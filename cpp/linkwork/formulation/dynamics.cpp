@@ -288,8 +288,7 @@ void Dynamics::take_sides(double least) {
 
 void Dynamics::look_for_switches(const VectorXd& switches) {
   for (std::size_t k = 0; k < sides_.size(); ++k)
-    if (const double value = switches[static_cast<Eigen::Index>(k)];
-        value != 0.0 && (value > 0.0) != (sides_[k] != 0))
+    if (const double value = switches[static_cast<Eigen::Index>(k)]; value != 0.0 && (value > 0.0) != (sides_[k] != 0))
       switched_ = true;
 }
 
