@@ -90,7 +90,7 @@ def test_the_server_gives_the_page_and_motions(study: lw.Study) -> None:
             with pytest.raises(urllib.error.HTTPError) as refused:
                 urllib.request.urlopen(server.url + path)
             assert refused.value.code == status
-        for port in (int(server.url.split(":")[-1].strip("/")), -1, "8000"):
+        for port in (int(server.url.split("/")[2].split(":")[1]), -1, "8000"):
             with pytest.raises(lw.OptionError, match="port"):
                 study.serve(port)  # type: ignore[arg-type]
     with pytest.raises(urllib.error.URLError):
@@ -108,3 +108,16 @@ def test_many_cases_are_thinned_and_it_says_so(study: lw.Study, monkeypatch: pyt
     data = of(study.view().html)
     assert data["cases"] == [0, 3] and "one of 3 is drawn" in data["about"]
     assert np.allclose(data["axes"][0]["values"], [1.0, 4.0])
+
+
+def test_nothing_is_given_out_but_to_who_knows_the_address(study: lw.Study) -> None:
+    with study.serve() as server:
+        host = server.url.split("/")[2]
+        for path in ("", "motion/2", "wrong/", "wrong/motion/2"):
+            with pytest.raises(urllib.error.HTTPError) as refused:
+                urllib.request.urlopen(f"http://{host}/{path}")
+            assert refused.value.code == 404
+        elsewhere = urllib.request.Request(server.url, headers={"Host": "linkwork.example"})
+        with pytest.raises(urllib.error.HTTPError) as refused:
+            urllib.request.urlopen(elsewhere)
+        assert refused.value.code == 403

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import html
-import http.server
 import json
-import logging
 import re
 import threading
 from importlib import resources
@@ -15,14 +13,13 @@ import numpy as np
 
 from linkwork.errors import LinkworkError, OptionError
 from linkwork.studies.pictures import Column, numbers_of
+from linkwork.view.local_server import Answer, LocalServer
 from linkwork.view.page import Page
 
 if TYPE_CHECKING:
     from linkwork.studies.study import Study
 
 __all__ = ["Server", "page"]
-
-log = logging.getLogger(__name__)
 
 #: Lines of a page; beyond them cases are left out evenly, and it says so.
 LINES = 20_000
@@ -71,68 +68,30 @@ def _axis(column: Column, every: int) -> dict[str, Any]:
     }
 
 
-class Server:
+class Server(LocalServer):
     """The page of a study on this machine, at `url`; a click on a case opens its motion, simulated again.
 
-    Only programs of this machine reach it. A context manager; `close` ends it.
+    Only programs of this machine reach it, and of them those that know the address: a part of it is random. A
+    context manager; `close` ends it.
     """
 
     def __init__(self, study: Study, port: int = 0) -> None:
-        """OptionError: the port is taken."""
+        """OptionError: the port is taken, or nothing in the study varies."""
         self.study = study
-        found = page(study)
+        self._page = page(study).html.encode()
+        self._busy = threading.Lock()  # functions of the user's own may not stand two threads
+        super().__init__(port)
+
+    def answer(self, path: str) -> Answer | None:
+        """The page, or the motion of a case: `motion/7`."""
+        if not path:
+            return Answer(self._page)
+        match = re.fullmatch(r"motion/([0-9]{1,9})", path, re.ASCII)
+        return None if match is None else self._motion(int(match[1]))
+
+    def _motion(self, number: int) -> Answer:
         try:
-            self._server = http.server.ThreadingHTTPServer(("127.0.0.1", port), _handler(study, found))
-        except (OSError, OverflowError, TypeError) as error:
-            raise OptionError(f"port {port!r:.40}: {error}; 0 takes a free one", code="port") from error
-        self.url = f"http://127.0.0.1:{self._server.server_address[1]}/"
-        self._thread = threading.Thread(target=self._server.serve_forever, name="study", daemon=True)
-        self._thread.start()
-
-    def close(self) -> None:
-        self._server.shutdown()
-        self._server.server_close()
-
-    def __enter__(self) -> Server:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
-
-    def __repr__(self) -> str:
-        return f"<Server of a study at {self.url}>"
-
-
-def _handler(study: Study, found: Page) -> type[http.server.BaseHTTPRequestHandler]:
-    busy = threading.Lock()  # functions of the user's own may not stand two threads
-
-    class Handler(http.server.BaseHTTPRequestHandler):
-        def do_GET(self) -> None:
-            match = re.fullmatch(r"/motion/(\d{1,9})", self.path)
-            if self.path == "/":
-                self._answer(200, found.html)
-            elif match is None:
-                self._answer(404, "<p>There is no such page.")
-            else:
-                self._motion(int(match[1]))
-
-        def _motion(self, number: int) -> None:
-            try:
-                with busy:
-                    text = study.simulate(number).view().html
-                self._answer(200, text)
-            except LinkworkError as error:
-                self._answer(500, f"<p>case {number}: {html.escape(str(error))}")
-
-        def _answer(self, status: int, text: str) -> None:
-            body = text.encode()
-            self.send_response(status)
-            self.send_header("Content-Type", "text/html; charset=utf-8")
-            self.send_header("Content-Length", str(len(body)))
-            self.end_headers()
-            self.wfile.write(body)
-
-        def log_message(self, format: str, *args: Any) -> None:
-            log.debug(format, *args)
-
-    return Handler
+            with self._busy:
+                return Answer(self.study.simulate(number).view().html.encode())
+        except LinkworkError as error:
+            return Answer.of_text(f"case {number}: {error}", 500)
