@@ -290,6 +290,7 @@ def test_the_command_serves_until_ctrl_c(swing: lw.Result, tmp_path: Path) -> No
     ("options", "said"),
     [
         (["run.h5", "--serve", "--html", "page.html"], "choose one"),
+        (["run.h5", "--serve", "--limit", "5"], "--serve shows all frames"),
         (["run.h5", "--port", "8000"], "give --serve, too"),
         (["run.h5", "--no-open"], "give --serve, too"),
         (["four_bar", "--serve"], "a mechanism has none"),

@@ -17,6 +17,10 @@ if TYPE_CHECKING:
     from linkwork.view import Page
 
 
+#: Of recorded data in a page [MB].
+LIMIT = 16.0
+
+
 @click.command(cls=base.Command)
 @click.argument(
     "file", type=click.Path(), metavar="FILE|NAME", shell_complete=shells.names_of("mechanism", files=True)
@@ -30,8 +34,8 @@ if TYPE_CHECKING:
 )
 @click.option("--with", "other", type=click.Path(), metavar="FILE", help="A second run, laid over the first.")
 @click.option(
-    "--limit", type=click.FloatRange(min=0, min_open=True), default=16.0, show_default=True, metavar="MB",
-    help="Most recorded data in the page; frames beyond are left out evenly.",
+    "--limit", type=click.FloatRange(min=0, min_open=True), metavar="MB",
+    help=f"Most recorded data in the page; frames beyond are left out evenly.  [default: {LIMIT:g}]",
 )  # fmt: skip
 @click.option("--serve", is_flag=True, help="Show all frames, by a server on this machine that ctrl-C ends.")
 @click.option(
@@ -39,8 +43,9 @@ if TYPE_CHECKING:
 )
 @click.option("--open/--no-open", "opens", default=True, help="Whether the server opens a browser.")
 def view(
-    file: str, page: str | None, other: str | None, limit: float, serve: bool, port: int | None, opens: bool
-) -> None:
+    file: str, page: str | None, other: str | None, limit: float | None, serve: bool, port: int | None,
+    opens: bool,
+) -> None:  # fmt: skip
     """Show the motion in a result file, or the initial pose of a mechanism.
 
     One HTML file that needs no network: the mechanism, a time slider, plots of what was recorded. Of a
@@ -59,7 +64,7 @@ def view(
     from linkwork.cli import output as out
     from linkwork.mechanisms import is_file, is_model_file
 
-    _check_served(serve, page, port, opens)
+    _check_served(serve, page, limit, port, opens)
     if page is not None:
         out.check_writable(page, "page")
     if is_model_file(file) or not (is_file(file) or os.path.exists(file)):
@@ -74,8 +79,9 @@ def view(
         if serve:
             _serve(first, second, [file, other or ""], port or 0, opens)
             return
-        shown = first.view(page, second, labels=[file, other or ""], limit=limit * 1e6)
-        _say_left_out(first, limit * 1e6 / (1 if second is None else 2))
+        most = (LIMIT if limit is None else limit) * 1e6
+        shown = first.view(page, second, labels=[file, other or ""], limit=most)
+        _say_left_out(first, most / (1 if second is None else 2))
     where = page if page is not None else str(shown.open())
     out.print_pairs([("page", f"{where} ({len(shown.html.encode()) / 1e6:.2f} MB)")])
 
@@ -98,10 +104,12 @@ def _pose(name: str, page: str | None) -> Page:
     return mechanism.function(**{it.name: it.default for it in mechanism.parameters}).view(page)
 
 
-def _check_served(serve: bool, page: str | None, port: int | None, opens: bool) -> None:
+def _check_served(serve: bool, page: str | None, limit: float | None, port: int | None, opens: bool) -> None:
     """UsageError: options that contradict each other."""
     if serve and page is not None:
         raise click.UsageError("--serve shows a page that needs its server, --html writes one: choose one")
+    if serve and limit is not None:
+        raise click.UsageError("--limit is of a page; --serve shows all frames: leave one of them out")
     if not serve and (port is not None or not opens):
         raise click.UsageError("--port and --no-open are for the server: give --serve, too")
 
