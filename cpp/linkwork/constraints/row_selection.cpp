@@ -211,11 +211,11 @@ class Selection {
 
   /// Where the kernel is too large to be written out: what each closing joint repeats of the tree's part of its loop,
   /// and then whatever is still dependent. Where the rows of the tree stay, what is left out depends on what stays: the
-  /// rest is independent where it is as many rows as are dependent in all, and at both poses where each row was chosen
-  /// firmly.
+  /// rest is independent, at each pose that was looked at, where each row was chosen firmly and they are as many as are
+  /// dependent there in all.
   Places redundant_rows_by_loops(std::size_t c, bool both, DependentCounts dependent) {
     Places redundant;
-    bool firmly = both && prefer_closing_;
+    bool firmly = prefer_closing_;
     for (std::size_t first = 0; first < rows_[c].size();) {
       const Places joint = rows_of(joint_of(rows_[c][first]));
       if (preferred_[joint.front()] > 0.0) {
@@ -225,8 +225,8 @@ class Selection {
       first += joint.size();
     }
     const std::size_t count = redundant.size();
-    if (!prefer_closing_ || count != dependent.perturbed) append_dependent(c, redundant);
-    else independent_[c] = firmly && count == dependent.assembled;
+    if (!firmly || count != dependent.perturbed) append_dependent(c, redundant);
+    else independent_[c] = both && count == dependent.assembled;
     for (int& place : redundant)
       place = static_cast<int>(std::lower_bound(rows_[c].begin(), rows_[c].end(), place) - rows_[c].begin());
     return redundant;
