@@ -3,7 +3,7 @@
 
 #include "exclusive.hpp"
 #include "linkwork/assembly/force_elements.hpp"
-#include "linkwork/constraints/length_scale.hpp"
+#include "linkwork/constraints/residuals.hpp"
 #include "linkwork/formulation/dynamics.hpp"
 #include "linkwork/formulation/formulation.hpp"
 #include "linkwork/formulation/not_finite.hpp"
@@ -393,38 +393,14 @@ py::dict right_hand_side_times(Dynamics& dynamics, double t, const ConstVector& 
   return out;
 }
 
-struct Residuals {
-  VectorXd Phi, Phi_dot, lengths;
-  double rate, roundoff;
-};
-
-Residuals residuals_at(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
-  const System& system = dynamics.system();
-  Evaluation at = system.make_evaluation();
-  look_for_interruption();
-  system.evaluate(t, q, v, dynamics.history(), at);
-  look_for_interruption();
-  VectorXd lengths = row_lengths(system, at);
-  look_for_interruption();
-  const double rate = characteristic_rate(system, at, v);
-  look_for_interruption();
-  const double roundoff = roundoff_of_positions(system, q);
-  return {std::move(at.Phi), std::move(at.Phi_dot), std::move(lengths), rate, roundoff};
-}
-
-/// The largest of them, but those that are no numbers.
-double largest_part(const VectorXd& residual, const VectorXd& scale) {
-  double most = 0.0;
-  for (Eigen::Index row = 0; row < residual.size(); ++row)
-    if (const double size = std::abs(residual[row]); size > 0.0) most = std::max(most, size / scale[row]);
-  return most;
-}
-
 py::tuple residuals_at_start(const Dynamics& dynamics) {
   const Model& model = dynamics.system().model();
-  const Residuals found = residuals_at(dynamics, 0.0, model.initial_q(), model.initial_v());
-  return py::make_tuple(largest_part(found.Phi, found.lengths), largest_part(found.Phi_dot, found.lengths * found.rate),
-                        found.roundoff);
+  Residuals found;
+  {
+    const py::gil_scoped_release release;
+    found = residuals_at(dynamics.system(), 0.0, model.initial_q(), model.initial_v(), dynamics.history());
+  }
+  return py::make_tuple(found.largest_position(), found.largest_velocity(), found.roundoff);
 }
 
 py::tuple residuals(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
@@ -435,7 +411,7 @@ py::tuple residuals(const Dynamics& dynamics, double t, const ConstVector& q, co
   Residuals found;
   {
     const py::gil_scoped_release release;
-    found = residuals_at(dynamics, t, q, v);
+    found = residuals_at(system, t, q, v, dynamics.history());
   }
   return py::make_tuple(std::move(found.Phi), std::move(found.Phi_dot), std::move(found.lengths), found.rate,
                         found.roundoff);

@@ -391,14 +391,6 @@ void bind_contents(py::class_<Model>& model) {
       .def_property_readonly("row_count", &Model::row_count);
 }
 
-double longest_arm(const Model& model) {
-  double most = 0.0;  // of the squares, summed in this order on every processor
-  for (const Element& joint : model.joints())
-    for (const auto& [body, s] : {std::pair{joint.i, joint.at.s_i}, std::pair{joint.j, joint.at.s_j}})
-      if (body != ground) most = std::max(most, (s.x() * s.x() + s.y() * s.y()) + s.z() * s.z());
-  return std::sqrt(most);
-}
-
 void bind_names(py::class_<Model>& model) {
   model.def("body_name", &Model::body_name, py::arg("body"))
       .def("joint_name", &Model::joint_name, py::arg("joint"))
@@ -429,7 +421,7 @@ void bind_names(py::class_<Model>& model) {
           [](const Model& model, const std::string& name) { return model.own_force_names().find(name); },
           py::arg("name"), "Index of the name of one of the user's own forces, -1 where there is none.")
       .def("describe_row", &Model::describe_row, py::arg("row"))
-      .def_property_readonly("longest_arm", &longest_arm, "From a center of mass to a joint [m]; 0: none.")
+      .def_property_readonly("longest_arm", &Model::longest_arm, "From a center of mass to a joint [m]; 0: none.")
       .def_property_readonly("joint_rows", [](const Model& model) {
         return py::array_t<int>(static_cast<py::ssize_t>(model.joint_rows().size()), model.joint_rows().data());
       });

@@ -320,6 +320,14 @@ int Model::joint_of_row(int row) const {
   return static_cast<int>(std::upper_bound(joint_rows_->begin(), joint_rows_->end(), row) - joint_rows_->begin()) - 1;
 }
 
+double Model::longest_arm() const {
+  double most = 0.0;  // of the squares, summed in this order on every processor
+  for (const Element& joint : joints())
+    for (const auto& [body, s] : {std::pair{joint.i, joint.at.s_i}, std::pair{joint.j, joint.at.s_j}})
+      if (body != ground) most = std::max(most, (s.x() * s.x() + s.y() * s.y()) + s.z() * s.z());
+  return std::sqrt(most);
+}
+
 std::string Model::describe_row(int row) const {
   const int joint = joint_of_row(row);
   const KindInfo& info = joint_info(joints()[joint].kind);

@@ -122,6 +122,7 @@ class Model {
   std::string body_name(int body) const { return body == ground ? "ground" : body_names_->name(body); }
   std::string joint_name(int joint) const { return joint_names_->name(joint); }
   int joint_of_row(int row) const;
+  double longest_arm() const;  ///< from a center of mass to a joint [m]; 0 where there is none
   /// Such as "revolute 'pin', rotation about joint x".
   std::string describe_row(int row) const;
 

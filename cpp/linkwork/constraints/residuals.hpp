@@ -1,0 +1,22 @@
+#pragma once
+
+#include "linkwork/assembly/system.hpp"
+
+namespace linkwork {
+
+/// By how much a state violates the constraints, and what that is relative to.
+struct Residuals {
+  VectorXd Phi, Phi_dot;
+  VectorXd lengths;  ///< what divides a residual, see row_lengths
+  double rate;       ///< and with it one of Phi_dot, see characteristic_rate
+  double roundoff;   ///< see roundoff_of_positions
+
+  // The largest of all rows, relative to the size and to the speed of the mechanism; what is no number is passed over.
+  double largest_position() const;
+  double largest_velocity() const;
+};
+
+Residuals residuals_at(const System& system, double t, const ConstVector& q, const ConstVector& v,
+                       const ConstVector& history);
+
+}  // namespace linkwork
