@@ -254,7 +254,8 @@ class ResultWriter:
     def close(self, statistics: Mapping[str, Any] | None = None, *, hurried: bool = False) -> None:
         """End the file; without `statistics` it is marked as unfinished.
 
-        hurried  a large checkpoint that is beside stays there, and no later one is written
+        hurried  a large checkpoint that is beside stays there, and no later one is written; nor is one where
+                 there is no frame, from which no run goes on
         """
         if not self._file:
             return
@@ -266,7 +267,7 @@ class ResultWriter:
             raise
         with self._failures():
             try:
-                if not stays:
+                if not stays and (self._frames or not hurried):
                     self._write_checkpoint()
                 self._write_end(statistics)
             finally:
