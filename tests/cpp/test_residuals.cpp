@@ -1,0 +1,75 @@
+#include "linkwork/constraints/residuals.hpp"
+
+#include <limits>
+
+#include "support.hpp"
+
+using namespace support;
+
+namespace {
+
+/// A rod of 2 m on a hinge at `place`, about which its center of mass turns with a driven angle, 0.1 sin 2t.
+Model driven_rod(const Vec3<double>& place) {
+  Model model;
+  Body rod;
+  rod.mass = 1.0;
+  rod.inertia = Mat3<double>::Identity();
+  rod.position = place + Vec3<double>::UnitX();
+  rod.omega = {0.0, 0.0, 0.2};
+  rod.velocity = {0.0, 0.2, 0.0};
+  model.add_body("rod", rod);
+  const Mat3<double> axes = Mat3<double>::Identity();
+  const Attachment<double> at{place, -Vec3<double>::UnitX(), axes, axes};
+  model.add_joint("revolute", "pin", ground, 0, at);
+  model.add_joint("angle_driver", "motor", ground, 0, at, {{0.0, model.add_signal(harmonic(0.1, 2.0, 0.0, 0.0))}});
+  return model;
+}
+
+Residuals of(const Model& model, const VectorXd& q, const VectorXd& v) {
+  const System system(model);
+  return residuals_at(system, 0.0, q, v, system.initial_history());
+}
+Residuals of(const Model& model) { return of(model, model.initial_q(), model.initial_v()); }
+
+}  // namespace
+
+TEST_CASE("a driven mechanism that follows its driver has no residuals") {
+  const Residuals found = of(driven_rod(Vec3<double>::Zero()));
+  CHECK(found.largest_position() == 0.0);
+  CHECK(found.largest_velocity() < 1e-15);
+}
+
+TEST_CASE("residuals of positions are in proportion to the way off, those of velocities to the speed off") {
+  const Model model = driven_rod(Vec3<double>::Zero());
+  VectorXd q = model.initial_q(), v = model.initial_v();
+  q[2] += 1e-3;
+  const double once = of(model, q, v).largest_position();
+  q[2] += 1e-3;
+  CHECK(once > 0.0);
+  CHECK(of(model, q, v).largest_position() == doctest::Approx(2.0 * once));
+  v[2] += 1e-3;
+  const Residuals one = of(model, model.initial_q(), v);
+  CHECK(one.Phi_dot.cwiseAbs().maxCoeff() == doctest::Approx(1e-3));
+  Eigen::Index row = 0;
+  one.Phi_dot.cwiseAbs().maxCoeff(&row);
+  CHECK(one.largest_velocity() == doctest::Approx(1e-3 / (one.lengths[row] * one.rate)));
+}
+
+TEST_CASE("a mechanism at rest does not follow a driver that begins with a speed") {
+  const Model model = driven_rod(Vec3<double>::Zero());
+  const Residuals found = of(model, model.initial_q(), VectorXd::Zero(6));
+  CHECK(found.largest_position() == 0.0);
+  CHECK(found.Phi_dot.cwiseAbs().maxCoeff() == doctest::Approx(0.2));
+}
+
+TEST_CASE("far from the origin roundoff counts") {
+  CHECK(of(driven_rod({1e8, 0.0, 0.0})).roundoff > 1e6 * of(driven_rod(Vec3<double>::Zero())).roundoff);
+}
+
+TEST_CASE("what is no number is passed over") {
+  Residuals found = of(driven_rod(Vec3<double>::Zero()));
+  found.Phi[0] = std::numeric_limits<double>::quiet_NaN();
+  CHECK(found.largest_position() == 0.0);
+  found.Phi[1] = 0.5;
+  CHECK(found.largest_position() == 0.5 / found.lengths[1]);
+}
