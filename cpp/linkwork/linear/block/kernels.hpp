@@ -20,6 +20,7 @@ struct TreeStep {
   int slot;            ///< of the body's articulated inertia, or -1 while it has only its own mass
   int parent_slot;     ///< of the parent's articulated inertia
   bool parent_begins;  ///< the parent's articulated inertia begins with its own mass here
+  bool turning;        ///< of a hinge or of a joint that holds all, whose rows have the form of turning_kernels.hpp
   int scattered;       ///< place in `step_rows` of rows that do not stand one after the other, as those of a joint with
                        ///< others attached, or -1
   std::ptrdiff_t D_body, D_parent;

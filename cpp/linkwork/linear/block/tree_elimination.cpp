@@ -4,6 +4,9 @@
 #include <numeric>
 #include <utility>
 
+#include "linkwork/model/joint_kind.hpp"
+#include "linkwork/model/row_forms.hpp"
+
 namespace linkwork::block {
 namespace {
 
@@ -38,6 +41,13 @@ class TreeBuilder {
     const int index = pruned_.inboard_block[body];
     if (!pruned_.bodies[body] || index == none) return none;
     return other_body(system_, system_.blocks()[index]);
+  }
+
+  bool turning(int joint) const {
+    const Model& model = system_.model();
+    if (model.special_joint(joint)) return false;
+    const int kind = model.joints()[joint].kind, rows = joint_kinds()[kind].info.rows;
+    return (rows == 5 || rows == 6) && row_forms(kind).holds_point;
   }
 
   void group_children() {
@@ -79,6 +89,7 @@ class TreeBuilder {
       step.row = block.row;
       step.rows = block.rows;
       step.D_body = block.offset;
+      step.turning = turning(block.joint);
       for (const int other : system_.joint_blocks(block.joint))
         if (other != index) step.D_parent = system_.blocks()[other].offset;
       if (rows_.next(block.joint) != none) append_rows(block.joint, step);

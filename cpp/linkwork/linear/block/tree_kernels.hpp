@@ -138,10 +138,12 @@ LINKWORK_INLINE void add_to_parent(const TreeStep& step, const Data& data, const
 
 template <int rows, bool scattered>
 LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const double* a, const double* b,
-                                 SmallestPivot& smallest) {
+                                 const TurningJoint& joint, SmallestPivot& smallest) {
   const RowsOfStep<scattered> of{step, data};
-  if constexpr (turns<rows, scattered>)
-    if (factor_turning_step<rows, scattered>(step, data, a, b, smallest)) return;
+  if constexpr (turns<rows, scattered>) {
+    if (joint.turns) return factor_turning_step<rows, scattered>(step, data, a, joint, smallest);
+    data.factors[step.storage + TurningFactors<rows>::sign] = 0.0;
+  }
   Vector M[6], W[6], L[6], G[6];
   load_columns<rows>([&](int k) { return of.D_body(k); }, W);
   LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
@@ -208,14 +210,26 @@ LINKWORK_INLINE void with_rows(const TreeStep& step, const Function& f) {
   else with_count<6>(step.rows, together);
 }
 
+LINKWORK_INLINE void read_turning_joint(const TreeStep& step, const Data& data, const double* b, TurningJoint& joint) {
+  with_rows(step, [&](auto rows, auto scattered) {
+    if constexpr (turns<rows, scattered>) TurningJointReader<rows, scattered>(step, data, joint).read(b);
+  });
+}
+
 SmallestPivot factor_branches(const Data& data, const NodeRange* ranges, int count, const double* a, const double* b) {
   SmallestPivot smallest;
-  for (const NodeRange* range = ranges; range < ranges + count; ++range)
+  TurningJoint joints[2];
+  for (const NodeRange* range = ranges; range < ranges + count; ++range) {
+    if (range->first < range->last) read_turning_joint(data.steps[range->first], data, b, joints[range->first % 2]);
     for (std::ptrdiff_t s = range->first; s < range->last; ++s) {
       const TreeStep& step = data.steps[s];
       if (data.large && s + steps_ahead < range->last) prefetch_step(data.steps[s + steps_ahead], data);
-      with_rows(step, [&](auto rows, auto scattered) { factor_step<rows, scattered>(step, data, a, b, smallest); });
+      if (s + 1 < range->last) read_turning_joint(data.steps[s + 1], data, b, joints[(s + 1) % 2]);
+      with_rows(step, [&](auto rows, auto scattered) {
+        factor_step<rows, scattered>(step, data, a, b, joints[s % 2], smallest);
+      });
     }
+  }
   return smallest;
 }
 

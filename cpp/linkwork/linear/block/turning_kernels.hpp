@@ -8,16 +8,14 @@
 // With a row f for the freedom beside those of the joint, which is the inerter's where there is one, the rows of the
 // body and of the parent are square. Those of translation are taken times the sign s that makes them
 //   B = [I K; 0 R],   P = [-I K_p; 0 R_p],   G = B^-1 = [I -K R^-1; 0 R^-1].
-// u = B x_b is what the joint prescribes, and u_f. With N = G^T M_b G, a' = G^T a_b, w = b - P x_p and the inertance
-// beta along f, or 0,
-//   N u - lambda = a',   u = w but for u_f,   lambda_f = beta (w_f - u_f).
-// With d = N_ff + beta and h, which is column f of N but for h_f = -beta, that gives
-//   u_f = (a'_f - h . w) / d,   lambda = C w - k,
-//   C_c = N_c - h N_fc / d with 0 for N_fc in the first term,   C_f = N_f beta / d,
-// and k likewise of the a' that stand behind the columns. Without a freedom C = N, k = a'. Along f nothing is a
-// difference: what a free hinge does not carry is zero, and does not reach the parent. It gets
-//   M_p += P^T C P,   a_p += P^T (C b - k).
-// With y = (-x_p, 1) and Z = (P, b) the way back is u = Z y, but for u_f = z_f y, and lambda = C P (-x_p) + (C b - k).
+// u = B x_b is what the joint prescribes, and u_f. With y = (-x_p, 1), Z = (P, b) and the rows H of the joint without f,
+//   x_b = X y + g_f u_f,   X = G_H Z_H,   lambda_H = G_H^T (M_b x_b - a_b),   lambda_f = beta (z_f y - u_f),
+// g_f: column f of G, beta: the inertance along f, or 0. The work of both is stationary in u_f: with
+//   r = g_f^T (M_b X - (0, a_b)),   n = g_f^T M_b g_f,   d = n + beta
+// u_f = t y, t = (beta z_f - r) / d, and the parent, whose force stands behind its columns, gets
+//   [M_p | a_p] += X^T (M_b X - (0, a_b)) + r^T t + z_f^T (beta / d) (r + n z_f)
+// in its six rows. Nothing but the last two terms waits for the division, and X^T M_b X but for the mass. Along f nothing
+// is a difference: what a free hinge does not carry is zero in X, and does not reach the parent.
 namespace linkwork::block {
 namespace {
 
@@ -27,11 +25,11 @@ constexpr bool turns = width > 2 &&
 
 constexpr double least_determinant = 0.1;  // of R, whose rows have length 1 where the joint is not violated
 
-/// Places of the factors of such a step: G Z, C P and C b - k, and s, or 0 where the factors are those of TreeStep.
+/// Places of the factors of such a step: x_b and lambda as rows that are multiplied by y, and s, or 0 where the factors
+/// are those of TreeStep.
 template <int rows>
 struct TurningFactors {
-  static constexpr int motions = 0, transmissions = 6 * 7, multipliers = transmissions + 6 * rows;
-  static constexpr int sign = multipliers + rows;
+  static constexpr int motions = 0, multipliers = 6 * 7, sign = multipliers + 7 * rows;
   static_assert(sign < step_storage(rows) && sign >= second_factors(rows) + 7 * rows);
 };
 
@@ -48,7 +46,7 @@ struct alignas(64) Numbers {
   LINKWORK_INLINE void keep() { asm("" : "+m"(at)); }  // else compilers go back to permutations
 };
 
-constexpr double but_freedom[lanes] = {1, 1, 1, 1, 1, 0, 1, 1}, but_rotations[lanes] = {1, 1, 1, 0, 0, 0, 1, 0};
+constexpr int freedom = 7;  // lane of what belongs to u_f
 
 /// Where the rows of such a step stand: those of the joint one after the other, and that of the inerter.
 template <int count, bool with_inerter>
@@ -71,75 +69,62 @@ struct RowsOfTurningStep {
   LINKWORK_INLINE static bool of_inerter(int k) { return with_inerter && k == count - 1; }
 };
 
-/// A joint of this kind, at this state.
-template <int row_count, bool with_inerter>
+/// What a joint of this kind says at this state. It waits for nothing: that of the next step is read while the way to the
+/// root waits for this one.
 struct TurningJoint {
-  static constexpr int rows = row_count;
-  using Rows = RowsOfTurningStep<rows, with_inerter>;
-  static constexpr bool free = rows == 5 || with_inerter;
-  double s, inertance = 0.0;
-  Vector G[6];  ///< rows, in the lanes of the rotations
-  Vector Z[rows];
-  Numbers numbers_of_Z[rows];
+  bool turns = false;  ///< else there is nothing
+  double s, inertance;
+  Numbers X[6];          ///< rows, with g_f in the last lane
+  Numbers R_inverse[3];  ///< columns
+  Numbers z_f;
 
-  /// A number of G, of its last three columns.
-  LINKWORK_INLINE Vector g(int r, int c) const { return r < 3 ? rows_of_G[r][c] : columns_of_inverse[c - 3][r - 3]; }
+  LINKWORK_INLINE Vector g_f(int r) const { return X[r][freedom]; }
+};
 
-  /// False where the joint, or what yields in it, is of another kind.
-  LINKWORK_INLINE bool read(const Rows& of, const double* b) {
-    if (!of.stand_so() || !read_compliance(of) || !has_the_form(of) || !invert(of)) return false;
-    read_parent(of, b);
-    return true;
+template <int rows, bool with_inerter>
+class TurningJointReader {
+ public:
+  LINKWORK_INLINE TurningJointReader(const TreeStep& step, const Data& data, TurningJoint& joint)
+      : of_{step, data}, joint_(joint) {}
+
+  LINKWORK_INLINE void read(const double* b) {
+    joint_.turns = of_.step.turning && of_.stand_so() && read_compliance() && has_the_form() && invert();
+    if (joint_.turns) read_parent(b);
   }
 
  private:
-  Numbers rows_of_G[3], columns_of_inverse[3];
+  static constexpr int hard_rows = with_inerter ? 5 : rows;
 
-  LINKWORK_INLINE bool read_compliance(const Rows& of) {
-    const double* e = of.data.e;
+  /// False where what yields in the joint is something else.
+  LINKWORK_INLINE bool read_compliance() {
+    joint_.inertance = 0.0;
+    const double* e = of_.data.e;
     if (!e) return !with_inerter;
-    constexpr int hard_rows = with_inerter ? 5 : rows;
-    const Vector hard = load_first<hard_rows>(e + of.step.row);
+    const Vector hard = load_first<hard_rows>(e + of_.step.row);
     bool yields = false;
     LINKWORK_EACH_PART yields = yields || any(hard.part[p] != Native{});
-    if constexpr (with_inerter) inertance = 1.0 / e[of.row(5)];
-    return !yields && inertance >= 0.0 && inertance < __builtin_inf();
+    if constexpr (with_inerter) joint_.inertance = 1.0 / e[of_.row(5)];
+    return !yields && joint_.inertance >= 0.0 && joint_.inertance < __builtin_inf();
   }
 
-  /// What stands in B and P before K and R, less what should: zeros.
-  LINKWORK_INLINE bool has_the_form(const Rows& of) {
-    s = of.D_body(0)[0];
-    NativeIndex rest{};
-    const auto expect_zeros = [&](const Vector& v) { rest |= (NativeIndex)v.part[0]; };
-    LINKWORK_UNROLL for (int k = 0; k < rows; ++k) {
-      const Vector row = load_first<3>(of.D_body(k));
-      expect_zeros(k < 3 ? row - unit(k) * splat(s) : row);
-    }
-    if (of.step.parent >= 0) LINKWORK_UNROLL
-      for (int k = 0; k < rows; ++k) {
-        const Vector row = load_first<3>(of.D_parent(k));
-        expect_zeros(k < 3 ? row + unit(k) * splat(s) : row);
-      }
-    return s * s == 1.0 && !any((Native)rest != Native{});
+  /// What the kind of joint does not say: that the inerter is one of rotation.
+  LINKWORK_INLINE bool has_the_form() const {
+    if constexpr (!with_inerter) return true;
+    NativeIndex rest = (NativeIndex)load_first<3>(of_.D_body(5)).part[0];
+    if (of_.step.parent >= 0) rest |= (NativeIndex)load_first<3>(of_.D_parent(5)).part[0];
+    return !any((Native)rest != Native{});
   }
 
-  /// G. The columns of R^-1 are the products of two rows of R, over the determinant.
-  LINKWORK_INLINE bool invert(const Rows& of) {
-    const auto row_of_R = [&](int k) { return load_first<3>(of.D_body(k) + 3); };
+  /// The columns of R^-1 are the products of two rows of R, over the determinant.
+  LINKWORK_INLINE bool invert() {
+    const auto row_of_R = [&](int k) { return load_first<3>(of_.D_body(k) + 3); };
     const Vector x = row_of_R(3), y = row_of_R(4), xy = cross(x, y), z = rows == 5 ? xy : row_of_R(rows - 1);
     const Vector terms = z * xy;
     const double determinant = terms[0] + terms[1] + terms[2];
     if (!(determinant * determinant > least_determinant * least_determinant)) return false;
     const Vector inverse = splat(1.0 / determinant), columns[3] = {cross(y, z), cross(z, x), xy};
     LINKWORK_UNROLL for (int c = 0; c < 3; ++c)
-      columns_of_inverse[c] = inverse * columns[c];
-    LINKWORK_UNROLL for (int m = 3; m < 6; ++m)
-      G[m] = unit(3) * g(m, 3) + unit(4) * g(m, 4) + unit(5) * g(m, 5);
-    LINKWORK_UNROLL for (int r = 0; r < 3; ++r) {
-      const double* K = of.D_body(r) + 3;
-      G[r] = splat(-s) * (splat(K[0]) * G[3] + splat(K[1]) * G[4] + splat(K[2]) * G[5]);
-      rows_of_G[r] = G[r];
-    }
+      joint_.R_inverse[c] = inverse * columns[c];
     return true;
   }
 
@@ -155,42 +140,87 @@ struct TurningJoint {
     return v;
   }
 
-  LINKWORK_INLINE void read_parent(const Rows& of, const double* b) {
-    LINKWORK_UNROLL for (int k = 0; k < rows; ++k)
-      Z[k] = unit(right_hand_side) * splat(b[of.row(k)]);
-    if (of.step.parent >= 0) LINKWORK_UNROLL
-      for (int k = 0; k < rows; ++k) Z[k] += load_first<6>(of.D_parent(k));
+  /// X = s (Z - K X_rotations) in the rows of translation.
+  LINKWORK_INLINE void read_parent(const double* b) {
+    Vector Z[rows], X[6];
     LINKWORK_UNROLL for (int k = 0; k < rows; ++k) {
-      if (k < 3) Z[k] = Z[k] * splat(s);
-      numbers_of_Z[k] = Z[k];
+      Z[k] = unit(right_hand_side) * splat(b[of_.row(k)]);
+      if (of_.step.parent >= 0) Z[k] += load_first<6>(of_.D_parent(k));
     }
+    LINKWORK_UNROLL for (int m = 0; m < 3; ++m) {
+      X[3 + m] = unit(freedom) * joint_.R_inverse[2][m];
+      LINKWORK_UNROLL for (int k = 3; k < hard_rows; ++k)
+        X[3 + m] += Z[k] * joint_.R_inverse[k - 3][m];
+    }
+    joint_.s = of_.D_body(0)[0];
+    LINKWORK_UNROLL for (int r = 0; r < 3; ++r) {
+      const double* K = of_.D_body(r) + 3;
+      X[r] = splat(joint_.s) * (Z[r] - splat(K[0]) * X[3] - splat(K[1]) * X[4] - splat(K[2]) * X[5]);
+    }
+    LINKWORK_UNROLL for (int r = 0; r < 6; ++r)
+      joint_.X[r] = X[r];
+    if constexpr (with_inerter) joint_.z_f = Z[5];
   }
+
+  const RowsOfTurningStep<rows, with_inerter> of_;
+  TurningJoint& joint_;
 };
 
-/// N = G^T M G from the columns of M, a' behind those of N.
-template <class Joint>
-LINKWORK_INLINE void transform(const Joint& joint, Vector* M) {
-  const Vector* G = joint.G;
-  Numbers column, row[3];
-  LINKWORK_UNROLL for (int c = 3; c < 6; ++c) {
-    Vector sum = M[0] * joint.g(0, c), odd = M[1] * joint.g(1, c);
-    LINKWORK_UNROLL for (int r = 2; r < 6; ++r)
-      (r % 2 ? odd : sum) += M[r] * joint.g(r, c);
-    sum += odd;
-    column = sum;
-    sum = sum * load(but_rotations) + G[0] * column[0];
-    odd = G[1] * column[1];
-    LINKWORK_UNROLL for (int r = 2; r < 6; ++r)
-      (r % 2 ? odd : sum) += G[r] * column[r];
-    row[c - 3] = sum + odd;
-  }
-  LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
-    if (c >= 3) M[c] = load(row[c - 3].at);
-    else M[c] = M[c] * load(but_rotations) + unit(3) * row[0][c] + unit(4) * row[1][c] + unit(5) * row[2][c];
+/// Whether a joint turns, and whether it has an inerter.
+template <int row_count, bool with_inerter>
+struct TurningKind {
+  static constexpr int rows = row_count, hard_rows = with_inerter ? 5 : rows;
+  static constexpr bool free = rows == 5 || with_inerter, has_inerter = with_inerter;
+};
+
+/// M_b X - (0, a_b), in the lane behind M_b g_f, from the columns of [M_b; a_b].
+LINKWORK_INLINE void multiply_by_mass(const TurningJoint& joint, const double* M, Vector* W) {
+  Vector X[6];
+  LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
+    X[k] = load(joint.X[k].at);
+  LINKWORK_UNROLL for (int r = 0; r < 6; ++r) {
+    const double* column = M + r * lanes;
+    Vector sum = X[0] * splat(column[0]);
+    Vector odd = X[1] * splat(column[1]) - load_lanes<right_hand_side, 1>(column + right_hand_side);
+    LINKWORK_UNROLL for (int k = 2; k < 6; ++k)
+      (k % 2 ? odd : sum) += X[k] * splat(column[k]);
+    W[r] = sum + odd;
   }
 }
 
-/// M of a body with a behind its columns: its own mass, or what came together in the articulated inertia.
+/// Row c of X^T W, or of g_f^T W.
+template <class Number>
+LINKWORK_INLINE Vector combination(const Vector* W, const Number& factor) {
+  Vector sum = W[0] * factor(0), odd = W[1] * factor(1);
+  LINKWORK_UNROLL for (int r = 2; r < 6; ++r)
+    (r % 2 ? odd : sum) += W[r] * factor(r);
+  return sum + odd;
+}
+
+/// What follows for u_f.
+struct Release {
+  double d;
+  Vector r, t, toward_f;  ///< (beta / d) (r + n z_f)
+};
+
+template <class Kind>
+LINKWORK_INLINE Release release(const TurningJoint& joint, const Vector* W) {
+  Release out;
+  out.r = combination(W, [&](int r) { return joint.g_f(r); });
+  const double n = out.r[freedom];
+  out.d = n + joint.inertance;
+  if constexpr (!Kind::free) return out;
+  const Vector inverse = splat(1.0 / out.d), beta = splat(joint.inertance);
+  if constexpr (Kind::has_inerter) {
+    const Vector z_f = load(joint.z_f.at);
+    out.t = (beta * z_f - out.r) * inverse;
+    out.toward_f = (out.r + splat(n) * z_f) * (beta * inverse);
+  } else {
+    out.t = (splat(0.0) - out.r) * inverse;
+  }
+  return out;
+}
+
 LINKWORK_INLINE void load_inertia(bool own, int body, const double* articulated, const Data& data, const double* a,
                                   Vector* M) {
   if (own) LINKWORK_UNROLL
@@ -199,98 +229,68 @@ LINKWORK_INLINE void load_inertia(bool own, int body, const double* articulated,
     for (int c = 0; c < 6; ++c) M[c] = load(articulated + c * lanes);
 }
 
-/// M_p += P^T C P with a_p, from W = C P.
-template <int rows>
-LINKWORK_INLINE void add_to_parent_of(const TreeStep& step, const Data& data, const double* a, const Vector* Z,
-                                      const Vector* W) {
+template <class Kind>
+LINKWORK_INLINE void add_to_parent_of(const TreeStep& step, const Data& data, const double* a,
+                                      const TurningJoint& joint, const Vector* W, const Release& free) {
   double* articulated = data.articulated_inertias + step.parent_slot * articulated_inertia_size;
   Vector M[6];
   load_inertia(step.parent_begins, step.parent, articulated, data, a, M);
-  Numbers column;
   LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
-    column = W[c];
-    Vector sum = M[c], odd = Z[1] * column[1] - W[c] * unit(right_hand_side);
-    LINKWORK_UNROLL for (int r = 0; r < rows; ++r)
-      if (r != 1) (r % 2 ? odd : sum) += Z[r] * column[r];
-    store(articulated + c * lanes, sum + odd);
+    if (c < 3) M[c] -= W[c];  // there X is -I
+    else M[c] += combination(W, [&](int r) { return joint.X[r][c]; });
+    if constexpr (Kind::has_inerter) M[c] += joint.z_f[c] * free.toward_f;
+    if constexpr (Kind::free) M[c] += lane(free.r, c) * free.t;
+    store(articulated + c * lanes, M[c]);
   }
 }
 
-/// C from N, and z_f; returns d.
-template <class Joint>
-LINKWORK_INLINE double release(const Joint& joint, Vector* C, Vector& z_f) {
-  constexpr int rows = Joint::rows;
-  const Vector N_f = C[5];
-  const double d = N_f[5] + joint.inertance, inverse = 1.0 / d;
-  const Vector h = N_f * load(but_freedom) - unit(5) * splat(joint.inertance), h_over_d = h * splat(inverse);
-  Numbers numbers_of_N_f, numbers_of_h;
-  numbers_of_N_f = N_f;
-  numbers_of_h = h;
-  LINKWORK_UNROLL for (int c = 0; c < 5; ++c) {
-    const Vector N_c = rows == 5 ? C[c] : C[c] * load(but_freedom);  // of five rows nothing reads the sixth
-    C[c] = N_c - h_over_d * numbers_of_N_f[c];
-  }
-  C[5] = N_f * splat(joint.inertance * inverse);
-  z_f = unit(right_hand_side) * numbers_of_N_f[right_hand_side];
-  LINKWORK_UNROLL for (int r = 0; r < rows; ++r)
-    z_f -= joint.Z[r] * numbers_of_h[r];
-  z_f = z_f * splat(inverse);
-  return d;
-}
-
-/// W = C P.
-template <class Joint>
-LINKWORK_INLINE void multiply_by_parent(const Joint& joint, const Vector* C, Vector* W) {
-  LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
-    if (c < 3) {
-      W[c] = splat(0.0) - C[c];
-      continue;
-    }
-    Vector sum = C[0] * joint.numbers_of_Z[0][c], odd = C[1] * joint.numbers_of_Z[1][c];
-    LINKWORK_UNROLL for (int r = 2; r < Joint::rows; ++r)
-      (r % 2 ? odd : sum) += C[r] * joint.numbers_of_Z[r][c];
-    W[c] = sum + odd;
-  }
-}
-
-/// G Z, and C b - k.
-template <class Joint>
-LINKWORK_INLINE void store_way_back(const Joint& joint, const Vector* C, const Vector& z_f, double* factors) {
-  using At = TurningFactors<Joint::rows>;
+template <class Kind>
+LINKWORK_INLINE void store_way_back(const TurningJoint& joint, const double* D, const Vector* W, const Release& free,
+                                    double* factors) {
+  using At = TurningFactors<Kind::rows>;
+  Vector forces[6];  // M_b x_b - a_b
   LINKWORK_UNROLL for (int r = 0; r < 6; ++r) {
-    const Vector rotations = joint.Z[3] * joint.g(r, 3) + joint.Z[4] * joint.g(r, 4) + z_f * joint.g(r, 5);
-    store_first<7>(factors + At::motions + 7 * r, r < 3 ? rotations + joint.Z[r] : rotations);
+    Vector motion = load(joint.X[r].at);
+    forces[r] = W[r];
+    if constexpr (Kind::free) {
+      motion += free.t * joint.g_f(r);
+      forces[r] += free.t * lane(W[r], freedom);
+    }
+    store_first<7>(factors + At::motions + 7 * r, motion);
   }
-  Vector lambda = splat(0.0);
-  LINKWORK_UNROLL for (int r = 0; r < Joint::rows; ++r)
-    lambda += C[r] * joint.numbers_of_Z[r][right_hand_side] - unit(r) * lane(C[r], right_hand_side);
-  store_first<Joint::rows>(factors + At::multipliers, lambda);
+  LINKWORK_UNROLL for (int r = 0; r < 3; ++r) {
+    forces[r] = forces[r] * splat(joint.s);
+    store_first<7>(factors + At::multipliers + 7 * r, forces[r]);
+  }
+  LINKWORK_UNROLL for (int m = 0; m < 3; ++m) LINKWORK_UNROLL
+    for (int r = 0; r < 3; ++r) forces[3 + m] -= splat(D[6 * r + 3 + m]) * forces[r];
+  LINKWORK_UNROLL for (int k = 3; k < Kind::hard_rows; ++k) {
+    Vector multiplier = joint.R_inverse[k - 3][0] * forces[3];
+    multiplier += joint.R_inverse[k - 3][1] * forces[4];
+    store_first<7>(factors + At::multipliers + 7 * k, multiplier + joint.R_inverse[k - 3][2] * forces[5]);
+  }
+  if constexpr (Kind::has_inerter)
+    store_first<7>(factors + At::multipliers + 7 * 5, (load(joint.z_f.at) - free.t) * splat(joint.inertance));
   factors[At::sign] = joint.s;
 }
 
-/// False where the joint is of another kind; then nothing is done.
 template <int rows, bool with_inerter>
-LINKWORK_INLINE bool factor_turning_step(const TreeStep& step, const Data& data, const double* a, const double* b,
-                                         SmallestPivot& smallest) {
-  using At = TurningFactors<rows>;
-  double* factors = data.factors + step.storage;
-  TurningJoint<rows, with_inerter> joint;
-  if (!joint.read({step, data}, b)) return factors[At::sign] = 0.0, false;
-  Vector C[6], W[6];
-  load_inertia(step.slot < 0, step.body, data.articulated_inertias + step.slot * articulated_inertia_size, data, a, C);
-  transform(joint, C);
-  double d = C[5][5];
-  Vector z_f = joint.Z[rows - 1];
-  if constexpr (joint.free) d = release(joint, C, z_f);
-  if (!(d > 0.0)) smallest = {d == d ? 0.0 : not_a_number, step.row};
-  if (step.parent >= 0) {
-    multiply_by_parent(joint, C, W);
-    add_to_parent_of<rows>(step, data, a, joint.Z, W);
+LINKWORK_INLINE void factor_turning_step(const TreeStep& step, const Data& data, const double* a,
+                                         const TurningJoint& joint, SmallestPivot& smallest) {
+  using Kind = TurningKind<rows, with_inerter>;
+  const double* M = data.articulated_inertias + step.slot * articulated_inertia_size;
+  alignas(64) double own[articulated_inertia_size];
+  if (step.slot < 0) {
     LINKWORK_UNROLL for (int c = 0; c < 6; ++c)
-      store_first<rows>(factors + At::transmissions + rows * c, W[c]);
+      store(own + c * lanes, mass_column(data.mass[step.body], c, a[6 * step.body + c]));
+    M = own;
   }
-  store_way_back(joint, C, z_f, factors);
-  return true;
+  Vector W[6];
+  multiply_by_mass(joint, M, W);
+  const Release free = release<Kind>(joint, W);
+  if (!(free.d > 0.0)) smallest = {free.d == free.d ? 0.0 : not_a_number, step.row};
+  if (step.parent >= 0) add_to_parent_of<Kind>(step, data, a, joint, W, free);
+  store_way_back<Kind>(joint, data.D + step.D_body, W, free, data.factors + step.storage);
 }
 
 /// False where the factors are those of another kind.
@@ -307,10 +307,9 @@ LINKWORK_INLINE bool turn_back(const TreeStep& step, const Data& data, double* x
   const Vector x_body = sums<6>(products);
   store_first<6>(x + 6 * step.body, x_body);
   if (step.slot >= 0) leave_for_children(x_body, step.slot, data);
-  Vector l = load_first<rows>(factors + At::multipliers);
-  if (step.parent >= 0) LINKWORK_UNROLL
-    for (int c = 0; c < 6; ++c) l += load_first<rows>(factors + At::transmissions + rows * c) * splat(y[c]);
-  l = l * (lanes_before(3) * splat(factors[At::sign]) + lanes_after(2));
+  LINKWORK_UNROLL for (int k = 0; k < rows; ++k)
+    products[k] = load_first<7>(factors + At::multipliers + 7 * k) * load(y);
+  const Vector l = sums<rows>(products);
   store_first<with_inerter ? 5 : rows>(lambda + step.row, l);
   if constexpr (with_inerter) lambda[RowsOfTurningStep<rows, true>{step, data}.row(5)] = l[5];
   return true;
