@@ -8,6 +8,7 @@
 #include "linkwork/assembly/body_forces.hpp"
 #include "linkwork/assembly/constraint_block.hpp"
 #include "linkwork/assembly/inerters.hpp"
+#include "linkwork/assembly/joint_reactions.hpp"
 #include "linkwork/math/aligned.hpp"
 #include "linkwork/math/kept.hpp"
 #include "linkwork/math/thread_pool.hpp"
@@ -174,6 +175,8 @@ class System {
  private:
   struct CompiledJoints {
     EvaluateJoints evaluate;
+    JointReactions reactions;
+    int rows;   ///< of each
     int width;  ///< so many at a time
     JointBatch batch;
   };
@@ -197,7 +200,9 @@ class System {
   void add_history(HistoryKind kind, bool joint, int element, int count);
   BodyState<double> pose(int body, const ConstVector& q) const;  ///< at rest
   BodyState<double> moving(int body, const ConstVector& q, const ConstVector& v) const;
-  const ConstraintBlock& block_of_body(int joint, int body) const;
+  /// Force and torque on its second body.
+  std::pair<Vec3<double>, Vec3<double>> special_reaction(const CompiledSpecialJoint& of, const Evaluation& at,
+                                                         const ConstVector& q, const ConstVector& lambda) const;
   void check_limits(double t, const std::vector<Signal<double>>& signals) const;
   void evaluate_forces(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                        Evaluation& out) const;

@@ -99,43 +99,30 @@ VectorXd System::delassus_diagonal(const Evaluation& at) const {
 // its first coordinate, be it the ground, as the first body may have to do with other coordinates, too.
 void System::reactions(const Evaluation& at, const ConstVector& q, const ConstVector& lambda,
                        Eigen::Ref<Eigen::Matrix3Xd> force, Eigen::Ref<Eigen::Matrix3Xd> torque) const {
-  using Vec6 = Eigen::Matrix<double, velocity_size, 1>;
-  const auto find = [&](int joint) {
-    const Element& element = model_.joints()[joint];
-    const bool grounded = element.j == ground;
-    const ConstraintBlock& block = block_of_body(joint, grounded ? element.i : element.j);
-    const double* D = at.D.data() + block.offset;
-    Vec6 sum = Vec6::Zero();
-    for (int row = 0; row < block.rows; ++row, D += velocity_size)
-      sum += lambda[block.row + row] * Eigen::Map<const Vec6>(D);
-    const Vec3<double> F = sum.head<3>();
-    const Mat3<double> A = rotation_matrix<double>(q.segment<4>(position_size * block.body + 3));
-    const Vec3<double> arm = grounded ? Vec3<double>(element.at.s_j - q.segment<3>(position_size * block.body))
-                                      : Vec3<double>(A * element.at.s_j);
-    const Vec3<double> T = A * sum.tail<3>() - arm.cross(F);
-    force.col(joint) = grounded ? Vec3<double>(-F) : F;
-    torque.col(joint) = grounded ? Vec3<double>(-T) : T;
-  };
-  threads_->in_chunks(joint_count(), chunk, [&](int first, int last) {
-    for (int joint = first; joint < last; ++joint) find(joint);
+  threads_->run(static_cast<int>(joint_chunks_.size()), [&](int part, int) {
+    const JointChunk& of = joint_chunks_[part];
+    const CompiledJoints& joints = joints_[of.kind];
+    joints.reactions(joints.batch.arrays(of.first, of.last), joints.rows, at.D.data(), q.data(), lambda.data(),
+                     force.data(), torque.data());
   });
-  for (const CompiledSpecialJoint& it : special_joints_)
-    if (model_.joints()[it.joint].j == ground) {
-      const std::vector<int>& bodies = it.special->bodies();
-      const auto place = std::find(bodies.begin(), bodies.end(), ground) - bodies.begin();
-      const BlockOfD D(at.D.data() + it.D + velocity_size * it.rows * place, it.rows, velocity_size);
-      const Vec6 sum = D.transpose() * lambda.segment(it.row, it.rows);
-      const Vec3<double> F = sum.head<3>();
-      force.col(it.joint) = F;
-      torque.col(it.joint) = sum.tail<3>() - model_.joints()[it.joint].at.s_j.cross(F);
-    }
+  for (const CompiledSpecialJoint& it : special_joints_) {
+    const auto [F, T] = special_reaction(it, at, q, lambda);
+    force.col(it.joint) = F;
+    torque.col(it.joint) = T;
+  }
 }
 
-const ConstraintBlock& System::block_of_body(int joint, int body) const {
-  const BlockRange range = joint_blocks(joint);
-  const int* found = range.begin();
-  while (blocks_[*found].body != body) ++found;
-  return blocks_[*found];
+std::pair<Vec3<double>, Vec3<double>> System::special_reaction(const CompiledSpecialJoint& of, const Evaluation& at,
+                                                               const ConstVector& q, const ConstVector& lambda) const {
+  const Element& element = model_.joints()[of.joint];
+  const std::vector<int>& bodies = of.special->bodies();
+  const auto place = std::find(bodies.begin(), bodies.end(), element.j) - bodies.begin();
+  const BlockOfD D(at.D.data() + of.D + velocity_size * of.rows * place, of.rows, velocity_size);
+  const Eigen::Matrix<double, velocity_size, 1> sum = D.transpose() * lambda.segment(of.row, of.rows);
+  const Vec3<double> F = sum.head<3>();
+  if (element.j == ground) return {F, sum.tail<3>() - element.at.s_j.cross(F)};
+  const Mat3<double> A = rotation_matrix<double>(q.segment<4>(position_size * element.j + 3));
+  return {F, A * sum.tail<3>() - Vec3<double>(A * element.at.s_j).cross(F)};
 }
 
 Mat3<double> System::joint_frame(int joint, const ConstVector& q) const {

@@ -47,7 +47,9 @@ std::size_t count_elements(const std::vector<Batch>& batches) {
                          [](std::size_t sum, const Batch& batch) { return sum + batch.size(); });
 }
 
-void append_joint(const Model& model, const Element& element, int row, std::ptrdiff_t D, JointBatch& batch) {
+void append_joint(const Model& model, int joint, int row, std::ptrdiff_t D, JointBatch& batch) {
+  const Element& element = model.joints()[joint];
+  batch.number.push_back(joint);
   batch.body_i.push_back(element.i);
   batch.body_j.push_back(element.j);
   batch.attach(batch.row.size(), element.at);
@@ -109,7 +111,11 @@ void System::compile_joints() {
     if (count[kind] == 0) continue;
     place[kind] = joints_.size();
     const InstructionSet instructions = instruction_set_for(count[kind], instructions_);
-    joints_.push_back({joint_kinds()[kind].evaluate[instructions.level], instructions.width, {}});
+    joints_.push_back({.evaluate = joint_kinds()[kind].evaluate[instructions.level],
+                       .reactions = joint_reactions(instructions),
+                       .rows = joint_kinds()[kind].info.rows,
+                       .width = instructions.width,
+                       .batch = {}});
     joints_.back().batch.reserve(count[kind], joint_kinds()[kind].info.parameters.size(), instructions.width);
   }
   blocks_.reserve(2 * model_.joints().size());
@@ -120,7 +126,7 @@ void System::compile_joints() {
       continue;
     }
     const int row = model_.joint_rows()[joint], rows = joint_info(element.kind).rows;
-    append_joint(model_, element, row, D_size_, joints_[place[element.kind]].batch);
+    append_joint(model_, joint, row, D_size_, joints_[place[element.kind]].batch);
     const std::ptrdiff_t D_j = D_size_ + velocity_size * rows;
     append_block({.joint = joint, .body = element.i, .row = row, .rows = rows, .offset = D_size_}, blocks_);
     append_block({.joint = joint, .body = element.j, .row = row, .rows = rows, .offset = D_j}, blocks_);

@@ -74,6 +74,7 @@ JointArrays JointBatch::arrays(int first, int last) const {
           .parameter_count = per_joint,
           .streamed = streamed,
           .time_dependent = time_dependent,
+          .number = number.data() + first,
           .row = row.data() + first,
           .D = D.data() + first};
 }

@@ -87,6 +87,7 @@ struct JointArrays {
   int parameter_count;
   bool streamed;            ///< D is larger than caches: it is written past them
   bool time_dependent;      ///< else Phi_t is zero and is left alone
+  const int* number;        ///< of the joint in the model
   const int* row;           ///< first constraint row
   const std::ptrdiff_t* D;  ///< place of D_i; D_j follows
 };
@@ -105,7 +106,7 @@ struct JointLanes {
 };
 
 struct JointBatch {
-  std::vector<int> body_i, body_j, row;
+  std::vector<int> body_i, body_j, number, row;
   std::vector<std::ptrdiff_t> D;
   std::vector<Parameter> parameters;
   bool time_dependent = false, streamed = false;
