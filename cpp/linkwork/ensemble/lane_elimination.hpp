@@ -15,6 +15,12 @@ using namespace simd::LINKWORK_ISA;
 LINKWORK_INLINE Native get(const double* from, std::ptrdiff_t k) { return load_native(from + k * width); }
 LINKWORK_INLINE void put(double* to, std::ptrdiff_t k, Native x) { store_native(to + k * width, x); }
 
+struct Lanes {
+  using Number = Native;
+  static LINKWORK_INLINE Native get(const double* from, std::ptrdiff_t k) { return linkwork::get(from, k); }
+  static LINKWORK_INLINE void put(double* to, std::ptrdiff_t k, Native x) { linkwork::put(to, k, x); }
+};
+
 constexpr double not_a_number = -__builtin_inf();  // as a ratio of pivots: the smallest of all
 constexpr int articulated = 48;                    // numbers of an articulated inertia: columns of 8
 constexpr int right_hand_side = block::right_hand_side;
@@ -30,6 +36,8 @@ struct SmallestPivots {
     const Native found = pivot / diagonal;
     ratio = smaller ? (found == found ? found : splat_native(not_a_number)) : ratio;
   }
+  /// Where `fails`, nothing that was eliminated counts.
+  LINKWORK_INLINE void note_failure(NativeIndex fails) { ratio = fails ? Native{} : ratio; }
   /// Of a mass matrix.
   LINKWORK_INLINE void note_mass(Native pivot) {
     const NativeIndex bad = ~(pivot > Native{});

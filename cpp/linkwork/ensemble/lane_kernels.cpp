@@ -136,10 +136,7 @@ void largest(int count, const double* x, double* out) {
   put(out, 0, doubtful == Native{} ? most : splat_native(__builtin_inf()));
 }
 
-struct Lanes {
-  using Number = Native;
-  static LINKWORK_INLINE Native get(const double* from, std::ptrdiff_t k) { return linkwork::get(from, k); }
-  static LINKWORK_INLINE void put(double* to, std::ptrdiff_t k, Native x) { linkwork::put(to, k, x); }
+struct LanesWithRoots : Lanes {
   static LINKWORK_INLINE Native root(Native x) { return sqrt(Pack(x)).v; }
 };
 
@@ -160,13 +157,13 @@ void add_inerters(const LaneEquations& at, const double* x, double* y) {
 
 void residuals(const LaneEquations& at, const double* a, const double* b, const double* x, const double* lambda,
                double* r_1, double* r_2) {
-  for (int body = 0; body < at.bodies; ++body) saddle_products::multiply_mass<Lanes>(body, at.mass, x, r_1);
+  for (int body = 0; body < at.bodies; ++body) saddle_products::multiply_mass<LanesWithRoots>(body, at.mass, x, r_1);
   add_inerters(at, x, r_1);
   for (int k = 0; k < 6 * at.bodies; ++k) put(r_1, k, get(a, k) - get(r_1, k));
   for (int k = 0; k < at.rows; ++k) put(r_2, k, Native{});
   for (const ConstraintBlock* block = at.blocks; block < at.blocks + at.block_count; ++block) {
-    saddle_products::add_D_transposed<Lanes>(*block, at.D, lambda, r_1);
-    saddle_products::add_D<Lanes>(*block, at.D, x, r_2);
+    saddle_products::add_D_transposed<LanesWithRoots>(*block, at.D, lambda, r_1);
+    saddle_products::add_D<LanesWithRoots>(*block, at.D, x, r_2);
   }
   for (int k = 0; k < at.rows; ++k) put(r_2, k, get(b, k) - get(r_2, k));
   if (!at.compliance) return;
@@ -176,7 +173,7 @@ void residuals(const LaneEquations& at, const double* a, const double* b, const 
 void motion(const LaneEquations& at, const double* x, double* out) {
   Native most{};
   for (int body = 0; body < at.bodies; ++body) {
-    const Native size = saddle_products::size<Lanes>(body, at.lengths, x);
+    const Native size = saddle_products::size<LanesWithRoots>(body, at.lengths, x);
     most = most < size ? size : most;
   }
   put(out, 0, most);
@@ -185,7 +182,7 @@ void motion(const LaneEquations& at, const double* x, double* out) {
 void free_motion(const LaneEquations& at, const double* a, double* out) {
   Native most{};
   for (int body = 0; body < at.bodies; ++body) {
-    const Native size = saddle_products::size_of_free_motion<Lanes>(body, at.lengths, at.mass, a);
+    const Native size = saddle_products::size_of_free_motion<LanesWithRoots>(body, at.lengths, at.mass, a);
     most = ((get(at.mass, 10l * body) > Native{}) & (most < size)) ? size : most;
   }
   put(out, 0, most);

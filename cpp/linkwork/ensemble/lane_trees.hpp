@@ -1,6 +1,7 @@
 #pragma once
 
 #include "linkwork/ensemble/lane_elimination.hpp"
+#include "linkwork/linear/block/hinge_elimination.hpp"
 
 /// Open branches of all lanes, leaf to root and back: the equations of block/tree_kernels.hpp, and their order of
 /// operations, element by element.
@@ -78,18 +79,21 @@ LINKWORK_INLINE void substitute_backward(const Native (*L)[size], Native* x) {
     for (int c = k + 1; c < size; ++c) x[k] -= x[c] * L[k][c];
 }
 
+/// Number r of column c of the parent's [M; a] before its first child.
+LINKWORK_INLINE Native own_number(const block::TreeStep& step, const LaneData& data, const double* a, int c, int r) {
+  const double* mass = data.mass + 10l * width * step.parent;
+  if (r == right_hand_side) return get(a, 6l * step.parent + c);
+  if (c >= 3) return get(mass, 1 + 3 * (c - 3) + r - 3);
+  return r == c ? get(mass, 0) : Native{};
+}
+
 /// Column c of M_p += V^T D'^-1 V, where T is column c of D'^-1 V; M_p begins with the parent's own mass.
 template <int rows, bool begins>
 LINKWORK_INLINE void add_to_parent(const block::TreeStep& step, const LaneData& data, const double* a, int c,
                                    const Native (*V)[rows], const Native* T) {
   double* to = data.articulated_inertias + step.parent_slot * articulated * std::ptrdiff_t{width};
-  const double* mass = data.mass + 10l * width * step.parent;
   LINKWORK_UNROLL for (int r = c; r < 7; ++r) {
-    Native sum{};
-    if (!begins) sum = get(to, 8 * c + r);
-    else if (r == right_hand_side) sum = get(a, 6l * step.parent + c);
-    else if (c >= 3) sum = get(mass, 1 + 3 * (c - 3) + r - 3);
-    else if (r == c) sum = get(mass, 0);
+    Native sum = begins ? own_number(step, data, a, c, r) : get(to, 8 * c + r);
     LINKWORK_UNROLL for (int k = 0; k < rows; ++k)
       sum += V[r][k] * T[k];
     put(to, 8 * c + r, sum);
@@ -124,11 +128,55 @@ LINKWORK_INLINE void eliminate_joint(const RowsOfStep<scattered>& of, const doub
   }
 }
 
+template <bool grounded>
+LINKWORK_INLINE block::HingeElimination<Lanes, grounded> hinge_of(const block::TreeStep& step, const LaneData& data,
+                                                                  const double* a) {
+  constexpr std::ptrdiff_t stride = width;
+  const double* inertia = data.articulated_inertias + step.slot * articulated * stride;
+  return block::HingeElimination<Lanes, grounded>({.D_body = data.D + step.D_body * stride,
+                                                   .D_parent = data.D + step.D_parent * stride,
+                                                   .articulated_inertia = step.slot >= 0 ? inertia : nullptr,
+                                                   .mass = data.mass + 10 * stride * step.body,
+                                                   .a = a + 6 * stride * step.body,
+                                                   .factors = data.factors + step.storage * stride});
+}
+
+/// Whether a step is of a hinge that does not yield.
+template <int rows, bool scattered>
+LINKWORK_INLINE bool is_hinge(const block::TreeStep& step, const LaneData& data) {
+  if (rows != 5 || scattered || !step.turning) return false;
+  Native yields{};
+  for (int k = 0; k < rows; ++k) yields += get(data.compliance, step.row + k);
+  return !any(yields != Native{});
+}
+
+template <bool grounded>
+void factor_hinge(const block::TreeStep& step, const LaneData& data, const double* a, const double* b,
+                  SmallestPivots& smallest) {
+  auto hinge = hinge_of<grounded>(step, data, a);
+  const Native size = hinge.read(b + std::ptrdiff_t{step.row} * width), pivot = hinge.release();
+  smallest.note_mass(pivot);
+  smallest.note_failure(~(size > splat_native(block::least_size)));
+  double* to = data.articulated_inertias + step.parent_slot * articulated * std::ptrdiff_t{width};
+  if constexpr (!grounded) LINKWORK_UNROLL
+    for (int c = 0; c < 6; ++c) LINKWORK_UNROLL
+      for (int r = c; r < 7; ++r) {
+        const Native before = step.parent_begins ? own_number(step, data, a, c, r) : get(to, 8 * c + r);
+        put(to, 8 * c + r, before + hinge.parent(c, r));
+      }
+  hinge.store_way_back();
+}
+
 /// One row of D, or the right-hand side, after the other, so that its numbers stay in registers: W = D_b L^-T, and
 /// W D^-1 L^-1 for the way back.
 template <int rows, bool scattered>
 void factor_step(const block::TreeStep& step, const LaneData& data, const double* a, const double* b,
                  SmallestPivots& smallest) {
+  if (is_hinge<rows, scattered>(step, data)) {
+    if (step.parent < 0) factor_hinge<true>(step, data, a, b, smallest);
+    else factor_hinge<false>(step, data, a, b, smallest);
+    return;
+  }
   const RowsOfStep<scattered> of{step, data};
   Native M[6][6], inverse[6], W[rows + 1][6], S[rows + 1][rows > 0 ? rows : 1], right[rows + 1];
   load_body(step, data, a, M, W[rows]);
@@ -164,6 +212,16 @@ void factor_step(const block::TreeStep& step, const LaneData& data, const double
 
 template <int rows, bool scattered>
 void backward_step(const block::TreeStep& step, const LaneData& data, double* x, double* lambda) {
+  if (is_hinge<rows, scattered>(step, data)) {
+    const auto go_back = [&](auto grounded) {
+      constexpr std::ptrdiff_t stride = width;
+      const double* x_parent = grounded ? nullptr : x + 6 * stride * step.parent;
+      hinge_of<grounded>(step, data, x).go_back(x_parent, x + 6 * stride * step.body, lambda + stride * step.row);
+    };
+    if (step.parent < 0) go_back(std::true_type());
+    else go_back(std::false_type());
+    return;
+  }
   const RowsOfStep<scattered> of{step, data};
   constexpr std::ptrdiff_t second = block::second_factors(rows);
   const double* factors = data.factors + step.storage * width;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "linkwork/linear/block/hinge_kernels.hpp"
 #include "linkwork/linear/block/turning_kernels.hpp"
 
 /// Open branches, leaf to root and back.
@@ -144,6 +145,8 @@ LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const d
     if (joint.turns) return factor_turning_step<rows, scattered>(step, data, a, joint, smallest);
     data.factors[step.storage + TurningFactors<rows>::sign] = 0.0;
   }
+  if constexpr (by_numbers<rows, scattered>)
+    if (factor_hinge(step, data, a, b, smallest)) return;
   Vector M[6], W[6], L[6], G[6];
   load_columns<rows>([&](int k) { return of.D_body(k); }, W);
   LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
@@ -181,6 +184,8 @@ template <int rows, bool scattered>
 LINKWORK_INLINE void backward_step(const TreeStep& step, const Data& data, double* x, double* lambda) {
   if constexpr (turns<rows, scattered>)
     if (turn_back<rows, scattered>(step, data, x, lambda)) return;
+  if constexpr (by_numbers<rows, scattered>)
+    if (hinge_back(step, data, x, lambda)) return;
   const Vector one = unit(right_hand_side);
   const double* factors = data.factors + step.storage;
   Vector products[6], l = splat(0.0);

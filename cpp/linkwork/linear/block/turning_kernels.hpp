@@ -1,6 +1,7 @@
 #pragma once
 
 #include "linkwork/linear/block/common_kernels.hpp"
+#include "linkwork/linear/block/hinge_elimination.hpp"
 
 /// Bodies of open branches on a hinge, with or without an inerter along its angle, or on a weld: as TreeStep, with one
 /// division in the way to the root where the elimination row by row has as many as there are rows, six and those.
@@ -22,8 +23,6 @@ namespace {
 template <int rows, bool scattered>
 constexpr bool turns = width > 2 &&
                        (rows == 6 || (rows == 5 && !scattered));  // width 2: the path of deterministic runs
-
-constexpr double least_determinant = 0.1;  // of R, whose rows have length 1 where the joint is not violated
 
 /// Places of the factors of such a step: x_b and lambda as rows that are multiplied by y, and s, or 0 where the factors
 /// are those of TreeStep.
@@ -121,7 +120,7 @@ class TurningJointReader {
     const Vector x = row_of_R(3), y = row_of_R(4), xy = cross(x, y), z = rows == 5 ? xy : row_of_R(rows - 1);
     const Vector terms = z * xy;
     const double determinant = terms[0] + terms[1] + terms[2];
-    if (!(determinant * determinant > least_determinant * least_determinant)) return false;
+    if (!(determinant * determinant > least_size)) return false;
     const Vector inverse = splat(1.0 / determinant), columns[3] = {cross(y, z), cross(z, x), xy};
     LINKWORK_UNROLL for (int c = 0; c < 3; ++c)
       joint_.R_inverse[c] = inverse * columns[c];
