@@ -117,6 +117,28 @@ TEST_CASE("open branches of every kind of joint are solved on every instruction 
   });
 }
 
+TEST_CASE("hinges and welds that are violated by far are solved, too") {
+  for_every_instruction_set([](SaddleSolver& solver) {
+    Random random(13);
+    int turned_away = 0;  // axes that are nearly perpendicular
+    for (int trial = 0; trial < 20; ++trial) {
+      Model model;
+      for (int body = 0; body < 8; ++body) {
+        model.add_body("body" + std::to_string(body), random_body(random));
+        const Attachment<double> at = random_attachment(random);
+        const int i = random.integer(ground, body - 1);
+        model.add_joint(body % 3 == 2 ? "fixed" : "revolute", "joint" + std::to_string(body), i, body, at);
+        const Mat3<double> A_i = i == ground ? Mat3<double>(Mat3<double>::Identity())
+                                             : rotation_matrix<double>(model.bodies()[i].orientation);
+        const Vec3<double> z_j = rotation_matrix<double>(model.bodies()[body].orientation) * at.C_j.col(2);
+        turned_away += std::abs((A_i * at.C_i.col(2)).dot(z_j)) < 0.1;
+      }
+      check_solves(solver, System(model), random, false);
+    }
+    CHECK(turned_away > 5);
+  });
+}
+
 TEST_CASE("loops closed by every kind of joint, dependent rows included, are solved with compliance") {
   for_every_instruction_set([](SaddleSolver& solver) {
     Random random(12);

@@ -60,6 +60,23 @@ std::vector<Model> trees_and_loops() {
   return models;
 }
 
+/// Of one structure: hinges between bodies with and without branches, on the ground and beside other joints.
+std::vector<Model> trees_of_hinges() {
+  std::vector<Model> models;
+  Random random(6);
+  for (int k = 0; k < 9; ++k) {
+    Model model(random.vec3(9.81));
+    const int parents[] = {ground, 0, 1, 1, 0, ground, 5, 5, ground};
+    for (int body = 0; body < 9; ++body) {
+      model.add_body("body" + std::to_string(body), random_body(random));
+      const char* kind = body == 2 || body == 6 ? "spherical" : body == 4 ? "fixed" : "revolute";
+      add_joint(model, random, kind, "joint" + std::to_string(body), parents[body], body);
+    }
+    models.push_back(model);
+  }
+  return models;
+}
+
 std::vector<Model> trees_with_forces() {
   Random random(4);
   std::vector<Model> models;
@@ -75,6 +92,7 @@ std::vector<Model> trees_with_forces() {
 TEST_CASE("lanes have the same bits at every width of registers, and those of the run by itself") {
   std::vector<Model> models = trees_and_loops();
   for (Model& it : trees_with_forces()) models.push_back(std::move(it));
+  for (Model& it : trees_of_hinges()) models.push_back(std::move(it));
   for (const char* stabilization : {"sampled_baumgarte", "projection", "velocity_projection"}) {
     CAPTURE(stabilization);
     std::vector<VectorXd> single;
@@ -90,6 +108,31 @@ TEST_CASE("lanes have the same bits at every width of registers, and those of th
         const auto q = last_states(models, deterministic(stabilization), instruction_set(level), threads);
         for (std::size_t k = 0; k < models.size(); ++k) CHECK(q[k] == single[k]);
       }
+  }
+}
+
+TEST_CASE("a hinge whose axes are turned away from each other leaves its lane, and no other one") {
+  Random random(7);
+  std::vector<std::unique_ptr<Dynamics>> dynamics;
+  std::vector<Dynamics*> all;
+  constexpr int violated = 1;
+  for (int k = 0; k < 3; ++k) {
+    Model model;
+    model.add_body("rod", random_body(random));
+    const Mat3<double> A = rotation_matrix<double>(model.bodies()[0].orientation).transpose();
+    const Mat3<double> turn = rotation_matrix<double>(exponential(1.52 * Vec3<double>::UnitX()));
+    Attachment<double> at = place(model, ground, 0, random.vec3(), Vec3<double>::Zero(), Mat3<double>::Identity(), A);
+    at.s_i = model.bodies()[0].position + A.transpose() * at.s_j;
+    at.C_j = k == violated ? Mat3<double>(A * turn) : A;
+    model.add_joint("revolute", "pin", ground, 0, at);
+    dynamics.push_back(std::make_unique<Dynamics>(model, deterministic()));
+    all.push_back(dynamics.back().get());
+  }
+  for (int level = 0; level < instruction_set_count(); ++level) {
+    Ensemble ensemble(all, rk4(), FixedSteps(0.01, 1e-3, 1), instruction_set(level));
+    ensemble.run(1);
+    const auto members = ensemble.take();
+    for (int k = 0; k < 3; ++k) CHECK((members[k].reason == "") == (k != violated));
   }
 }
 
