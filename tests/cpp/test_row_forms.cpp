@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "linkwork/model/row_forms.hpp"
+#include "linkwork/ensemble/row_forms.hpp"
 
 #include "support.hpp"
 
@@ -35,7 +35,7 @@ TEST_CASE("rows of D have the form of their kind in every state") {
   for (int kind = 0; kind < static_cast<int>(joint_kinds().size()); ++kind) {
     const KindInfo& info = joint_kinds()[kind].info;
     CAPTURE(info.name);
-    const std::vector<RowForm>& forms = row_forms(kind).rows;
+    const std::vector<RowForm> forms = row_forms(kind);
     REQUIRE(static_cast<int>(forms.size()) == 2 * info.rows);
     for (int state = 0; state < 20; ++state) {
       const VectorXd D = random_D(info, random);
@@ -47,35 +47,27 @@ TEST_CASE("rows of D have the form of their kind in every state") {
 TEST_CASE("a hinge holds a point along the axes of space, and two rotations") {
   using enum RowForm;
   const std::vector<RowForm> hinge = {x, y, z, rotation, rotation, x, y, z, rotation, rotation};
-  CHECK((row_forms(joint_kind_index("revolute")).rows == hinge));
+  CHECK((row_forms(joint_kind_index("revolute")) == hinge));
+}
+
+TEST_CASE("kinds that say that they hold a point do, and those that do say it") {
+  Random random(8);
+  for (const JointKind& kind : joint_kinds()) {
+    CAPTURE(kind.info.name);
+    bool holds = true;
+    for (int state = 0; state < 20; ++state) {
+      const VectorXd D = random_D(kind.info, random);
+      for (int row = 0; row < kind.info.rows; ++row) {
+        const Vec3<double> expected = row < 3 ? Vec3<double>(Vec3<double>::Unit(row)) : Vec3<double>::Zero();
+        holds = holds && D.segment<3>(6 * row) == expected && D.segment<3>(6 * (kind.info.rows + row)) == -expected;
+      }
+    }
+    CHECK(kind.holds_point == (holds && kind.info.rows >= 3));
+  }
 }
 
 TEST_CASE("a slider moves along an axis of its own") {
-  const std::vector<RowForm> forms = row_forms(joint_kind_index("translational")).rows;
+  const std::vector<RowForm> forms = row_forms(joint_kind_index("translational"));
   CHECK(std::count(forms.begin(), forms.end(), RowForm::general) == 4);
   CHECK(std::count(forms.begin(), forms.end(), RowForm::rotation) == 6);
-}
-
-TEST_CASE("some kinds hold a point and nothing else of the translation, in every state") {
-  Random random(8);
-  std::vector<std::string> holding;
-  for (int kind = 0; kind < static_cast<int>(joint_kinds().size()); ++kind) {
-    const KindInfo& info = joint_kinds()[kind].info;
-    if (!row_forms(kind).holds_point) continue;
-    holding.push_back(info.name);
-    for (int state = 0; state < 20; ++state) {
-      const VectorXd D = random_D(info, random);
-      for (int row = 0; row < info.rows; ++row) {
-        const Vec3<double> expected = row < 3 ? Vec3<double>(D[0] * Vec3<double>::Unit(row)) : Vec3<double>::Zero();
-        CHECK(D.segment<3>(6 * row) == expected);
-        CHECK(D.segment<3>(6 * (info.rows + row)) == -expected);
-      }
-    }
-  }
-  for (const char* name : {"revolute", "spherical", "fixed"}) {
-    CAPTURE(name);
-    CHECK(std::count(holding.begin(), holding.end(), name) == 1);
-  }
-  for (const char* name : {"translational", "cylindrical"})
-    CHECK(std::count(holding.begin(), holding.end(), name) == 0);
 }

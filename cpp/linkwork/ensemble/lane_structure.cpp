@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linkwork/ensemble/row_forms.hpp"
 #include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/linear/block/block_solver.hpp"
 #include "linkwork/model/force_kind.hpp"
 #include "linkwork/model/joint_kind.hpp"
-#include "linkwork/model/row_forms.hpp"
 
 namespace linkwork {
 namespace {
@@ -114,7 +114,7 @@ void LaneStructure::list_joints(const System& system) {
 void LaneStructure::find_forms() {
   std::vector<RowForm> forms(D_size / velocity_size, RowForm::general);
   for (const Joints& it : joints) {
-    const std::vector<RowForm>& found = linkwork::row_forms(it.kind).rows;
+    const std::vector<RowForm> found = linkwork::row_forms(it.kind);
     for (const std::ptrdiff_t D : it.D) std::copy(found.begin(), found.end(), forms.begin() + D / velocity_size);
   }
   for (const block::BodyRow& row : symbolic.rows) row_forms.push_back(forms[row.D / velocity_size]);

@@ -4,13 +4,16 @@
 
 #include "linkwork/assembly/constraint_block.hpp"
 #include "linkwork/linear/block/kernels.hpp"
-#include "linkwork/model/row_form.hpp"
 
 /// The inner loops of ensembles: mechanisms of one structure, each in a lane. Every number here is `width` of them, one
 /// of each mechanism, side by side. Compiled once per instruction set (lane_kernels.cpp, lane_solution.cpp) and chosen at
 /// run time; without fused operations and in the order of operations of a run by itself with `deterministic`, so that a
 /// lane has the bits of that run, whatever the width and whatever the other lanes hold.
 namespace linkwork {
+
+/// What is known of D of a row and body in every state: the numbers of its translation are zero, or one of them is 1 or
+/// -1. What is multiplied by them need not be.
+enum class RowForm : unsigned char { general, rotation, x, y, z };
 
 /// What an elimination reads and writes; places are those of SymbolicFactorization, in numbers.
 struct LaneData {

@@ -83,14 +83,17 @@ LINKWORK_INLINE Signal<Pack> load_parameter(const Parameter* parameters, int str
 }
 
 /// Phi_dot = D v + Phi_t.
-template <int rows>
+template <class Joint>
 LINKWORK_INLINE void multiply(const Pack* D_i, const Pack* D_j, const Pack* v_i, const Pack* v_j, const Pack* Phi_t,
                               Pack* Phi_dot) {
-  LINKWORK_UNROLL for (int r = 0; r < rows; ++r) {
+  constexpr int first = holds_point<Joint> ? 3 : 0;
+  LINKWORK_UNROLL for (int r = 0; r < Joint::rows; ++r) {
     Pack sum = Phi_t[r];
-    LINKWORK_UNROLL for (int c = 0; c < 6; ++c)
+    if (r < first) sum += v_i[r];
+    LINKWORK_UNROLL for (int c = first; c < 6; ++c)
       sum += D_i[6 * r + c] * v_i[c];
-    LINKWORK_UNROLL for (int c = 0; c < 6; ++c)
+    if (r < first) sum -= v_j[r];
+    LINKWORK_UNROLL for (int c = first; c < 6; ++c)
       sum += D_j[6 * r + c] * v_j[c];
     Phi_dot[r] = sum;
   }
@@ -132,7 +135,7 @@ LINKWORK_INLINE void evaluate_joints(const JointArrays& joints, const double* q,
     for (int part = 0; part < 4; ++part) attachment[part] = place_of(joints.attachment[part], joints.first + first);
     Joint::template evaluate<Pack>(load_attachment(attachment), parameters, i, j,
                                    Rows<Pack, rows>{Phi, Phi_t, gamma, D, D + 6 * rows});
-    multiply<rows>(D, D + 6 * rows, v_i, v_j, Phi_t, Phi_dot);
+    multiply<Joint>(D, D + 6 * rows, v_i, v_j, Phi_t, Phi_dot);
 
     const int used = joints.count - first < width ? joints.count - first : width;
     double nowhere[12 * rows];  // for the lanes that are not used
@@ -166,7 +169,7 @@ LINKWORK_INLINE void evaluate_joint_lanes(const JointLanes& joints, const Constr
     Joint::template evaluate<Pack>(
         load_attachment_of(joints.attachment, joint), parameters, i, j,
         Rows<Pack, rows>{packs(out.Phi + row), Phi_t, packs(out.gamma + row), D, D + 6 * rows});
-    multiply<rows>(D, D + 6 * rows, v_i, v_j, Phi_t, packs(out.Phi_dot + row));
+    multiply<Joint>(D, D + 6 * rows, v_i, v_j, Phi_t, packs(out.Phi_dot + row));
   }
 }
 

@@ -11,6 +11,8 @@
 
 /// A joint is a struct (one file in joints/, one line in joints.def) with
 ///   static constexpr int rows;                  number of equations
+///   static constexpr bool holds_point = true;   where the first three hold a point, D_i = [I, K_i] and D_j = [-I, K_j],
+///                                               and the others are of rotation; else without it
 ///   static KindInfo info();                     what there is to know of it, see KindInfo
 ///   template <class Real>
 ///   static void evaluate(const Attachment<Real>&, const Signal<Real>* parameters,
@@ -34,8 +36,13 @@ using EvaluateJoints = void (*)(const JointArrays&, const double* q, const doubl
 /// The same for mechanisms in lanes: where equations go, each number is `width` of them.
 using EvaluateJointLanes = void (*)(const JointLanes&, const ConstraintArrays&);
 
+/// What a joint says of itself.
+template <class Joint>
+constexpr bool holds_point = requires { requires Joint::holds_point; };
+
 struct JointKind {
   KindInfo info;
+  bool holds_point;
   EvaluateJoints evaluate[max_instruction_sets];            ///< by level of the instruction set
   EvaluateJointLanes evaluate_lanes[max_instruction_sets];  ///< likewise; the same bits at every level
 };
@@ -54,7 +61,7 @@ struct JointEvaluation {
 
 template <class Joint>
 JointKind make_joint_kind(JointEvaluation v2, JointEvaluation v3 = {}, JointEvaluation v4 = {}) {
-  JointKind kind{Joint::info(), {v2.joints, v3.joints, v4.joints}, {v2.lanes, v3.lanes, v4.lanes}};
+  JointKind kind{Joint::info(), holds_point<Joint>, {v2.joints, v3.joints, v4.joints}, {v2.lanes, v3.lanes, v4.lanes}};
   kind.info.rows = Joint::rows;
   return checked(std::move(kind));
 }

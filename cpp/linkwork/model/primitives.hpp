@@ -104,12 +104,26 @@ LINKWORK_PRIMITIVE void separation(const BodyState<Real>& i, const BodyState<Rea
                  u_in_j.dot(centripetal(j.omega, s_j)) + u_in_i.dot(centripetal(i.omega, s_i));
 }
 
-// a = A_i a_i stays parallel to z of j: perpendicular to its x and y (2 equations).
+// a = A_i a_i stays parallel to z of j: perpendicular to its x and y (2 equations), as above, in axes of j, where
+// C = A_j^T A_i, w = w_j - C w_i: of each b
+// Phi_dot = w . d with d = b x a,   D_i = [0, -(C^T d)^T],   D_j = [0, d^T]
+// gamma = (C w_i x w_j) . d - (w . a) (w . b) + w^2 Phi
 template <class Real>
 LINKWORK_PRIMITIVE void parallel(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& a_i,
                                  const Vec3<Real>& x_j, const Vec3<Real>& y_j, Rows<Real, 2> out) {
-  perpendicular<Real>(i, j, a_i, x_j, out.template slice<0, 1>());
-  perpendicular<Real>(i, j, a_i, y_j, out.template slice<1, 1>());
+  const Mat3<Real> C = j.A.transpose() * i.A;
+  const Vec3<Real> a = C * a_i, omega_i = C * i.omega, omega = j.omega - omega_i, n = omega_i.cross(j.omega);
+  const Real along_a = omega.dot(a), square = omega.squaredNorm();
+  const auto stay_perpendicular = [&](int k, const Vec3<Real>& b) {
+    const Vec3<Real> d = b.cross(a), d_in_i = C.transpose() * d;
+    set_row<Real>(out.D_i, k, Vec3<Real>::Zero(), -d_in_i);
+    set_row<Real>(out.D_j, k, Vec3<Real>::Zero(), d);
+    out.Phi[k] = a.dot(b);
+    out.Phi_t[k] = Real(0);
+    out.gamma[k] = n.dot(d) - along_a * omega.dot(b) + square * out.Phi[k];
+  };
+  stay_perpendicular(0, x_j);
+  stay_perpendicular(1, y_j);
 }
 
 /// One equation on its own, to be composed with others.

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "linkwork/model/joint_kind.hpp"
-#include "linkwork/model/row_forms.hpp"
 
 namespace linkwork::block {
 namespace {
@@ -46,8 +45,8 @@ class TreeBuilder {
   bool turning(int joint) const {
     const Model& model = system_.model();
     if (model.special_joint(joint)) return false;
-    const int kind = model.joints()[joint].kind, rows = joint_kinds()[kind].info.rows;
-    return (rows == 5 || rows == 6) && row_forms(kind).holds_point;
+    const JointKind& kind = joint_kinds()[model.joints()[joint].kind];
+    return kind.info.rows >= 5 && kind.holds_point;
   }
 
   void group_children() {

@@ -7,6 +7,7 @@ namespace linkwork {
 /// in the plane that halves the angle between them (4 equations).
 struct ConstantVelocity {
   static constexpr int rows = 4;
+  static constexpr bool holds_point = true;
 
   static KindInfo info() {
     return {.name = "constant_velocity",

@@ -6,6 +6,7 @@ namespace linkwork {
 /// A weld: no relative motion (6 equations).
 struct Fixed {
   static constexpr int rows = 6;
+  static constexpr bool holds_point = true;
 
   static KindInfo info() {
     return {.name = "fixed",

@@ -7,6 +7,7 @@ namespace linkwork {
 /// A hinge: the bodies share a point and the axis through it (5 equations).
 struct Revolute {
   static constexpr int rows = 5;
+  static constexpr bool holds_point = true;
 
   static KindInfo info() {
     return {.name = "revolute",

@@ -6,6 +6,7 @@ namespace linkwork {
 /// A ball: the bodies share a point (3 equations).
 struct Spherical {
   static constexpr int rows = 3;
+  static constexpr bool holds_point = true;
 
   static KindInfo info() {
     return {.name = "spherical",

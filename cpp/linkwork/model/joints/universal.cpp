@@ -7,6 +7,7 @@ namespace linkwork {
 /// A Cardan joint: the bodies share a point; an axis of one stays perpendicular to an axis of the other (4 equations).
 struct Universal {
   static constexpr int rows = 4;
+  static constexpr bool holds_point = true;
 
   static KindInfo info() {
     return {.name = "universal",
