@@ -89,3 +89,18 @@ TEST_CASE("suspicion lasts until the pivots have recovered; poses are listed wit
   REQUIRE(watch.crossings().size() == 3);
   CHECK(watch.crossings()[2].fallback_evaluations == 1);
 }
+
+TEST_CASE("the latest value is that of the trend, and there is neither after one value alone") {
+  SingularWatch watch;
+  watch.note(0.0, 0.04);
+  CHECK(watch.latest() == nullptr);
+  CHECK_FALSE(watch.trend());
+  for (int k = 1; k < 40; ++k) {
+    watch.note(0.1 * k, 1.0 / k);
+    REQUIRE(watch.latest() != nullptr);
+    CHECK(watch.latest()->t == watch.trend()->last.t);
+    CHECK(watch.latest()->root == doctest::Approx(std::sqrt(1.0 / k)));
+  }
+  watch.forget_trend();
+  CHECK(watch.latest() == nullptr);
+}

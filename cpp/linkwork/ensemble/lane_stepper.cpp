@@ -34,6 +34,7 @@ void LaneStepper::allocate() {
   for (Numbers* state : {&y_, &before_, &stage_}) layout_.size(*state, structure_.y_size());
   k_.assign(tableau_.b.size(), y_);
   layout_.size(weights_, tableau_.b.size());
+  for (Eigen::Index i = 0; i < tableau_.A.rows(); ++i) stage_weights_.emplace_back(tableau_.A.row(i));
   rows_.resize(m);
   rates_.resize(m);
 }
@@ -140,7 +141,7 @@ void LaneStepper::later_stages(const LaneSpans& spans, LaneGuard& guard) {
   for (Eigen::Index i = 1; i < tableau_.b.size(); ++i) {
     for (int l = 0; l < width(); ++l)
       stage_t_[l] = std::clamp(spans.t[l] + tableau_.c[i] * spans.h[l], spans.earliest[l], spans.latest[l]);
-    combine(spans, tableau_.A.row(i), i, stage_);
+    combine(spans, stage_weights_[static_cast<std::size_t>(i)], i, stage_);
     evaluation_.evaluate(stage_t_, stage_, guard);
     if (continuous()) correct();
     solve(stage_t_, false, guard);

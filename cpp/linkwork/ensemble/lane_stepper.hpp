@@ -131,6 +131,7 @@ class LaneStepper {
   Numbers y_, before_, stage_, stage_t_, weights_, ones_, velocity_gains_, position_gains_;
   std::vector<Numbers> k_;
   std::vector<const double*> terms_;
+  std::vector<VectorXd> stage_weights_;  ///< the rows of A
   VectorXd rows_, rates_;
 };
 
