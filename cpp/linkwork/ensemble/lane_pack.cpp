@@ -10,6 +10,25 @@ namespace {
 
 constexpr double restless = 1.0;  // way or angle of a step in which a lane is looked at more closely
 
+class FactorsOfPack final : public StageFactors {
+ public:
+  FactorsOfPack(const LaneStructure& structure, LaneStepper& stepper, int l)
+      : structure_(structure), stepper_(stepper), l_(l) {}
+
+  double smallest_pivot() override {
+    const double pivot = stepper_.smallest_pivot_ahead(l_);
+    return structure_.keeps_order(stepper_.mechanism(l_), pivot) ? pivot : 0.0;
+  }
+  void solve(const ConstVector& b, MutableVector x, MutableVector lambda) override {
+    stepper_.solve_ahead(l_, b, x, lambda);
+  }
+
+ private:
+  const LaneStructure& structure_;
+  LaneStepper& stepper_;
+  int l_;
+};
+
 std::vector<Dynamics*> mechanisms_of(const std::vector<Lane*>& lanes) {
   std::vector<Dynamics*> out;
   for (Lane* lane : lanes) out.push_back(&lane->dynamics());
@@ -56,7 +75,6 @@ void LanePack::run(const std::function<void()>& look) {
   for (std::int64_t step = first_step(); any_lane(); ++step) {
     begin_step(step);
     if (step == steps_.count()) break;
-    stepper_.hold(spans_, whole_.data());
     stepper_.step(spans_, *this);
     finish_step(step);
     look();
@@ -89,6 +107,7 @@ void LanePack::begin_step(std::int64_t step) {
   const double h = step < steps_.count() ? steps_.size(step) : 0.0;
   for (int l = 0; l < stepper_.width(); ++l) spans_.set(l, t, h);
   stepper_.evaluate(spans_, *this);
+  if (h > 0.0) stepper_.hold(spans_, whole_.data());
   watches_.begin_step();
   const bool needs_state =
       steps_.records(step) || watches_.watched() || watches_.judged() || limited_ || !structure_.dropped.empty();
@@ -151,7 +170,9 @@ void LanePack::begin_lane(int l, std::int64_t step) {
     if (lane.watches()) lane.end(steps_.t_end(), y);
     return;
   }
-  if (lane.watches()) lane.look_ahead(step, steps_, watches_.speeds(l), y);
+  FactorsOfPack factors(structure_, stepper_, l);
+  if (lane.watches())
+    lane.look_ahead(step, steps_, watches_.speeds(l), y, structure_.inerters == 0 ? &factors : nullptr);
   lane.finish_record(t);
   if (lane.stepping() || (lane.moves() && !lane.leaping())) lane.sample(t, y, kinetic, potential);
   if (!lane.moves()) return;

@@ -50,10 +50,12 @@ class SingularWatch {
 
   /// True for all but few evaluations; then there is nothing to do.
   bool usual(double pivot) {
-    if (open_ || !(pivot >= suspicious_)) return false;
+    if (suspicious(pivot)) return false;
     if (pivot > level_) raise(pivot);
     return true;
   }
+
+  bool suspicious(double pivot) const { return open_ || !(pivot >= suspicious_); }
 
   /// A pivot seen by the way, for the trend.
   void note(double t, double pivot) {

@@ -262,10 +262,9 @@ bool Crossing::is_due_by(double t, double h, const Speeds& speeds, bool adaptive
 /// costs two solutions; pivots, which cost nothing, hide some poses until they are a step away.
 void Crossing::look(double t, Arrival& state) {
   if (least_.at == t) return;
-  state.arrive();
   WatchedFormulation& formulation = dynamics_.formulation();
   SingularValueAt before =
-      std::exchange(least_, ended_.at == t ? ended_ : SingularValueAt{t, formulation.least_singular_value()});
+      std::exchange(least_, ended_.at == t ? ended_ : SingularValueAt{t, least_singular_value(state)});
   const double usual = formulation.usual_least_singular_value(), small = near * std::max(usual, least_usual);
   if (rows_turn_bad(small, least_.value, highest_, state)) {
     least_.value = formulation.least_singular_value();
@@ -276,6 +275,12 @@ void Crossing::look(double t, Arrival& state) {
   falls_to_ = falls ? t + least_.value * (t - before.at) / fall : INFINITY;
   next_look_ = usual > 0.0 ? look_part * (least_.value / usual) : 0.0;
   turned_ = 0.0;
+}
+
+double Crossing::least_singular_value(Arrival& state) {
+  if (const std::optional<double> value = state.least_singular_value()) return *value;
+  state.arrive();
+  return dynamics_.formulation().least_singular_value();
 }
 
 /// Redundant rows that were well chosen become bad ones where loops turn, before a pose is in sight: they are looked at
