@@ -46,7 +46,8 @@ TEST_CASE("the least singular value falls linearly to zero toward a singular pos
   }
 }
 
-TEST_CASE("by somebody else's factors it is the same, and the watch hears of them as of its own; not of suspicious ones") {
+TEST_CASE(
+    "by somebody else's factors it is the same, and the watch hears of them as of its own; not of suspicious ones") {
   Dynamics own(parallelogram(0.3), options_of("standard")), other(parallelogram(0.3), options_of("standard"));
   const SaddleSolver& theirs = own.formulation().saddle();
   const VectorXd none = VectorXd::Zero(own.system().v_size());

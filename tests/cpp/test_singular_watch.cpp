@@ -104,3 +104,19 @@ TEST_CASE("the latest value is that of the trend, and there is neither after one
   watch.forget_trend();
   CHECK(watch.latest() == nullptr);
 }
+
+TEST_CASE("usual pivots in their range change nothing of what is usual") {
+  SingularWatch watch;
+  watch.start(0.5);
+  const SingularWatch::Range range = watch.usual_pivots();
+  for (const double pivot : {range.least, 0.1, range.most}) {
+    CHECK(watch.usual(pivot));
+    CHECK(watch.usual_pivots().least == range.least);
+    CHECK(watch.usual_pivots().most == range.most);
+  }
+  CHECK_FALSE(watch.usual(std::nextafter(range.least, 0.0)));
+  CHECK(watch.usual(std::nextafter(range.most, 1.0)));
+  CHECK(watch.usual_pivots().most > range.most);
+  watch.begin(1.0, 1e-9, {0});
+  CHECK(watch.usual_pivots().least > watch.usual_pivots().most);  // none is while rows are near each other
+}

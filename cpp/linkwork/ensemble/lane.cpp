@@ -232,6 +232,12 @@ void Lane::note(double t, double pivot, bool first_stage) {
   if (!watch.usual(pivot)) leave(t, "a small pivot: the pose may be singular");
 }
 
+SingularWatch::Range Lane::usual_pivots() const {
+  SingularWatch::Range out = dynamics_.watch().usual_pivots();
+  out.least = std::max(out.least, std::nextafter(singular_pivot, 1.0));
+  return out;
+}
+
 void Lane::look_back(double t, double h, const VectorXd& y) {
   const std::int64_t poses = dynamics_.watch().singular_poses();
   guarded(t, [&] { crossing_.look_back(t, h, y); });

@@ -135,6 +135,9 @@ class Lane {
 
   /// The smallest pivot of a stage at t.
   void note(double t, double pivot, bool first_stage);
+  /// Of those in this range `hear` is enough, if anything: not of a first stage that was looked at.
+  SingularWatch::Range usual_pivots() const;
+  void hear(double t, double pivot) { dynamics_.formulation().watch().note(t, pivot); }
   /// After a step.
   void look_back(double t, double h, const VectorXd& y);
   void check(double t, double h, const VectorXd& y);

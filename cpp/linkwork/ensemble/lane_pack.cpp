@@ -48,6 +48,7 @@ LanePack::LanePack(const LaneStructure& structure, const InstructionSet& instruc
       whole_(stepper_.width(), 1.0),
       ends_(stepper_.width(), 0.0),
       watches_(structure, instructions, stepper_, lanes_),
+      pivots_(lanes_.size()),
       state_(structure.y_size()),
       Phi_(structure.rows),
       Phi_dot_(structure.rows) {
@@ -90,13 +91,33 @@ std::int64_t LanePack::first_step() const {
 
 void LanePack::evaluate_start(int times) {
   for (int l = 0; l < stepper_.width(); ++l) spans_.set(l, 0.0, 0.0);
-  for (int k = 0; k < times; ++k) stepper_.evaluate_rates(spans_, *this);
+  for (int k = 0; k < times; ++k) {
+    stepper_.evaluate_rates(spans_, *this);
+    each_lane([&](int l, Lane&) { hear(l); });
+  }
 }
 
 void LanePack::note(int l, double t, double pivot, bool first) {
   Lane& lane = *lanes_[l];
+  Pivots& its = pivots_[l];
+  if (pivot >= its.usual.least && pivot <= its.usual.most) {
+    if (!first || !lane.looked()) its.unheard.emplace_back(t, pivot);
+    return;
+  }
+  hear(l);
   if (structure_.keeps_order(lane.dynamics(), pivot)) lane.note(t, pivot, first);
   else lane.leave(t, "a small pivot changes the order of elimination");
+  take_usual_pivots(l);
+}
+
+void LanePack::hear(int l) {
+  for (const auto& [t, pivot] : pivots_[l].unheard) lanes_[l]->hear(t, pivot);
+  pivots_[l].unheard.clear();
+}
+
+/// None where the order of elimination is to be looked at, too.
+void LanePack::take_usual_pivots(int l) {
+  if (structure_.symbolic.hubs.empty()) pivots_[l].usual = lanes_[l]->usual_pivots();
 }
 
 // --- one step ---
@@ -116,6 +137,7 @@ void LanePack::begin_step(std::int64_t step) {
     lane.accept(t, step > 0 ? steps_.size(step - 1) : 0.0);
     if (needs_state && lane.alive()) begin_lane(l, step);
   });
+  each_lane([&](int l, Lane&) { take_usual_pivots(l); });
 }
 
 /// Those that join, or leap, have a state that is not the pack's.
@@ -185,6 +207,7 @@ void LanePack::finish_step(std::int64_t step) {
   stepper_.normalize();
   std::fill(ends_.begin(), ends_.end(), steps_.time(step + 1));
   projection_.stabilize(ends_, *this);
+  each_lane([&](int l, Lane&) { hear(l); });
   const double t = steps_.time(step), h = steps_.size(step);
   watches_.end_step(h);
   if (!watches_.watched() && !watches_.judged()) return;

@@ -27,7 +27,8 @@ void LaneStepper::allocate() {
   const int n = structure_.bodies, m = structure_.rows;
   layout_.size(factorized_D_, structure_.D_size);
   layout_.size(u_, m);
-  for (Numbers* multipliers : {&b_, &lambda_, &looked_lambda_, &ahead_b_}) layout_.size(*multipliers, structure_.multipliers());
+  for (Numbers* multipliers : {&b_, &lambda_, &looked_lambda_, &ahead_b_})
+    layout_.size(*multipliers, structure_.multipliers());
   for (Numbers* velocities : {&v_dot_, &looked_v_dot_, &none_}) layout_.size(*velocities, velocity_size * n);
   for (Numbers* one : {&largest_, &stage_t_, &velocity_gains_, &position_gains_}) layout_.size(*one, 1);
   ones_.assign(width(), 1.0);
@@ -183,7 +184,8 @@ double LaneStepper::smallest_pivot_ahead(int l) {
 void LaneStepper::solve_ahead(int l, const ConstVector& b, MutableVector x, MutableVector lambda) {
   factorize_ahead();
   layout_.give(b.data(), b.size(), l, ahead_b_, 0);
-  solver_.solve({evaluation_.at().D.data(), none_.data(), ahead_b_.data(), looked_v_dot_.data(), looked_lambda_.data()});
+  solver_.solve(
+      {evaluation_.at().D.data(), none_.data(), ahead_b_.data(), looked_v_dot_.data(), looked_lambda_.data()});
   for (Eigen::Index row = 0; row < b.size(); ++row) ahead_b_[layout_.index(row, l)] = 0.0;
   layout_.take(looked_v_dot_, l, 0, x);
   layout_.take(looked_lambda_, l, 0, lambda);

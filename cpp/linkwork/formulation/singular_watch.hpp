@@ -56,6 +56,11 @@ class SingularWatch {
   }
 
   bool suspicious(double pivot) const { return open_ || !(pivot >= suspicious_); }
+  /// Pivots that are usual and change nothing of what is.
+  struct Range {
+    double least = INFINITY, most = -INFINITY;
+  };
+  Range usual_pivots() const { return open_ ? Range() : Range{suspicious_, level_}; }
 
   /// A pivot seen by the way, for the trend.
   void note(double t, double pivot) {
