@@ -118,11 +118,8 @@ void Lane::balance(std::int64_t step, const VectorXd& y, double potential) {
   });
 }
 
-void Lane::sample(double t, const VectorXd& y, double kinetic, double potential) {
-  if (!run_) return;
-  run_->sampling.before(dynamics_, y, kinetic, potential);
-  run_->t = t;
-  run_->y = y;
+void Lane::sample(const VectorXd& y, double kinetic, double potential) {
+  if (run_) run_->sampling.before(dynamics_, y, kinetic, potential);
 }
 
 void Lane::sample_step(double t, double h, const VectorXd& y, const VectorXd& y_new, double change) {
@@ -249,6 +246,11 @@ void Lane::check(double t, double h, const VectorXd& y) {
 }
 
 void Lane::end(double t, const VectorXd& y) {
+  if (run_) {
+    run_->t = t;
+    run_->y = y;
+  }
+  if (!watches()) return;
   const std::int64_t poses = dynamics_.watch().singular_poses();
   guarded(t, [&] { crossing_.end(t, y); });
   if (stops_ && dynamics_.watch().singular_poses() != poses) leave(t, "the motion ends in a singular pose");

@@ -97,13 +97,17 @@ void LanePack::evaluate_start(int times) {
   }
 }
 
+void LanePack::note_all(int count, const double* t, const double* pivots, bool first) {
+  for (int l = 0; l < count; ++l) {
+    Pivots& its = pivots_[l];
+    if (!(pivots[l] >= its.usual.least && pivots[l] <= its.usual.most)) {
+      if (steps(l)) note(l, t[l], pivots[l], first);
+    } else if (!first || !looked(l)) its.unheard.emplace_back(t[l], pivots[l]);
+  }
+}
+
 void LanePack::note(int l, double t, double pivot, bool first) {
   Lane& lane = *lanes_[l];
-  Pivots& its = pivots_[l];
-  if (pivot >= its.usual.least && pivot <= its.usual.most) {
-    if (!first || !lane.looked()) its.unheard.emplace_back(t, pivot);
-    return;
-  }
   hear(l);
   if (structure_.keeps_order(lane.dynamics(), pivot)) lane.note(t, pivot, first);
   else lane.leave(t, "a small pivot changes the order of elimination");
@@ -115,9 +119,10 @@ void LanePack::hear(int l) {
   pivots_[l].unheard.clear();
 }
 
-/// None where the order of elimination is to be looked at, too.
+/// None where there is more to look at than the pivots, or nothing.
 void LanePack::take_usual_pivots(int l) {
-  if (structure_.symbolic.hubs.empty()) pivots_[l].usual = lanes_[l]->usual_pivots();
+  const bool alone = structure_.symbolic.hubs.empty() && steps(l);
+  pivots_[l].usual = alone ? lanes_[l]->usual_pivots() : SingularWatch::Range();
 }
 
 // --- one step ---
@@ -137,7 +142,7 @@ void LanePack::begin_step(std::int64_t step) {
     lane.accept(t, step > 0 ? steps_.size(step - 1) : 0.0);
     if (needs_state && lane.alive()) begin_lane(l, step);
   });
-  each_lane([&](int l, Lane&) { take_usual_pivots(l); });
+  for (int l = 0; l < static_cast<int>(lanes_.size()); ++l) take_usual_pivots(l);
 }
 
 /// Those that join, or leap, have a state that is not the pack's.
@@ -188,15 +193,15 @@ void LanePack::begin_lane(int l, std::int64_t step) {
   if (!lane.stepping()) return;
   const double kinetic = watches_.kinetic_energy(l, lane.dynamics().evaluation(), y);
   if (last) {
-    lane.sample(steps_.t_end(), y, kinetic, potential);
-    if (lane.watches()) lane.end(steps_.t_end(), y);
+    lane.sample(y, kinetic, potential);
+    lane.end(steps_.t_end(), y);
     return;
   }
   FactorsOfPack factors(structure_, stepper_, l);
   if (lane.watches())
     lane.look_ahead(step, steps_, watches_.speeds(l), y, structure_.inerters == 0 ? &factors : nullptr);
   lane.finish_record(t);
-  if (lane.stepping() || (lane.moves() && !lane.leaping())) lane.sample(t, y, kinetic, potential);
+  if (lane.stepping() || (lane.moves() && !lane.leaping())) lane.sample(y, kinetic, potential);
   if (!lane.moves()) return;
   lane.move(step, y);
   watches_.hand_on(l, lane);

@@ -31,6 +31,7 @@ class LanePack final : private LaneGuard {
   bool steps(int l) const override { return lanes_[l]->stepping(); }
   bool looked(int l) const override { return lanes_[l]->looked(); }
   void note(int l, double t, double pivot, bool first) override;
+  void note_all(int count, const double* t, const double* pivots, bool first) override;
   void leave(int l, double t, std::string reason) override { lanes_[l]->leave(t, std::move(reason)); }
 
   template <class Action>

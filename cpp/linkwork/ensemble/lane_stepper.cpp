@@ -178,7 +178,7 @@ void LaneStepper::factorize_ahead() {
 
 double LaneStepper::smallest_pivot_ahead(int l) {
   factorize_ahead();
-  return solver_.smallest_pivot(l);
+  return solver_.smallest_pivots()[l];
 }
 
 void LaneStepper::solve_ahead(int l, const ConstVector& b, MutableVector x, MutableVector lambda) {
@@ -208,11 +208,9 @@ void LaneStepper::eliminate(const Numbers& a) {
 
 /// What there is to do beside the elimination.
 void LaneStepper::conclude(const Numbers& a, const Numbers& t, bool first, LaneGuard& guard) {
+  if (solver_.factorizes()) guard.note_all(count(), t.data(), solver_.smallest_pivots().data(), first);
   bool looked = false;
-  each_lane(guard, [&](int l) {
-    if (solver_.factorizes()) guard.note(l, t[l], solver_.smallest_pivot(l), first);
-    looked = looked || (first && guard.looked(l));
-  });
+  if (first) each_lane(guard, [&](int l) { looked = looked || guard.looked(l); });
   if (looked) solve_as_looked(guard);
   refine(problem(evaluation_.at().D, a), t, guard);
 }
