@@ -93,7 +93,7 @@ def with_functions(amplitude: float, stiffness: float) -> lw.Model:
 
 
 def crank_rocker() -> lw.Model:
-    """Bars of 0.5, 2 and 1.5 m, a base of 2 m; as the crank turns other equations become the redundant ones."""
+    """Bars of 0.5, 2 and 1.5 m, a base of 2 m; as it turns other equations become the redundant ones."""
     model = lw.Model(gravity=(0, 0, -9.81), name="crank-rocker")
     crank, base = np.array((0, 0, 0.5)), np.array((2.0, 0, 0))
     distance = np.linalg.norm(base - crank)
