@@ -45,3 +45,28 @@ TEST_CASE("the least singular value falls linearly to zero toward a singular pos
     CHECK(values[1] / values[2] == doctest::Approx(2.0).epsilon(0.05));
   }
 }
+
+TEST_CASE(
+    "by somebody else's factors it is the same, and the watch hears of them as of its own; not of suspicious ones") {
+  Dynamics own(parallelogram(0.3), options_of("standard")), other(parallelogram(0.3), options_of("standard"));
+  const SaddleSolver& theirs = own.formulation().saddle();
+  const VectorXd none = VectorXd::Zero(own.system().v_size());
+  const auto solve = [&](const ConstVector& b, MutableVector x, MutableVector lambda) {
+    own.formulation().saddle().solve(none, b, x, lambda);
+  };
+  other.begin_elsewhere(0.0, other.initial_y());
+  CHECK_FALSE(other.formulation().least_singular_value(0.0, 0.0, solve));
+  CHECK_FALSE(other.watch().latest());
+  for (const double t : {0.0, 0.1, 0.2}) {
+    own.evaluate(t, own.initial_y());
+    const double expected = own.formulation().least_singular_value();
+    const auto found = other.formulation().least_singular_value(t, theirs.smallest_pivot(), solve);
+    REQUIRE(found);
+    CHECK(*found == expected);
+  }
+  REQUIRE(other.watch().latest());
+  CHECK(other.watch().latest()->t == own.watch().latest()->t);
+  CHECK(other.watch().latest()->root == own.watch().latest()->root);
+  CHECK(other.watch().root_of_level() == own.watch().root_of_level());
+  CHECK(other.formulation().usual_least_singular_value() == own.formulation().usual_least_singular_value());
+}

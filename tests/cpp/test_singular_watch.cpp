@@ -89,3 +89,34 @@ TEST_CASE("suspicion lasts until the pivots have recovered; poses are listed wit
   REQUIRE(watch.crossings().size() == 3);
   CHECK(watch.crossings()[2].fallback_evaluations == 1);
 }
+
+TEST_CASE("the latest value is that of the trend, and there is neither after one value alone") {
+  SingularWatch watch;
+  watch.note(0.0, 0.04);
+  CHECK(watch.latest() == nullptr);
+  CHECK_FALSE(watch.trend());
+  for (int k = 1; k < 40; ++k) {
+    watch.note(0.1 * k, 1.0 / k);
+    REQUIRE(watch.latest() != nullptr);
+    CHECK(watch.latest()->t == watch.trend()->last.t);
+    CHECK(watch.latest()->root == doctest::Approx(std::sqrt(1.0 / k)));
+  }
+  watch.forget_trend();
+  CHECK(watch.latest() == nullptr);
+}
+
+TEST_CASE("usual pivots in their range change nothing of what is usual") {
+  SingularWatch watch;
+  watch.start(0.5);
+  const SingularWatch::Range range = watch.usual_pivots();
+  for (const double pivot : {range.least, 0.1, range.most}) {
+    CHECK(watch.usual(pivot));
+    CHECK(watch.usual_pivots().least == range.least);
+    CHECK(watch.usual_pivots().most == range.most);
+  }
+  CHECK_FALSE(watch.usual(std::nextafter(range.least, 0.0)));
+  CHECK(watch.usual(std::nextafter(range.most, 1.0)));
+  CHECK(watch.usual_pivots().most > range.most);
+  watch.begin(1.0, 1e-9, {0});
+  CHECK(watch.usual_pivots().least > watch.usual_pivots().most);  // none is while rows are near each other
+}

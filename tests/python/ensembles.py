@@ -92,6 +92,25 @@ def with_functions(amplitude: float, stiffness: float) -> lw.Model:
     return model
 
 
+def crank_rocker() -> lw.Model:
+    """Bars of 0.5, 2 and 1.5 m, a base of 2 m; as it turns other equations become the redundant ones."""
+    model = lw.Model(gravity=(0, 0, -9.81), name="crank-rocker")
+    crank, base = np.array((0, 0, 0.5)), np.array((2.0, 0, 0))
+    distance = np.linalg.norm(base - crank)
+    x, along = (base - crank) / distance, (2.0**2 - 1.5**2 + distance**2) / (2 * distance)
+    elbow = crank + along * x + np.sqrt(2.0**2 - along**2) * np.array((-x[2], 0, x[0]))
+    points = [np.zeros(3), crank, elbow, base]
+    names = ["ground", "crank", "coupler", "rocker", "ground"]
+    for k, mass in enumerate((1.0, 2.0, 1.5)):
+        bar = points[k + 1] - points[k]
+        model.body(names[k + 1], mass=mass, inertia=mechanisms.thin_rod(mass, float(np.linalg.norm(bar))),
+                   position=(points[k] + points[k + 1]) / 2,
+                   orientation=lw.rotation.from_axes(x=bar, y=(0, 1, 0)))  # fmt: skip
+    for k, point in enumerate(points):
+        model.revolute(names[k], names[k + 1], at=point, axis=(0, 1, 0), name=f"pin {k}")
+    return model
+
+
 def carousel(lift: float) -> lw.Model:
     """Twelve arms hinged on a free hub, their tips tied to the ground.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import csv
+import gc
 import io
 import json
 import os
@@ -462,6 +463,14 @@ def children(pid: int) -> list[str]:
 def test_workers_answer_in_any_order_and_all_items() -> None:
     answers = dict(workers.in_processes(square, list(range(20)), processes=3))
     assert answers == {place: place**2 for place in range(20)}
+
+
+def test_what_was_there_before_a_process_is_not_looked_through_for_garbage_in_it() -> None:
+    there = len(gc.get_objects())
+    (frozen,) = dict(workers.in_processes(lambda _: gc.get_freeze_count(), [0], processes=1)).values()
+    assert isinstance(frozen, int)
+    assert frozen > 0.9 * there
+    assert gc.get_freeze_count() == 0
 
 
 def square(number: int) -> int:

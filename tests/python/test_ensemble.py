@@ -13,7 +13,16 @@ import linkwork as lw
 import numpy as np
 import pytest
 import random_mechanisms
-from ensembles import KNOWN, alone, bits, carousel, variants, with_functions, with_inerters
+from ensembles import (
+    KNOWN,
+    alone,
+    bits,
+    carousel,
+    crank_rocker,
+    variants,
+    with_functions,
+    with_inerters,
+)
 from hypothesis import given
 from light_mechanisms import light_mechanisms
 from linkwork import _core, mechanisms
@@ -386,6 +395,17 @@ def test_lanes_leap_over_singular_poses_and_go_on(
         counts.append(len(single.singular_poses) + single.statistics["row_changes"])
         assert member.statistics["row_changes"] == single.statistics["row_changes"]
     assert sum(counts) > 0
+
+
+def test_the_verdict_is_that_by_itself_where_other_rows_become_redundant_in_the_course_of_a_run() -> None:
+    """To the last bit: a step before which other rows were left out is taken again as by itself, too."""
+    models = variants(crank_rocker(), 16, seed=5)
+    found = many(models, 1.0, 2e-3, threads=1)
+    assert found.alone == {}
+    for k, model in enumerate(models):
+        member, single = found.member(k), alone(model, 1.0, 2e-3)
+        assert member.statistics["row_changes"] == single.statistics["row_changes"] > 0
+        assert member.verdict == single.verdict
 
 
 def driven_row(speed: float, stiffness: float) -> lw.Model:

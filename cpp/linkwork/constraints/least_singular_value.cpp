@@ -30,25 +30,30 @@ void LeastSingularValue::begin() {
 }
 
 // The last u may be without any part of a vector that has become the least one: a little of all is added.
-double LeastSingularValue::of(SaddleSolver& saddle, const Evaluation& at) {
+double LeastSingularValue::of(const Solve& solve, const Evaluation& at) {
   if (some_.size() == 0) begin();
   if (u_.size() == 0) u_.setZero(scale_.size());
   u_ += some_;
-  double quotient = iterate(saddle, at), last = INFINITY;
+  double quotient = iterate(solve, at), last = INFINITY;
   for (int k = 1; k < most_iterations && (k < least_iterations || quotient < (1.0 - settled) * last); ++k) {
     last = quotient;
-    quotient = iterate(saddle, at);
+    quotient = iterate(solve, at);
   }
   if (u_.allFinite() && std::isfinite(quotient)) return std::sqrt(std::max(quotient, 0.0));
   u_.resize(0);
   return 0.0;
 }
 
+double LeastSingularValue::of(SaddleSolver& saddle, const Evaluation& at) {
+  return of([&](const ConstVector& b, MutableVector x, MutableVector lambda) { saddle.solve(none_, b, x, lambda); },
+            at);
+}
+
 // With S = D M^-1 D^T, scaled by s = diag(S)^1/2 of the start, u <- s S^-1 s u; the quotient u^T s^-1 S s^-1 u =
 // lambda^T D x, where lambda = S^-1 s u and x = M^-1 D^T lambda, is not touched by penalties in the factorization.
-double LeastSingularValue::iterate(SaddleSolver& saddle, const Evaluation& at) {
+double LeastSingularValue::iterate(const Solve& solve, const Evaluation& at) {
   b_ = scale_.cwiseProduct(u_);
-  saddle.solve(none_, b_, x_, lambda_);
+  solve(b_, x_, lambda_);
   u_ = scale_.cwiseProduct(lambda_);
   const double length = u_.norm();
   u_ /= length;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "linkwork/constraints/dropped_rows.hpp"
 #include "linkwork/linear/saddle_solver.hpp"
 #include "linkwork/math/archive.hpp"
@@ -15,14 +17,19 @@ class LeastSingularValue {
   /// `delassus`: see mean_delassus_diagonal.
   LeastSingularValue(const System& system, const VectorXd& delassus, const DroppedRows& dropped);
 
-  /// With the last factorization of `saddle`; 0 where nothing finite comes of it.
+  /// M x - D^T lambda = 0, D x = b by some factorization.
+  using Solve = std::function<void(const ConstVector& b, MutableVector x, MutableVector lambda)>;
+
+  /// 0 where nothing finite comes of it. `at`: for the mass matrix; see System::multiply_mass.
+  double of(const Solve& solve, const Evaluation& at);
+  /// With the last factorization of `saddle`.
   double of(SaddleSolver& saddle, const Evaluation& at);
 
   void keep(Archive& archive) { archive(u_); }
 
  private:
   void begin();
-  double iterate(SaddleSolver& saddle, const Evaluation& at);
+  double iterate(const Solve& solve, const Evaluation& at);
 
   const System* system_ = nullptr;
   VectorXd scale_;  ///< roots of the Delassus diagonal in kept rows, 0 of dropped ones

@@ -118,11 +118,8 @@ void Lane::balance(std::int64_t step, const VectorXd& y, double potential) {
   });
 }
 
-void Lane::sample(double t, const VectorXd& y, double kinetic, double potential) {
-  if (!run_) return;
-  run_->sampling.before(dynamics_, y, kinetic, potential);
-  run_->t = t;
-  run_->y = y;
+void Lane::sample(const VectorXd& y, double kinetic, double potential) {
+  if (run_) run_->sampling.before(dynamics_, y, kinetic, potential);
 }
 
 void Lane::sample_step(double t, double h, const VectorXd& y, const VectorXd& y_new, double change) {
@@ -135,28 +132,49 @@ void Lane::sample_step(double t, double h, const VectorXd& y, const VectorXd& y_
 class Lane::StepStart final : public Arrival {
  public:
   /// `evaluated`: they are there.
-  StepStart(Dynamics& dynamics, double t, const VectorXd& y, bool evaluated)
-      : dynamics_(dynamics), t_(t), y_(y), arrived_(evaluated) {}
+  StepStart(Dynamics& dynamics, double t, const VectorXd& y, bool evaluated, StageFactors* factors)
+      : dynamics_(dynamics), t_(t), y_(y), arrived_(evaluated), factors_(factors) {}
 
-  bool arrived() const { return arrived_; }
   const VectorXd& arrive() override {
     if (std::exchange(arrived_, true)) return y_;
     if (t_ == 0.0) dynamics_.evaluate(t_, y_);
     else dynamics_.begin_elsewhere(t_, y_);
+    if (looked_) factorize_as_looked();
     return y_;
   }
 
+  std::optional<double> least_singular_value() override {
+    if (arrived_ || !factors_) return {};
+    const auto solve = [this](const ConstVector& b, MutableVector x, MutableVector lambda) {
+      factors_->solve(b, x, lambda);
+    };
+    const auto found = dynamics_.formulation().least_singular_value(t_, factors_->smallest_pivot(), solve);
+    looked_ = found.has_value();
+    return found;
+  }
+
+  /// Whether there are factors in this state: of a run by itself these would be its own.
+  bool factorized() const { return arrived_ ? dynamics_.formulation().factorized() : looked_; }
+
  private:
+  /// The watch has heard of it.
+  void factorize_as_looked() {
+    const Unwatched unwatched(dynamics_);
+    dynamics_.factorize();
+  }
+
   Dynamics& dynamics_;
   double t_;
   const VectorXd& y_;
-  bool arrived_;
+  bool arrived_, looked_ = false;
+  StageFactors* factors_;
 };
 
 /// As Simulation does.
-void Lane::look_ahead(std::int64_t at, const FixedSteps& steps, const Speeds& speeds, const VectorXd& y) {
+void Lane::look_ahead(std::int64_t at, const FixedSteps& steps, const Speeds& speeds, const VectorXd& y,
+                      StageFactors* factors) {
   const double t = steps.time(at), h = steps.size(at);
-  StepStart start(dynamics_, t, y, recording_);
+  StepStart start(dynamics_, t, y, recording_, factors);
   const double most = dynamics_.system().model().autonomous() ? INFINITY : steps.t_end() - t;
   const std::int64_t changes = dynamics_.watch().row_changes(), poses = dynamics_.watch().singular_poses();
   guarded(t, [&] {
@@ -167,7 +185,7 @@ void Lane::look_ahead(std::int64_t at, const FixedSteps& steps, const Speeds& sp
     }
     moves_ = dynamics_.watch().row_changes() != changes;
     if (!leaping_ && dynamics_.watch().singular_poses() != poses) leave(t, "the motion is in a singular pose");
-    looked_ = !leaping_ && start.arrived() && dynamics_.formulation().factorized();
+    looked_ = !leaping_ && start.factorized();
   });
 }
 
@@ -211,6 +229,12 @@ void Lane::note(double t, double pivot, bool first_stage) {
   if (!watch.usual(pivot)) leave(t, "a small pivot: the pose may be singular");
 }
 
+SingularWatch::Range Lane::usual_pivots() const {
+  SingularWatch::Range out = dynamics_.watch().usual_pivots();
+  out.least = std::max(out.least, std::nextafter(singular_pivot, 1.0));
+  return out;
+}
+
 void Lane::look_back(double t, double h, const VectorXd& y) {
   const std::int64_t poses = dynamics_.watch().singular_poses();
   guarded(t, [&] { crossing_.look_back(t, h, y); });
@@ -222,6 +246,11 @@ void Lane::check(double t, double h, const VectorXd& y) {
 }
 
 void Lane::end(double t, const VectorXd& y) {
+  if (run_) {
+    run_->t = t;
+    run_->y = y;
+  }
+  if (!watches()) return;
   const std::int64_t poses = dynamics_.watch().singular_poses();
   guarded(t, [&] { crossing_.end(t, y); });
   if (stops_ && dynamics_.watch().singular_poses() != poses) leave(t, "the motion ends in a singular pose");

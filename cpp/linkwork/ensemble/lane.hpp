@@ -62,6 +62,16 @@ struct LaneRun {
   std::optional<RunErrors> errors;  ///< of its steps, where they have been taken again
 };
 
+/// The first stage of a lane's step, as the pack factorizes it.
+class StageFactors {
+ public:
+  virtual ~StageFactors() = default;
+  /// 0 where a run by itself would have another order of elimination.
+  virtual double smallest_pivot() = 0;
+  /// M x - D^T lambda = 0, D x = b.
+  virtual void solve(const ConstVector& b, MutableVector x, MutableVector lambda) = 0;
+};
+
 /// One mechanism of an ensemble: what watches it, as a single run is watched, and what is recorded of it. Whatever a
 /// single run would do otherwise than take its steps makes it leave; the single run is then the one to ask.
 class Lane {
@@ -115,15 +125,19 @@ class Lane {
   bool judged() const { return run_ != nullptr; }
   LaneRun* run() const { return run_; }
   /// For the verdict.
-  void sample(double t, const VectorXd& y, double kinetic, double potential);
+  void sample(const VectorXd& y, double kinetic, double potential);
   void sample_step(double t, double h, const VectorXd& y, const VectorXd& y_new, double change);
-  /// Singular poses ahead of a step from the state y.
-  void look_ahead(std::int64_t at, const FixedSteps& steps, const Speeds& speeds, const VectorXd& y);
+  /// Singular poses ahead of a step from the state y. `factors`, where there are any, spare the lane its own.
+  void look_ahead(std::int64_t at, const FixedSteps& steps, const Speeds& speeds, const VectorXd& y,
+                  StageFactors* factors);
   const std::vector<char>& in_loops() const { return crossing_.in_loops(); }  ///< see Crossing
   void expect_nothing() { looked_ = leapt_ = false; }
 
   /// The smallest pivot of a stage at t.
   void note(double t, double pivot, bool first_stage);
+  /// Of those in this range `hear` is enough, if anything: not of a first stage that was looked at.
+  SingularWatch::Range usual_pivots() const;
+  void hear(double t, double pivot) { dynamics_.formulation().watch().note(t, pivot); }
   /// After a step.
   void look_back(double t, double h, const VectorXd& y);
   void check(double t, double h, const VectorXd& y);

@@ -23,6 +23,11 @@ class LaneGuard {
   virtual bool looked(int l) const = 0;
   /// The smallest pivot of a stage at t.
   virtual void note(int l, double t, double pivot, bool first_stage) = 0;
+  /// The same of so many lanes, where they step.
+  virtual void note_all(int count, const double* t, const double* pivots, bool first_stage) {
+    for (int l = 0; l < count; ++l)
+      if (steps(l)) note(l, t[l], pivots[l], first_stage);
+  }
   /// It meets what lanes cannot do.
   virtual void leave(int l, double t, std::string reason) = 0;
   /// What lanes have made of it so far may be wrong.

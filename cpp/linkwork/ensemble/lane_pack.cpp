@@ -10,6 +10,25 @@ namespace {
 
 constexpr double restless = 1.0;  // way or angle of a step in which a lane is looked at more closely
 
+class FactorsOfPack final : public StageFactors {
+ public:
+  FactorsOfPack(const LaneStructure& structure, LaneStepper& stepper, int l)
+      : structure_(structure), stepper_(stepper), l_(l) {}
+
+  double smallest_pivot() override {
+    const double pivot = stepper_.smallest_pivot_ahead(l_);
+    return structure_.keeps_order(stepper_.mechanism(l_), pivot) ? pivot : 0.0;
+  }
+  void solve(const ConstVector& b, MutableVector x, MutableVector lambda) override {
+    stepper_.solve_ahead(l_, b, x, lambda);
+  }
+
+ private:
+  const LaneStructure& structure_;
+  LaneStepper& stepper_;
+  int l_;
+};
+
 std::vector<Dynamics*> mechanisms_of(const std::vector<Lane*>& lanes) {
   std::vector<Dynamics*> out;
   for (Lane* lane : lanes) out.push_back(&lane->dynamics());
@@ -29,6 +48,7 @@ LanePack::LanePack(const LaneStructure& structure, const InstructionSet& instruc
       whole_(stepper_.width(), 1.0),
       ends_(stepper_.width(), 0.0),
       watches_(structure, instructions, stepper_, lanes_),
+      pivots_(lanes_.size()),
       state_(structure.y_size()),
       Phi_(structure.rows),
       Phi_dot_(structure.rows) {
@@ -56,7 +76,6 @@ void LanePack::run(const std::function<void()>& look) {
   for (std::int64_t step = first_step(); any_lane(); ++step) {
     begin_step(step);
     if (step == steps_.count()) break;
-    stepper_.hold(spans_, whole_.data());
     stepper_.step(spans_, *this);
     finish_step(step);
     look();
@@ -72,13 +91,38 @@ std::int64_t LanePack::first_step() const {
 
 void LanePack::evaluate_start(int times) {
   for (int l = 0; l < stepper_.width(); ++l) spans_.set(l, 0.0, 0.0);
-  for (int k = 0; k < times; ++k) stepper_.evaluate_rates(spans_, *this);
+  for (int k = 0; k < times; ++k) {
+    stepper_.evaluate_rates(spans_, *this);
+    each_lane([&](int l, Lane&) { hear(l); });
+  }
+}
+
+void LanePack::note_all(int count, const double* t, const double* pivots, bool first) {
+  for (int l = 0; l < count; ++l) {
+    Pivots& its = pivots_[l];
+    if (!(pivots[l] >= its.usual.least && pivots[l] <= its.usual.most)) {
+      if (steps(l)) note(l, t[l], pivots[l], first);
+    } else if (!first || !looked(l)) its.unheard.emplace_back(t[l], pivots[l]);
+  }
 }
 
 void LanePack::note(int l, double t, double pivot, bool first) {
   Lane& lane = *lanes_[l];
+  hear(l);
   if (structure_.keeps_order(lane.dynamics(), pivot)) lane.note(t, pivot, first);
   else lane.leave(t, "a small pivot changes the order of elimination");
+  take_usual_pivots(l);
+}
+
+void LanePack::hear(int l) {
+  for (const auto& [t, pivot] : pivots_[l].unheard) lanes_[l]->hear(t, pivot);
+  pivots_[l].unheard.clear();
+}
+
+/// None where there is more to look at than the pivots, or nothing.
+void LanePack::take_usual_pivots(int l) {
+  const bool alone = structure_.symbolic.hubs.empty() && steps(l);
+  pivots_[l].usual = alone ? lanes_[l]->usual_pivots() : SingularWatch::Range();
 }
 
 // --- one step ---
@@ -89,6 +133,7 @@ void LanePack::begin_step(std::int64_t step) {
   const double h = step < steps_.count() ? steps_.size(step) : 0.0;
   for (int l = 0; l < stepper_.width(); ++l) spans_.set(l, t, h);
   stepper_.evaluate(spans_, *this);
+  if (h > 0.0) stepper_.hold(spans_, whole_.data());
   watches_.begin_step();
   const bool needs_state =
       steps_.records(step) || watches_.watched() || watches_.judged() || limited_ || !structure_.dropped.empty();
@@ -97,6 +142,7 @@ void LanePack::begin_step(std::int64_t step) {
     lane.accept(t, step > 0 ? steps_.size(step - 1) : 0.0);
     if (needs_state && lane.alive()) begin_lane(l, step);
   });
+  for (int l = 0; l < static_cast<int>(lanes_.size()); ++l) take_usual_pivots(l);
 }
 
 /// Those that join, or leap, have a state that is not the pack's.
@@ -147,13 +193,15 @@ void LanePack::begin_lane(int l, std::int64_t step) {
   if (!lane.stepping()) return;
   const double kinetic = watches_.kinetic_energy(l, lane.dynamics().evaluation(), y);
   if (last) {
-    lane.sample(steps_.t_end(), y, kinetic, potential);
-    if (lane.watches()) lane.end(steps_.t_end(), y);
+    lane.sample(y, kinetic, potential);
+    lane.end(steps_.t_end(), y);
     return;
   }
-  if (lane.watches()) lane.look_ahead(step, steps_, watches_.speeds(l), y);
+  FactorsOfPack factors(structure_, stepper_, l);
+  if (lane.watches())
+    lane.look_ahead(step, steps_, watches_.speeds(l), y, structure_.inerters == 0 ? &factors : nullptr);
   lane.finish_record(t);
-  if (lane.stepping() || (lane.moves() && !lane.leaping())) lane.sample(t, y, kinetic, potential);
+  if (lane.stepping() || (lane.moves() && !lane.leaping())) lane.sample(y, kinetic, potential);
   if (!lane.moves()) return;
   lane.move(step, y);
   watches_.hand_on(l, lane);
@@ -164,6 +212,7 @@ void LanePack::finish_step(std::int64_t step) {
   stepper_.normalize();
   std::fill(ends_.begin(), ends_.end(), steps_.time(step + 1));
   projection_.stabilize(ends_, *this);
+  each_lane([&](int l, Lane&) { hear(l); });
   const double t = steps_.time(step), h = steps_.size(step);
   watches_.end_step(h);
   if (!watches_.watched() && !watches_.judged()) return;

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "linkwork/ensemble/lane.hpp"
@@ -30,6 +31,7 @@ class LanePack final : private LaneGuard {
   bool steps(int l) const override { return lanes_[l]->stepping(); }
   bool looked(int l) const override { return lanes_[l]->looked(); }
   void note(int l, double t, double pivot, bool first) override;
+  void note_all(int count, const double* t, const double* pivots, bool first) override;
   void leave(int l, double t, std::string reason) override { lanes_[l]->leave(t, std::move(reason)); }
 
   template <class Action>
@@ -44,6 +46,8 @@ class LanePack final : private LaneGuard {
   void begin_lane(int l, std::int64_t step);
   void set_state(int l, const VectorXd& y);
   bool usual_in_redundant_rows(int l) const;
+  void hear(int l);
+  void take_usual_pivots(int l);
   void finish_step(std::int64_t step);
   void check_size(std::int64_t step);
 
@@ -56,6 +60,12 @@ class LanePack final : private LaneGuard {
   AlignedDoubles whole_;  ///< the shares of steps that are not parts
   AlignedDoubles ends_;   ///< of the step
   LaneWatches watches_;
+  /// Of a lane, whose watch is told of usual pivots when the step is over.
+  struct Pivots {
+    SingularWatch::Range usual;
+    std::vector<std::pair<double, double>> unheard;  ///< with their times
+  };
+  std::vector<Pivots> pivots_;
   bool limited_ = false;
   VectorXd state_, Phi_, Phi_dot_;
 };

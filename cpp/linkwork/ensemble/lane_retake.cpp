@@ -30,7 +30,7 @@ LaneRetake::LaneRetake(const LaneStructure& structure, const InstructionSet& ins
   for (LaneRun* run : runs) lanes_.push_back({run, {run->sampling.breaks(), golden_share}, nullptr, {}, false});
 }
 
-std::vector<RetakenSteps> LaneRetake::retake(const std::vector<std::vector<const KeptStep*>>& steps, int divisions,
+std::vector<RetakenSteps> LaneRetake::retake(const std::vector<std::vector<Step>>& steps, int divisions,
                                              const std::function<void()>& look) {
   std::vector<RetakenSteps> out;
   std::size_t most = 0;
@@ -43,26 +43,29 @@ std::vector<RetakenSteps> LaneRetake::retake(const std::vector<std::vector<const
   for (std::size_t step = 0; step < most; ++step) {
     for (int l = 0; l < stepper_.count(); ++l) {
       lanes_[l].active = step < steps[l].size();
-      if (lanes_[l].active) begin(l, *steps[l][step], parts);
+      if (lanes_[l].active) begin(l, steps[l][step], parts);
     }
     take(parts);
     for (int l = 0; l < stepper_.count(); ++l) {
       if (!lanes_[l].active) continue;
-      out[l][step].resize(structure_.y_size());
-      stepper_.state(l, out[l][step]);
+      RetakenStep& found = out[l][step];
+      found.end.resize(structure_.y_size());
+      stepper_.state(l, found.end);
+      found.rows_change = steps[l][step].rows_change;
     }
     look();
   }
   return out;
 }
 
-void LaneRetake::begin(int l, const KeptStep& step, std::size_t parts) {
+void LaneRetake::begin(int l, const Step& step, std::size_t parts) {
   Lane& lane = lanes_[l];
-  lane.step = &step;
-  lane.spans = lane.parts.of(step);
-  lane.active = lane.spans.size() == parts && step.left_out == structure_.dropped &&
+  lane.step = step.kept;
+  lane.looked = step.rows_change;
+  lane.spans = lane.parts.of(*step.kept);
+  lane.active = lane.spans.size() == parts && step.kept->left_out == structure_.dropped &&
                 lane.run->dynamics.system().history_size() == 0;
-  if (lane.active) stepper_.set_state(l, step.y);
+  if (lane.active) stepper_.set_state(l, step.kept->y);
 }
 
 void LaneRetake::take(std::size_t parts) {
@@ -76,6 +79,7 @@ void LaneRetake::take(std::size_t parts) {
     stepper_.evaluate(spans_, *this);
     if (part == 0) hold();
     stepper_.step(spans_, *this);
+    for (Lane& lane : lanes_) lane.looked = false;
     stepper_.normalize();
     projection_.stabilize(ends_, *this);
   }
@@ -88,10 +92,11 @@ void LaneRetake::hold() {
   stepper_.hold(spans_, shares_.data());
 }
 
-void LaneRetake::note(int l, double t, double pivot, bool) {
+void LaneRetake::note(int l, double t, double pivot, bool first) {
   SingularWatch& watch = lanes_[l].run->dynamics.formulation().watch();
-  watch.note(t, pivot);
-  const bool usual = pivot > singular_pivot && watch.usual(pivot);
+  const bool ahead = first && lanes_[l].looked;  // the watch does not hear of such a factorization
+  if (!ahead) watch.note(t, pivot);
+  const bool usual = pivot > singular_pivot && (ahead || watch.usual(pivot));
   if (!usual || !structure_.keeps_order(lanes_[l].run->dynamics, pivot)) lanes_[l].active = false;
 }
 
@@ -116,12 +121,13 @@ class RetakeByRows {
  private:
   void retake(const LaneStructure& structure, const StepsOfRuns& all, int divisions, const std::function<void()>& look,
               std::vector<RetakenSteps>& out) const {
-    StepsOfRuns steps(all.size());
+    std::vector<std::vector<LaneRetake::Step>> steps(all.size());
     std::vector<std::vector<std::size_t>> places(all.size());
     for (std::size_t run = 0; run < all.size(); ++run)
       for (std::size_t k = 0; k < all[run].size(); ++k) {
         if (all[run][k]->left_out != structure.dropped) continue;
-        steps[run].push_back(all[run][k]);
+        const std::vector<int>& before = k > 0 ? all[run][k - 1]->left_out : runs_[run]->dynamics.dropped().rows();
+        steps[run].push_back({all[run][k], before != structure.dropped});
         places[run].push_back(k);
       }
     if (std::all_of(steps.begin(), steps.end(), [](const auto& of_run) { return of_run.empty(); })) return;

@@ -20,9 +20,14 @@ class LaneRetake final : private LaneGuard {
   LaneRetake(const LaneStructure& structure, const InstructionSet& instructions, const std::vector<LaneRun*>& runs,
              const ButcherTableau& tableau);
 
-  /// Where the steps of each run end in parts that are divided so many times. `look` is called between steps; what it
-  /// throws ends it.
-  std::vector<RetakenSteps> retake(const std::vector<std::vector<const KeptStep*>>& steps, int divisions,
+  struct Step {
+    const KeptStep* kept;
+    bool rows_change;  ///< see RetakenStep
+  };
+
+  /// The steps of each run in parts that are divided so many times. `look` is called between steps; what it throws ends
+  /// it.
+  std::vector<RetakenSteps> retake(const std::vector<std::vector<Step>>& steps, int divisions,
                                    const std::function<void()>& look);
 
  private:
@@ -31,15 +36,15 @@ class LaneRetake final : private LaneGuard {
     StepParts parts;
     const KeptStep* step = nullptr;  ///< that is taken
     std::vector<Span> spans;
-    bool active = false;
+    bool active = false, looked = false;
   };
 
   bool steps(int l) const override { return lanes_[l].active; }
-  bool looked(int) const override { return false; }
+  bool looked(int l) const override { return lanes_[l].looked; }
   void note(int l, double t, double pivot, bool first) override;
   void leave(int l, double, std::string) override { lanes_[l].active = false; }
 
-  void begin(int l, const KeptStep& step, std::size_t parts);
+  void begin(int l, const Step& step, std::size_t parts);
   void take(std::size_t parts);
   void hold();
 

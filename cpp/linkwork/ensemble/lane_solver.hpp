@@ -28,7 +28,7 @@ class LaneSolver {
   void factorize_and_solve(const Problem& problem);
   /// With the factors of the last factorization, of the same D.
   void solve(const Problem& problem);
-  double smallest_pivot(int l) const { return smallest_[l]; }
+  const AlignedDoubles& smallest_pivots() const { return smallest_; }  ///< one of each lane
 
  private:
   void size(AlignedDoubles& numbers, std::ptrdiff_t count) const;

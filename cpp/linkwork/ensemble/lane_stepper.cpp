@@ -27,13 +27,15 @@ void LaneStepper::allocate() {
   const int n = structure_.bodies, m = structure_.rows;
   layout_.size(factorized_D_, structure_.D_size);
   layout_.size(u_, m);
-  for (Numbers* multipliers : {&b_, &lambda_, &looked_lambda_}) layout_.size(*multipliers, structure_.multipliers());
+  for (Numbers* multipliers : {&b_, &lambda_, &looked_lambda_, &ahead_b_})
+    layout_.size(*multipliers, structure_.multipliers());
   for (Numbers* velocities : {&v_dot_, &looked_v_dot_, &none_}) layout_.size(*velocities, velocity_size * n);
   for (Numbers* one : {&largest_, &stage_t_, &velocity_gains_, &position_gains_}) layout_.size(*one, 1);
   ones_.assign(width(), 1.0);
   for (Numbers* state : {&y_, &before_, &stage_}) layout_.size(*state, structure_.y_size());
   k_.assign(tableau_.b.size(), y_);
   layout_.size(weights_, tableau_.b.size());
+  for (Eigen::Index i = 0; i < tableau_.A.rows(); ++i) stage_weights_.emplace_back(tableau_.A.row(i));
   rows_.resize(m);
   rates_.resize(m);
 }
@@ -74,7 +76,7 @@ void LaneStepper::normalize() { kernels_.normalize(structure_.bodies, y_.data())
 
 void LaneStepper::evaluate_rates(const LaneSpans& spans, LaneGuard& guard) {
   evaluate(spans, guard);
-  solve(spans.t, false, guard);
+  solve(spans.t, guard);
   find_rates(y_, k_.front(), guard);
 }
 
@@ -122,8 +124,9 @@ void LaneStepper::combine(const LaneSpans& spans, const ConstVector& weights, Ei
 }
 
 void LaneStepper::step(const LaneSpans& spans, LaneGuard& guard) {
-  if (continuous()) correct();
-  solve(spans.t, true, guard);
+  factorize_ahead();
+  conclude(evaluation_.at().g, spans.t, true, guard);
+  ahead_ = false;
   find_rates(y_, k_[0], guard);
   later_stages(spans, guard);
   combine(spans, tableau_.b, tableau_.b.size(), before_);
@@ -140,10 +143,9 @@ void LaneStepper::later_stages(const LaneSpans& spans, LaneGuard& guard) {
   for (Eigen::Index i = 1; i < tableau_.b.size(); ++i) {
     for (int l = 0; l < width(); ++l)
       stage_t_[l] = std::clamp(spans.t[l] + tableau_.c[i] * spans.h[l], spans.earliest[l], spans.latest[l]);
-    combine(spans, tableau_.A.row(i), i, stage_);
+    combine(spans, stage_weights_[static_cast<std::size_t>(i)], i, stage_);
     evaluation_.evaluate(stage_t_, stage_, guard);
-    if (continuous()) correct();
-    solve(stage_t_, false, guard);
+    solve(stage_t_, guard);
     find_rates(stage_, k_[i], guard);
   }
 }
@@ -152,14 +154,41 @@ void LaneStepper::rates(int l, int stage, MutableVector out) const { layout_.tak
 
 // --- one solution ---
 
-void LaneStepper::solve(const Numbers& t, bool first, LaneGuard& guard) {
+void LaneStepper::solve(const Numbers& t, LaneGuard& guard) {
+  find_b();
+  factorize_and_solve(evaluation_.at().g, t, guard);
+}
+
+/// With the correction of violations.
+void LaneStepper::find_b() {
+  if (continuous()) correct();
   const Numbers& gamma = evaluation_.at().gamma;
   if (!sampled() && !continuous()) std::copy(gamma.begin(), gamma.end(), b_.begin());
   else {
     const double* const u = u_.data();
     kernels_.combine(structure_.rows, gamma.data(), 1, ones_.data(), &u, b_.data());
   }
-  factorize_and_solve(evaluation_.at().g, t, first, guard);
+}
+
+void LaneStepper::factorize_ahead() {
+  if (std::exchange(ahead_, true)) return;
+  find_b();
+  eliminate(evaluation_.at().g);
+}
+
+double LaneStepper::smallest_pivot_ahead(int l) {
+  factorize_ahead();
+  return solver_.smallest_pivots()[l];
+}
+
+void LaneStepper::solve_ahead(int l, const ConstVector& b, MutableVector x, MutableVector lambda) {
+  factorize_ahead();
+  layout_.give(b.data(), b.size(), l, ahead_b_, 0);
+  solver_.solve(
+      {evaluation_.at().D.data(), none_.data(), ahead_b_.data(), looked_v_dot_.data(), looked_lambda_.data()});
+  for (Eigen::Index row = 0; row < b.size(); ++row) ahead_b_[layout_.index(row, l)] = 0.0;
+  layout_.take(looked_v_dot_, l, 0, x);
+  layout_.take(looked_lambda_, l, 0, lambda);
 }
 
 void LaneStepper::leave_out_b() {
@@ -167,17 +196,23 @@ void LaneStepper::leave_out_b() {
 }
 
 /// M x - D^T lambda = a, D x = b.
-void LaneStepper::factorize_and_solve(const Numbers& a, const Numbers& t, bool first, LaneGuard& guard) {
+void LaneStepper::factorize_and_solve(const Numbers& a, const Numbers& t, LaneGuard& guard) {
+  eliminate(a);
+  conclude(a, t, false, guard);
+}
+
+void LaneStepper::eliminate(const Numbers& a) {
   leave_out_b();
-  const LaneSolver::Problem all = problem(evaluation_.at().D, a);
-  solver_.factorize_and_solve(all);
+  solver_.factorize_and_solve(problem(evaluation_.at().D, a));
+}
+
+/// What there is to do beside the elimination.
+void LaneStepper::conclude(const Numbers& a, const Numbers& t, bool first, LaneGuard& guard) {
+  if (solver_.factorizes()) guard.note_all(count(), t.data(), solver_.smallest_pivots().data(), first);
   bool looked = false;
-  each_lane(guard, [&](int l) {
-    if (solver_.factorizes()) guard.note(l, t[l], solver_.smallest_pivot(l), first);
-    looked = looked || (first && guard.looked(l));
-  });
+  if (first) each_lane(guard, [&](int l) { looked = looked || guard.looked(l); });
   if (looked) solve_as_looked(guard);
-  refine(all, t, guard);
+  refine(problem(evaluation_.at().D, a), t, guard);
 }
 
 void LaneStepper::refine(const LaneSolver::Problem& problem, const Numbers& t, LaneGuard& guard) {
@@ -198,7 +233,7 @@ void LaneStepper::solve_as_looked(const LaneGuard& guard) {
 
 void LaneStepper::factorize_and_correct(Violation of, const Numbers& t, LaneGuard& guard) {
   take_violation(of);
-  factorize_and_solve(none_, t, false, guard);
+  factorize_and_solve(none_, t, guard);
   evaluation_.exchange_D(factorized_D_);
 }
 

@@ -65,6 +65,10 @@ class LaneStepper {
   void evaluate(const LaneSpans& spans, LaneGuard& guard) { evaluate(spans.t, guard); }
   /// The correction of violations that steps hold: of steps of `share` of the lengths, from the last evaluation.
   void hold(const LaneSpans& spans, const double* share);
+  // The factorization of the first stage, ahead of the step: its smallest pivot in a lane, and with it
+  // M x - D^T lambda = 0, D x = b of one that has no inerters.
+  double smallest_pivot_ahead(int l);
+  void solve_ahead(int l, const ConstVector& b, MutableVector x, MutableVector lambda);
   /// From states that were evaluated, not normalized yet.
   void step(const LaneSpans& spans, LaneGuard& guard);
   void normalize();
@@ -103,13 +107,17 @@ class LaneStepper {
   bool continuous() const { return stabilization_ == StabilizationKind::baumgarte; }
   void correct();
   void combine(const LaneSpans& spans, const ConstVector& weights, Eigen::Index count, Numbers& out);
-  void solve(const Numbers& t, bool first, LaneGuard& guard);
+  void solve(const Numbers& t, LaneGuard& guard);
+  void find_b();
+  void factorize_ahead();
   void leave_out_b();
   LaneSolver::Problem problem(const Numbers& D, const Numbers& a) {
     return {D.data(), a.data(), b_.data(), v_dot_.data(), lambda_.data()};
   }
   void refine(const LaneSolver::Problem& problem, const Numbers& t, LaneGuard& guard);
-  void factorize_and_solve(const Numbers& a, const Numbers& t, bool first, LaneGuard& guard);
+  void factorize_and_solve(const Numbers& a, const Numbers& t, LaneGuard& guard);
+  void eliminate(const Numbers& a);
+  void conclude(const Numbers& a, const Numbers& t, bool first, LaneGuard& guard);
   void solve_as_looked(const LaneGuard& guard);
   void take_violation(Violation of);
   void find_rates(const Numbers& y, Numbers& y_dot, const LaneGuard& guard);
@@ -127,10 +135,13 @@ class LaneStepper {
 
   Numbers b_, u_, v_dot_, lambda_;
   Numbers looked_v_dot_, looked_lambda_, largest_;
+  bool ahead_ = false;           ///< the first stage of the step is factorized, and its solution there
   Numbers factorized_D_, none_;  ///< of projections
+  Numbers ahead_b_;              ///< zero
   Numbers y_, before_, stage_, stage_t_, weights_, ones_, velocity_gains_, position_gains_;
   std::vector<Numbers> k_;
   std::vector<const double*> terms_;
+  std::vector<VectorXd> stage_weights_;  ///< the rows of A
   VectorXd rows_, rates_;
 };
 

@@ -116,6 +116,7 @@ SingularWatch::SingularWatch() : untrusted_(trusted) {}
 
 void SingularWatch::raise(double level) {
   level_ = level;
+  root_of_level_ = std::sqrt(level);
   suspicious_ = suspicion_ * level_;
   untrusted_ = std::min(trusted, trusted_relative * level_);
 }

@@ -50,10 +50,17 @@ class SingularWatch {
 
   /// True for all but few evaluations; then there is nothing to do.
   bool usual(double pivot) {
-    if (open_ || !(pivot >= suspicious_)) return false;
+    if (suspicious(pivot)) return false;
     if (pivot > level_) raise(pivot);
     return true;
   }
+
+  bool suspicious(double pivot) const { return open_ || !(pivot >= suspicious_); }
+  /// Pivots that are usual and change nothing of what is.
+  struct Range {
+    double least = INFINITY, most = -INFINITY;
+  };
+  Range usual_pivots() const { return open_ ? Range() : Range{suspicious_, level_}; }
 
   /// A pivot seen by the way, for the trend.
   void note(double t, double pivot) {
@@ -69,10 +76,12 @@ class SingularWatch {
     Sample last, other;
   };
   std::optional<Trend> trend() const;
+  /// The last value of the trend; none where there is none.
+  const Sample* latest() const { return next_sample_ < 2 ? nullptr : &samples_[(next_sample_ - 1) % samples_.size()]; }
   /// The last value at this time or, by less than `within`, near to it.
   std::optional<Sample> sample(double t, double within) const;
   void forget_trend() { next_sample_ = 0; }
-  double root_of_level() const { return std::sqrt(level_); }
+  double root_of_level() const { return root_of_level_; }
 
   bool open() const { return open_; }
   /// Half of the digits of a factorization are lost.
@@ -98,6 +107,7 @@ class SingularWatch {
   /// Without what it has listed.
   void keep(Archive& archive) {
     archive(level_, suspicious_, untrusted_, suspicion_, open_, samples_, next_sample_, fallback_evaluations_);
+    root_of_level_ = std::sqrt(level_);
   }
   /// What was listed is forgotten, and what comes up to t is not listed: a run is taken once more up to there.
   void silence_until(double t) {
@@ -115,7 +125,7 @@ class SingularWatch {
   void keep(double t, double pivot, std::vector<int> joints, bool rows_changed);
 
   static constexpr double first_suspicion = 1e-5;  ///< pivots below this part of the level are looked at
-  double level_ = 0.0, suspicious_ = 0.0, untrusted_, suspicion_ = first_suspicion;
+  double level_ = 0.0, root_of_level_ = 0.0, suspicious_ = 0.0, untrusted_, suspicion_ = first_suspicion;
   bool open_ = false, lists_ = true;
   std::array<Sample, 32> samples_;
   std::size_t next_sample_ = 0;

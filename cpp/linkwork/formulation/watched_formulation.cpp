@@ -154,6 +154,16 @@ double WatchedFormulation::least_singular_value() {
   return least;
 }
 
+std::optional<double> WatchedFormulation::least_singular_value(double t, double pivot,
+                                                               const LeastSingularValue::Solve& solve) {
+  if (!watched_ || !watching_ || looking_ || !(pivot > 0.0) || watch_.suspicious(pivot)) return {};
+  watch_.note(t, pivot);
+  watch_.usual(pivot);
+  const double least = least_singular_value_.of(solve, at_);
+  usual_least_ = std::max(usual_least_, least);
+  return least;
+}
+
 void WatchedFormulation::leave_out(std::vector<int> rows) {
   choice_ = {now_.t, now_.y, now_.history, rows};
   dropped_.put_back(at_);

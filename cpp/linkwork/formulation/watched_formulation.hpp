@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "linkwork/constraints/dropped_rows.hpp"
@@ -75,6 +76,9 @@ class WatchedFormulation final : public Formulation {
   void distribute(MutableVector lambda);
   /// Of the constraint matrix here, see LeastSingularValue; 0 where it has no factorization.
   double least_singular_value();
+  /// The same at t by the factorization of somebody else, who has this smallest pivot there; the watch hears of it as of
+  /// one's own. None, and nothing heard, where that is not enough: one's own has to be looked at.
+  std::optional<double> least_singular_value(double t, double pivot, const LeastSingularValue::Solve& solve);
   double usual_least_singular_value() const { return usual_least_; }  ///< the largest of all looks
   /// At a pose that was stepped over, at positions q: whether it is singular. It is listed then; and where it only
   /// seemed to be because the wrong redundant rows are left out, others are from here on.

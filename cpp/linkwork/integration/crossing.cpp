@@ -116,9 +116,10 @@ Speeds Crossing::speeds(const ConstVector& v) const {
 
 /// Time until the pose by the trend of the pivots, infinite where they do not fall or did not lead to a leap.
 double Crossing::pivots_say(double t) {
+  const SingularWatch::Sample* latest = dynamics_.watch().latest();
+  if (!latest || declined_before(latest->root, declined_root_)) return INFINITY;
+  if (latest->root > near * std::max(dynamics_.watch().root_of_level(), least_usual)) return INFINITY;
   const auto trend = dynamics_.watch().trend();
-  if (!trend || declined_before(trend->last.root, declined_root_)) return INFINITY;
-  if (trend->last.root > near * std::max(dynamics_.watch().root_of_level(), least_usual)) return INFINITY;
   const double interval = trend->last.t - trend->other.t;
   const double fall = (trend->other.root - trend->last.root) * (interval > 0.0 ? 1.0 : -1.0);
   if (!(fall > 0.0)) return INFINITY;
@@ -231,16 +232,19 @@ bool Crossing::is_due_by(double t, double h, const Speeds& speeds, bool adaptive
   if (starting_) return true;
   fastest_ = largest_rate(speeds);
   turned_ += fastest_ * (t - std::exchange(turned_until_, t));
-  const double usual = usual_length(speeds);
   keep_rows_good(state);
-  const bool falls = falls_to_ - t <= near_enough(usual, h, adaptive);
+  const bool falls = (falls_to_ < INFINITY || !(fastest_ > 0.0)) &&  // else no distance is near enough
+                     falls_to_ - t <= near_enough(usual_length(speeds), h, adaptive);
   if (turned_ + 0.5 * fastest_ * h >= next_look_ || fastest_ * h > coarse || falls) look(t, state);
   if (std::abs(fastest_ - known_rate_) > other_pace * known_rate_) known_ = -INFINITY;
   const bool leaves = std::exchange(leaves_, false);
   const double tau = time_to_pose(t);
   beside_ = 0.0;
-  if (!(tau >= -h && tau < INFINITY)) {
-    if (leaves && short_steps * h < usual) beside_ = usual;
+  const bool foreseen = tau >= -h && tau < INFINITY;
+  if (!foreseen && !leaves) return false;
+  const double usual = usual_length(speeds);
+  if (!foreseen) {
+    if (short_steps * h < usual) beside_ = usual;
     return beside_ > 0.0;
   }
   if (tau <= near_enough(usual, h, adaptive)) return true;
@@ -258,10 +262,9 @@ bool Crossing::is_due_by(double t, double h, const Speeds& speeds, bool adaptive
 /// costs two solutions; pivots, which cost nothing, hide some poses until they are a step away.
 void Crossing::look(double t, Arrival& state) {
   if (least_.at == t) return;
-  state.arrive();
   WatchedFormulation& formulation = dynamics_.formulation();
   SingularValueAt before =
-      std::exchange(least_, ended_.at == t ? ended_ : SingularValueAt{t, formulation.least_singular_value()});
+      std::exchange(least_, ended_.at == t ? ended_ : SingularValueAt{t, least_singular_value(state)});
   const double usual = formulation.usual_least_singular_value(), small = near * std::max(usual, least_usual);
   if (rows_turn_bad(small, least_.value, highest_, state)) {
     least_.value = formulation.least_singular_value();
@@ -272,6 +275,12 @@ void Crossing::look(double t, Arrival& state) {
   falls_to_ = falls ? t + least_.value * (t - before.at) / fall : INFINITY;
   next_look_ = usual > 0.0 ? look_part * (least_.value / usual) : 0.0;
   turned_ = 0.0;
+}
+
+double Crossing::least_singular_value(Arrival& state) {
+  if (const std::optional<double> value = state.least_singular_value()) return *value;
+  state.arrive();
+  return dynamics_.formulation().least_singular_value();
 }
 
 /// Redundant rows that were well chosen become bad ones where loops turn, before a pose is in sight: they are looked at
@@ -286,8 +295,8 @@ bool Crossing::rows_turn_bad(double small, double measure, double& highest, Arri
 
 /// By the pivots.
 void Crossing::keep_rows_good(Arrival& state) {
-  const auto trend = dynamics_.watch().trend();
-  if (trend) rows_turn_bad(near * dynamics_.watch().root_of_level(), trend->last.root, highest_root_, state);
+  if (const SingularWatch::Sample* latest = dynamics_.watch().latest())
+    rows_turn_bad(near * dynamics_.watch().root_of_level(), latest->root, highest_root_, state);
 }
 
 /// How far ahead [s] a pose may be for a leap to begin; fixed steps h keep away from it by some of them, as far as it
@@ -299,8 +308,8 @@ double Crossing::near_enough(double usual, double h, bool adaptive) const {
 
 /// By what was usual in this run, not by `least_usual`.
 bool Crossing::weaker_than_usual() const {
-  const auto trend = dynamics_.watch().trend();
-  return (trend && trend->last.root < near * dynamics_.watch().root_of_level()) ||
+  const SingularWatch::Sample* latest = dynamics_.watch().latest();
+  return (latest && latest->root < near * dynamics_.watch().root_of_level()) ||
          least_.value < near * dynamics_.formulation().usual_least_singular_value();
 }
 
@@ -358,8 +367,8 @@ double Crossing::allowed_length(const Search& search, double h) {
 bool Crossing::leap(double t, double h, double grid, double most, const VectorXd& y) {
   limited_ = false;
   const double foreseen = time_to_pose(t);
-  const auto trend = dynamics_.watch().trend();
-  declined_root_ = trend ? trend->last.root : 0.0;
+  const SingularWatch::Sample* latest = dynamics_.watch().latest();
+  declined_root_ = latest ? latest->root : 0.0;
   declined_least_ = least_.value;
   if (starting_) step_.begin_in_pose(t, y);
   const Unwatched unwatched(dynamics_);

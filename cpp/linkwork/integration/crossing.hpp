@@ -21,6 +21,8 @@ class Arrival {
  public:
   virtual ~Arrival() = default;
   virtual const VectorXd& arrive() = 0;
+  /// The least singular value there, if it is found without that; of which the watch has heard then.
+  virtual std::optional<double> least_singular_value() { return {}; }
 };
 
 /// Takes a run through singular poses.
@@ -111,6 +113,7 @@ class Crossing final : public Interpolant {
 
   bool is_due_by(double t, double h, const Speeds& speeds, bool adaptive, Arrival& state);
   void look(double t, Arrival& state);
+  double least_singular_value(Arrival& state);
   bool rows_turn_bad(double small, double measure, double& highest, Arrival& state);
   void forget_looks();
   double pivots_say(double t);

@@ -24,8 +24,8 @@ std::vector<RunPart> parts_to_judge(const StepSampling& sampling) {
   return out;
 }
 
-const VectorXd& end_of(std::size_t step, const RetakenSteps& retaken) {
-  static const VectorXd nowhere;
+const RetakenStep& of_step(std::size_t step, const RetakenSteps& retaken) {
+  static const RetakenStep nowhere;
   return step < retaken.size() ? retaken[step] : nowhere;
 }
 
@@ -56,7 +56,7 @@ double RunJudge::size(const StepError& error) const {
 void RunJudge::judge(const RetakenSteps& retaken) {
   judge_.divide_parts(divisions_);
   for (std::size_t k = 0; k < kept_.size(); ++k)
-    out_.steps.push_back(judge_.judge(*kept_[k], k % every_reaction == 0, k % every_inside_ == 0, end_of(k, retaken)));
+    out_.steps.push_back(judge_.judge(*kept_[k], k % every_reaction == 0, k % every_inside_ == 0, of_step(k, retaken)));
   for (const StepError& it : out_.steps) speed_ = std::max({speed_, it.speed, length_ * it.spin});
   std::vector<std::size_t> order(out_.steps.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -80,7 +80,7 @@ RunErrors RunJudge::judge_worst(const RetakenSteps& retaken) {
   double before = 0.0, after = 0.0;
   for (std::size_t k = 0; k < worst_.size(); ++k) {
     const StepError& first = out_.steps[worst_[k]];
-    const StepError again = judge_.judge(*kept_[worst_[k]], false, false, end_of(k, retaken));
+    const StepError again = judge_.judge(*kept_[worst_[k]], false, false, of_step(k, retaken));
     if (first.failed || again.failed) continue;
     before += size(first);
     after += size(again);

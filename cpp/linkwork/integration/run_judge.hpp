@@ -18,8 +18,8 @@ struct RunErrors {
   double diagonal = 0.0;        ///< see StepJudge
 };
 
-/// Where kept steps end in parts, in their order; empty where that has to be found.
-using RetakenSteps = std::vector<VectorXd>;
+/// Of kept steps, in their order.
+using RetakenSteps = std::vector<RetakenStep>;
 
 /// Judges a run by its kept steps, and then the worst of them once more in smaller parts.
 class RunJudge {

@@ -84,7 +84,7 @@ StepJudge::StepJudge(Dynamics& dynamics, SecondTake take, std::vector<double> br
     vectors->setZero(3, dynamics.system().joint_count());
 }
 
-StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside, const VectorXd& retaken) {
+StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside, const RetakenStep& retaken) {
   StepError out;
   out.t = step.t;
   out.h = step.h;
@@ -92,8 +92,12 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside, co
   out.force = out.torque = out.largest_force = out.largest_torque = NAN;
   came_inside_ = false;
   try {
-    if (retaken.size() > 0 && dynamics_.dropped().rows() == step.left_out) y_ = retaken;
-    else take_again(step);
+    const bool rows_change = dynamics_.dropped().rows() != step.left_out;
+    if (retaken.end.size() == 0 || retaken.rows_change != rows_change) take_again(step);
+    else {
+      y_ = retaken.end;
+      if (rows_change) leave_out_as_in(step);
+    }
     compare(step, out);
     if (step.history_new.size() > 0) compare_history(step, out);
     out.violation = violation_.largest(step.t + step.h, step.y_new, step.history);
@@ -126,6 +130,13 @@ void StepJudge::take_again(const KeptStep& step) {
     }
   }
   dynamics_.end_parts();
+}
+
+/// What comes afterwards looks at the end of the step with what solves as it was analyzed at its begin.
+void StepJudge::leave_out_as_in(const KeptStep& step) {
+  dynamics_.set_history(step.history);
+  dynamics_.evaluate(step.t, step.y);
+  leave_out(step.left_out);
 }
 
 void StepJudge::divide_parts(int times) {

@@ -72,6 +72,12 @@ struct StepError {
   bool failed = false;  ///< it could not be taken again in parts: nothing else but t, h and change is known
 };
 
+/// Where a step ends in parts.
+struct RetakenStep {
+  VectorXd end;              ///< empty where that has to be found
+  bool rows_change = false;  ///< other rows were left out before: its first stage is factorized ahead
+};
+
 /// Takes steps again. `dynamics` is used up: its memory, statistics and watch are those of these steps afterwards.
 class StepJudge {
  public:
@@ -81,13 +87,14 @@ class StepJudge {
   void divide_parts(int times);
 
   /// `reactions`: those, too; it takes two more evaluations. `inside`: where the run records there, too; it takes one
-  /// more step. `retaken`: where the step ends in parts, if somebody else has taken it again.
-  StepError judge(const KeptStep& step, bool reactions, bool inside = false, const VectorXd& retaken = {});
+  /// more step. `retaken`: if somebody else has taken it again.
+  StepError judge(const KeptStep& step, bool reactions, bool inside = false, const RetakenStep& retaken = {});
   /// Diagonal of the box around the centers of mass at the steps that were judged [m].
   double diagonal() const { return (high_ - low_).matrix().norm(); }
 
  private:
   void take_again(const KeptStep& step);
+  void leave_out_as_in(const KeptStep& step);
   void leave_out(const std::vector<int>& rows);
   void finish(double t);
   void compare(const KeptStep& step, StepError& out);

@@ -38,12 +38,16 @@ std::size_t bytes_of_part(const Dynamics& dynamics) {
          (2 * static_cast<std::size_t>(dynamics.y_size()) + static_cast<std::size_t>(dynamics.history().size()));
 }
 
+double change_of(const KeptStep& step) { return step.change; }
+double change_of(const KeptStep* step) { return step->change; }
+
 /// Two parts that follow each other as one. `left`: which of the steps that no acceleration chose stays one.
-RunPart joined(RunPart a, RunPart b, bool left) {
-  KeptStep* steepest = &a.steepest;
-  for (KeptStep* other : {&b.steepest, left ? &b.any : &a.any})
-    if (other->change > steepest->change) steepest = other;
-  RunPart out;
+template <class Step>
+PartOfRun<Step> joined(PartOfRun<Step> a, PartOfRun<Step> b, bool left) {
+  Step* steepest = &a.steepest;
+  for (Step* other : {&b.steepest, left ? &b.any : &a.any})
+    if (change_of(*other) > change_of(*steepest)) steepest = other;
+  PartOfRun<Step> out;
   out.steps = a.steps + b.steps;
   out.t = a.t;
   out.seconds = a.seconds + b.seconds;
@@ -54,8 +58,9 @@ RunPart joined(RunPart a, RunPart b, bool left) {
 }
 
 /// All but the first, which has one step.
-std::vector<RunPart> join_pairs(std::vector<RunPart> parts) {
-  std::vector<RunPart> out;
+template <class Step>
+std::vector<PartOfRun<Step>> join_pairs(std::vector<PartOfRun<Step>> parts) {
+  std::vector<PartOfRun<Step>> out;
   out.push_back(std::move(parts.front()));
   for (std::size_t k = 1; k + 1 < parts.size(); k += 2)
     out.push_back(joined(std::move(parts[k]), std::move(parts[k + 1]), out.size() % 2 == 0));
@@ -245,10 +250,14 @@ void StepSampling::keep(KeptStep& place, double t, double h, double change, cons
 }
 
 std::vector<RunPart> StepSampling::parts() const {
-  std::vector<RunPart> out = parts_;
+  std::vector<PartOfRun<const KeptStep*>> chosen;
+  for (const RunPart& it : parts_)
+    chosen.push_back({it.steps, it.t, it.seconds, it.sum_of_changes, &it.any, &it.steepest});
   const auto wanted = static_cast<std::size_t>(samples(steps_, body_count_));
-  while (out.size() > 2 && out.size() < static_cast<std::size_t>(steps_) && 2 * out.size() > wanted + 1)
-    out = join_pairs(std::move(out));
+  while (chosen.size() > 2 && chosen.size() < static_cast<std::size_t>(steps_) && 2 * chosen.size() > wanted + 1)
+    chosen = join_pairs(std::move(chosen));
+  std::vector<RunPart> out;
+  for (const auto& it : chosen) out.push_back({it.steps, it.t, it.seconds, it.sum_of_changes, *it.any, *it.steepest});
   return out;
 }
 

@@ -39,12 +39,15 @@ struct EnergyRange {
 
 /// Some steps of a run, one after the other, and the two of them that are kept: one that the accelerations did not
 /// choose, and the one in which they change most.
-struct RunPart {
+/// `Step`: those steps, or where they are.
+template <class Step>
+struct PartOfRun {
   std::int64_t steps = 0;
   double t = 0.0, seconds = 0.0;
   double sum_of_changes = 0.0;
-  KeptStep any, steepest;
+  Step any{}, steepest{};
 };
+using RunPart = PartOfRun<KeptStep>;
 
 /// Keeps some steps of a run, spread over it and more where accelerations change most, so that they can be taken again
 /// when it is over: the run itself is not touched, and knows nothing of what they give. The run is cut into parts of

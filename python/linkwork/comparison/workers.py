@@ -11,6 +11,7 @@ forks from a thread of its own, beside which the locks of others may stay closed
 from __future__ import annotations
 
 import contextlib
+import gc
 import logging
 import multiprocessing
 import os
@@ -156,6 +157,7 @@ def _uninterrupted() -> Iterator[None]:
 
 def _serve(connection: Connection, others: Sequence[Connection], task: Any, items: Sequence[Any]) -> None:
     """The other process: it ends when nobody is left to ask it."""
+    gc.freeze()  # what was there before is no garbage here: not to be looked through, and so copied
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # who asks heeds it
     signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT, signal.SIGTERM})
     os.environ["OMP_NUM_THREADS"] = "1"  # of threads counted from here on: others need processors, too
