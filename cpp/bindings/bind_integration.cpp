@@ -26,6 +26,10 @@ py::dict frames_to_dict(Frames&& frames, const System& system) {
   out["work"] = to_numpy(std::move(frames.work), {count});
   out["violation"] = to_numpy(std::move(frames.violation), {count, 3});
   out["history"] = to_numpy(std::move(frames.history), {count, static_cast<py::ssize_t>(system.history_size())});
+  if (frames.reaction_force.empty()) return out;
+  const std::vector<py::ssize_t> of_joints = {count, static_cast<py::ssize_t>(system.joint_count()), 3};
+  out["reaction_force"] = to_numpy(std::move(frames.reaction_force), of_joints);
+  out["reaction_torque"] = to_numpy(std::move(frames.reaction_torque), of_joints);
   return out;
 }
 
@@ -263,6 +267,9 @@ void bind_runs(py::module_& module) {
           "history.")
       .def("take_frames",
            exclusive(+[](Run& run) { return frames_to_dict(run.take_frames(), run.dynamics().system()); }))
+      .def("record_reactions", exclusive(+[](Run& run) { run.record_reactions(); }),
+           "Frames have reaction_force and reaction_torque (k, joints, 3), too: as Dynamics.reactions finds them, for "
+           "less. Before the first frame.")
       .def_property_readonly("finished", &Run::finished)
       .def_property_readonly("t", &Run::t)
       .def_property_readonly("last_state", exclusive(+[](const Run& run) {

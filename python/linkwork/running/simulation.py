@@ -137,7 +137,8 @@ def simulate(
         given = {"t_end": t_end, "step": step, "integrator": integrator, "rtol": rtol, "atol": atol,
                  "record_every": record_every, "breaks": breaks, "assemble": assemble,
                  "on_inaccurate": on_inaccurate, **options}  # fmt: skip
-        prepared = _prepared(model, plan, given, options, compile_events(events, model), start)
+        prepared = _prepared(model, plan, given, options, compile_events(events, model), start,
+                             in_file=output is not None)  # fmt: skip
         _check_output(output, overwrite)
         prepared = _looked_ahead(prepared, output)
     with Interrupts() as interrupts, path:
@@ -211,8 +212,13 @@ def _prepared(
     options: Options,
     watched: Sequence[tuple[str, _core.Event]],
     start: Snapshot | None,
+    *,
+    in_file: bool = False,
 ) -> Prepared:
-    """System, consistent initial state and driver. OptionError, ModelError: what cannot be run."""
+    """System, consistent initial state and driver. OptionError, ModelError: what cannot be run.
+
+    in_file  whether frames go to a file, which has reactions
+    """
     t_start = checks.start_time(start)
     stepped = what_steps(model, plan, given, options, start)
     method, options, system, assembly, breaks = stepped
@@ -228,6 +234,8 @@ def _prepared(
     if resume is not None:
         known = breakpoints.of_run(model, given["breaks"], resume.checkpoint.t, plan.t_end)
     run = plan.run(method, system, [event for _, event in watched], start, known)
+    if in_file:
+        run.record_reactions()
     if resume is not None:
         run.resume(resume.checkpoint.state, resume.work)
     chosen = {"t_start": t_start, **plan.chosen(), "integrator": _name(method), **system.options}
