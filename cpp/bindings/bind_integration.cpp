@@ -100,11 +100,12 @@ py::dict judged(const Dynamics& run, double end_violation, Dynamics& dynamics, b
   return to_dict(found, steps);
 }
 
-py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, bool other) {
+py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, bool other,
+               const JudgeProgress& progress) {
   RelativeViolation violation(dynamics.system());
   SecondTake take = second_take(method, other, run.records_inside());
   return judged(run.dynamics(), relative_violation(run, violation), dynamics, true,
-                [&] { return judge_run(run.sampling(), dynamics, std::move(take)); });
+                [&] { return judge_run(run.sampling(), dynamics, std::move(take), progress); });
 }
 
 double relative_violation_of_lane(const LaneRun& run) {
@@ -284,10 +285,12 @@ void bind_runs(py::module_& module) {
            "Times [s], ascending, at which something is not smooth and no step ends: steps that contain one are taken "
            "again, too, if there are not many.")
       .def("judge", exclusive(&judge), py::arg("dynamics"), py::arg("method"), py::arg("other") = false,
+           py::arg("progress") = py::none(),
            "Takes the kept steps of the run again by `dynamics`, which is used up, and says what they were off by, "
            "relative to the motion: steps (t, h, state, reactions or None) and how many failed; over the run state, "
            "local_error [1/s], reactions_by_state, violation, rate [1/s] and seconds; see AccumulatedError. "
-           "`method`: that of the run, or one that is much more accurate, and `other`.")
+           "`method`: that of the run, or one that is much more accurate, and `other`. `progress` is called with the "
+           "share that is done, as each step is begun.")
       .def("statistics", &run_statistics);  // by way of those of its dynamics
   bind_measures(run);
   bind_checkpoints(run);

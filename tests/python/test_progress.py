@@ -100,6 +100,23 @@ def test_run_reports_its_step_and_its_violation() -> None:
     assert seen[-1].step == pytest.approx(1e-3)
 
 
+SHARES = """
+import time
+from linkwork.running.progress import sharing
+with sharing({progress}, "the verdict") as report:
+    for part in range(100):
+        report(part / 100)
+        time.sleep({seconds} / 100)
+print("done")
+"""
+
+
+def test_a_part_of_a_run_other_than_its_steps_says_what_it_is_and_how_long_it_takes() -> None:
+    written = on_a_terminal("None", 3.0, SHARES)
+    assert re.search(r"the verdict, \d s left", written)
+    assert on_a_terminal("False", 2.5, SHARES) == on_a_terminal("None", 0.5, SHARES) == ""
+
+
 NOTEBOOK = """
 import sys, types
 shown = []

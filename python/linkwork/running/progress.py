@@ -136,6 +136,19 @@ def counting(show: ShowOption, total: int) -> Iterator[Callable[[int, str], None
         yield report
 
 
+@contextmanager
+def sharing(progress: ProgressOption, what: str) -> Iterator[Callable[[float], None]]:
+    """Give a part of a run other than its steps its `report(share)`; shown as by `reporting`."""
+    started = time.monotonic()
+    with _shown(progress is None or progress is True) as shown:
+
+        def report(share: float) -> None:
+            elapsed = time.monotonic() - started
+            shown(elapsed, share, lambda: what + _left(elapsed, share))
+
+        yield report
+
+
 def describe(info: ProgressInfo) -> str:
     """The numbers of the line: simulated time, rate, remaining time, step, violation."""
     left = "" if info.remaining is None else f", {time_in_words(info.remaining)} left"

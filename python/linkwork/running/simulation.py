@@ -29,7 +29,7 @@ from linkwork.running import breakpoints, checks, estimation, forecast, recordin
 from linkwork.running.events import Event, compile_events
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.manifest import manifest
-from linkwork.running.progress import ProgressOption, check_progress, reporting
+from linkwork.running.progress import ProgressOption, check_progress, reporting, sharing
 from linkwork.running.recording import PythonStep
 
 __all__ = ["PythonStep", "check_run", "simulate", "what_steps"]
@@ -340,18 +340,18 @@ def _carried_out(
     log.info("%s: %g to %g s by %s", model.describe(), t_start, plan.t_end, _listed(it.chosen))
     if it.forecast is not None:
         forecast.announce(it.forecast, progress)
-    with reporting(progress, plan.t_end, run.steps_total, t_start) as report:
-        pieces = recording.pieces(run, interrupts, it.method, it.system)
-        labels, warns = it.facts["events"], it.system.options["on_singular"] == "warn"
-        with recording.kept(run, recorder, labels, checkpoints):
+    labels, warns = it.facts["events"], it.system.options["on_singular"] == "warn"
+    with recording.kept(run, recorder, labels, checkpoints):
+        with reporting(progress, plan.t_end, run.steps_total, t_start) as report:
+            pieces = recording.pieces(run, interrupts, it.method, it.system)
             spent["driver_seconds"] = recording.record(
                 run, pieces, recorder, report, labels, estimator, interrupts, warns=warns
             )
-            statistics = {**it.statistics(), **plan.steps_with_breaks(it.breaks, t_start)}
-            driven = time.perf_counter()
-            with interrupts.computing():
-                verdict = estimator.verdict(statistics)
-            spent["verdict_seconds"] = time.perf_counter() - driven
+        statistics = {**it.statistics(), **plan.steps_with_breaks(it.breaks, t_start)}
+        driven = time.perf_counter()
+        with interrupts.computing(), sharing(progress, "steps taken again for the verdict") as share:
+            verdict = estimator.verdict(statistics, report=share)
+        spent["verdict_seconds"] = time.perf_counter() - driven
     seconds = time.perf_counter() - started
     log.info("%s: done, %d steps in %.3g s", model.name or "model", run.steps_done, seconds)
     found = {"verdict": verdict.numbers()} if verdict is not None else {}
