@@ -82,8 +82,8 @@ py::dict to_dict(const AccumulatedError& found, bool steps_too) {
 }
 
 /// Where the run is now.
-double relative_violation(const Run& run, RelativeViolation& measure) {
-  return measure.largest(run.t(), run.y(), run.dynamics().history());
+double relative_violation(const Run& run) {
+  return RelativeViolation(run.dynamics().system()).largest(run.t(), run.y(), run.dynamics().history());
 }
 
 py::dict judged(const Dynamics& run, double end_violation, Dynamics& dynamics, bool steps,
@@ -93,7 +93,7 @@ py::dict judged(const Dynamics& run, double end_violation, Dynamics& dynamics, b
   AccumulatedError found;
   {
     const py::gil_scoped_release release;
-    const double length = RelativeViolation(dynamics.system()).length();
+    const double length = RelativeViolation::length_of(dynamics.system());
     found = accumulate(errors(), length);
     found.violation = std::max(found.violation, end_violation);
   }
@@ -102,9 +102,8 @@ py::dict judged(const Dynamics& run, double end_violation, Dynamics& dynamics, b
 
 py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, bool other,
                const JudgeProgress& progress) {
-  RelativeViolation violation(dynamics.system());
   SecondTake take = second_take(method, other, run.records_inside());
-  return judged(run.dynamics(), relative_violation(run, violation), dynamics, true,
+  return judged(run.dynamics(), relative_violation(run), dynamics, true,
                 [&] { return judge_run(run.sampling(), dynamics, std::move(take), progress); });
 }
 
@@ -249,10 +248,7 @@ void bind_lane_runs(py::module_& module) {
 
 /// What a run says of itself on its way.
 void bind_measures(py::class_<Run>& run) {
-  run.def("relative_violation", exclusive(+[](const Run& run) {
-            RelativeViolation measure(run.dynamics().system());
-            return relative_violation(run, measure);
-          }),
+  run.def("relative_violation", exclusive(&relative_violation),
           "Largest violation of a position constraint now, relative to the size of the mechanism.")
       .def_property_readonly(
           "energies", exclusive(+[](const Run& run) { return to_python(run.sampling().energies()); }),

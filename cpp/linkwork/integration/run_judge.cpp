@@ -32,7 +32,7 @@ const VectorXd& end_of(std::size_t step, const RetakenSteps& retaken) {
 }  // namespace
 
 RunJudge::RunJudge(const StepSampling& sampling, Dynamics& dynamics, SecondTake take)
-    : length_(RelativeViolation(dynamics.system()).length()),
+    : length_(RelativeViolation::length_of(dynamics.system())),
       every_inside_(sampling.steps() <= few_steps ? 1 : every_inside),
       divisions_(sampling.steps() <= few_steps ? few_divisions : usual_divisions),
       judge_(dynamics, std::move(take), sampling.breaks()) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "linkwork/math/interruption.hpp"
 #include "linkwork/math/rotation.hpp"
 #include "linkwork/math/stopwatch.hpp"
 
@@ -245,7 +246,12 @@ void StepSampling::keep(KeptStep& place, double t, double h, double change, cons
 }
 
 std::vector<RunPart> StepSampling::parts() const {
-  std::vector<RunPart> out = parts_;
+  std::vector<RunPart> out;
+  InterruptionMeter meter;
+  for (const RunPart& part : parts_) {
+    meter.add(body_count_);
+    out.push_back(part);
+  }
   const auto wanted = static_cast<std::size_t>(samples(steps_, body_count_));
   while (out.size() > 2 && out.size() < static_cast<std::size_t>(steps_) && 2 * out.size() > wanted + 1)
     out = join_pairs(std::move(out));
