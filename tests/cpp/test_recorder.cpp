@@ -1,6 +1,10 @@
 #include "linkwork/integration/recorder.hpp"
 
+#include <chrono>
+#include <thread>
+
 #include "integrators.hpp"
+#include "linkwork/math/interruption.hpp"
 
 using namespace support;
 
@@ -125,4 +129,31 @@ TEST_CASE("reactions are those of the frame, be the evaluation at hand of anothe
   for (const std::size_t k : {0, 1, 2})
     CHECK(Reactions::of(frames, k, 4) == Reactions::at(system, frames.t[k], k == 1 ? other : y, lambda));
   CHECK(!(Reactions::of(frames, 0, 4) == Reactions::of(frames, 1, 4)));
+}
+
+TEST_CASE("a frame in which the run is interrupted is there as a whole or not at all") {
+  struct Ended {};
+  Dynamics dynamics(four_bar(), unstabilized());
+  const VectorXd y = dynamics.initial_y();
+  Recorder recorder(dynamics);
+  recorder.record_reactions();
+  dynamics.evaluate(0.0, y);
+  set_interruption([] { throw Ended(); });
+  for (int phase = 0; phase < 4; ++phase) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+    const auto for_ever = [&] {
+      for (;;) recorder.record(0.0, y);
+    };
+    CHECK_THROWS_AS(for_ever(), Ended);
+    recorder.record(0.0, y);
+    const Frames frames = recorder.take();
+    const std::size_t count = frames.t.size();
+    CHECK(count > 100);
+    CHECK(frames.q.size() == count * 21);
+    CHECK(frames.history.size() == 0);
+    CHECK(frames.violation.size() == 3 * count);
+    CHECK(frames.reaction_force.size() == 12 * count);
+    CHECK(frames.reaction_torque.size() == 12 * count);
+  }
+  set_interruption(nullptr);
 }

@@ -101,7 +101,9 @@ Dynamics::Dynamics(const Model& model, const Options& options, const Dynamics* l
                                        "' has no pivots that tell a singular pose; use linear solver 'block', or "
                                        "on_singular 'pass'");
   if (!rank_.singular_rows.empty()) formulation_->watch().start(1.0);
-  if (system_.body_count() > large_model) return_free_memory();
+  if (system_.body_count() <= large_model) return;
+  look_for_interruption();
+  return_free_memory();
 }
 
 Dynamics::~Dynamics() = default;

@@ -22,6 +22,7 @@ Recorder::Recorder(Dynamics& dynamics)
 
 void Recorder::record(double t, const VectorXd& y) {
   dynamics_.accelerations(v_dot_, lambda_);
+  look_for_interruption();
   record(t, y, v_dot_, lambda_);
 }
 
@@ -47,7 +48,9 @@ void Recorder::record(double t, const VectorXd& y, const ConstVector& v_dot, con
   const Evaluation& at = dynamics_.evaluation();
   dynamics_.acceleration_residual(v_dot, residual_);
   if (t <= silent_until_) return;
+  look_for_interruption();
   if (with_reactions_) add_reactions(t, y.head(nq), lambda);
+  look_for_interruption();  // and not before the frame is there as a whole
   frames_.t.push_back(t);
   append(frames_.q, y.head(nq));
   append(frames_.v, y.segment(nq, nv));
@@ -59,6 +62,7 @@ void Recorder::record(double t, const VectorXd& y, const ConstVector& v_dot, con
   for (const VectorXd* rows : {&at.Phi, &at.Phi_dot, static_cast<const VectorXd*>(&residual_)})
     frames_.violation.push_back(largest(*rows));
   append(frames_.history, at.history);
+  look_for_interruption();
 }
 
 /// Of the frame that comes next: by the D of the step that is just here, where it is that of this very pose.

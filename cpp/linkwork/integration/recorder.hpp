@@ -45,6 +45,7 @@ class Recorder {
   Frames take() { return std::exchange(frames_, {}); }
 
  private:
+  void look_for_interruption() { meter_.add(dynamics_.system().body_count()); }
   void add_reactions(double t, const ConstVector& q, const ConstVector& lambda);
 
   Dynamics& dynamics_;
@@ -55,6 +56,7 @@ class Recorder {
   double waiting_t_ = 0.0;
   VectorXd waiting_y_;
   VectorXd v_dot_, lambda_, residual_;
+  InterruptionMeter meter_;
   Frames frames_;
 };
 
