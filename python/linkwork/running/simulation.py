@@ -349,7 +349,8 @@ def _carried_out(
             )
         statistics = {**it.statistics(), **plan.steps_with_breaks(it.breaks, t_start)}
         driven = time.perf_counter()
-        with interrupts.computing(), sharing(progress, "steps taken again for the verdict") as share:
+        sharing_verdict = sharing(progress, "steps taken again for the verdict", driven - started)
+        with interrupts.computing(), sharing_verdict as share:
             verdict = estimator.verdict(statistics, report=share)
         spent["verdict_seconds"] = time.perf_counter() - driven
     seconds = time.perf_counter() - started
