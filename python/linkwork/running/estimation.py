@@ -105,7 +105,7 @@ class ErrorEstimator:
         statistics: Mapping[str, Any],
         *,
         steps: bool = True,
-        report: Callable[[float], object] | None = None,
+        report: Callable[[float], None] | None = None,
     ) -> Verdict | None:
         """Of the run, which is over: the system is used up. None: there was no step.
 
@@ -148,7 +148,7 @@ class ErrorEstimator:
         statistics: Mapping[str, Any],
         *,
         steps: bool = True,
-        report: Callable[[float], object] | None = None,
+        report: Callable[[float], None] | None = None,
     ) -> Verdict:
         self._energies.reach(*self._run.energies)
         stateful = callbacks.changed(self._contents, self._functions)
