@@ -101,10 +101,10 @@ py::dict judged(const Dynamics& run, double end_violation, Dynamics& dynamics, b
 }
 
 py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, bool other,
-               const JudgeProgress& progress) {
+               const std::optional<JudgeProgress>& progress) {
   SecondTake take = second_take(method, other, run.records_inside());
   return judged(run.dynamics(), relative_violation(run), dynamics, true,
-                [&] { return judge_run(run.sampling(), dynamics, std::move(take), progress); });
+                [&] { return judge_run(run.sampling(), dynamics, std::move(take), progress.value_or(nullptr)); });
 }
 
 double relative_violation_of_lane(const LaneRun& run) {
