@@ -26,6 +26,10 @@ py::dict frames_to_dict(Frames&& frames, const System& system) {
   out["work"] = to_numpy(std::move(frames.work), {count});
   out["violation"] = to_numpy(std::move(frames.violation), {count, 3});
   out["history"] = to_numpy(std::move(frames.history), {count, static_cast<py::ssize_t>(system.history_size())});
+  if (frames.reaction_force.empty()) return out;
+  const std::vector<py::ssize_t> of_joints = {count, static_cast<py::ssize_t>(system.joint_count()), 3};
+  out["reaction_force"] = to_numpy(std::move(frames.reaction_force), of_joints);
+  out["reaction_torque"] = to_numpy(std::move(frames.reaction_torque), of_joints);
   return out;
 }
 
@@ -78,8 +82,8 @@ py::dict to_dict(const AccumulatedError& found, bool steps_too) {
 }
 
 /// Where the run is now.
-double relative_violation(const Run& run, RelativeViolation& measure) {
-  return measure.largest(run.t(), run.y(), run.dynamics().history());
+double relative_violation(const Run& run) {
+  return RelativeViolation(run.dynamics().system()).largest(run.t(), run.y(), run.dynamics().history());
 }
 
 py::dict judged(const Dynamics& run, double end_violation, Dynamics& dynamics, bool steps,
@@ -89,18 +93,18 @@ py::dict judged(const Dynamics& run, double end_violation, Dynamics& dynamics, b
   AccumulatedError found;
   {
     const py::gil_scoped_release release;
-    const double length = RelativeViolation(dynamics.system()).length();
+    const double length = RelativeViolation::length_of(dynamics.system());
     found = accumulate(errors(), length);
     found.violation = std::max(found.violation, end_violation);
   }
   return to_dict(found, steps);
 }
 
-py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, bool other) {
-  RelativeViolation violation(dynamics.system());
+py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, bool other,
+               const std::optional<JudgeProgress>& progress) {
   SecondTake take = second_take(method, other, run.records_inside());
-  return judged(run.dynamics(), relative_violation(run, violation), dynamics, true,
-                [&] { return judge_run(run.sampling(), dynamics, std::move(take)); });
+  return judged(run.dynamics(), relative_violation(run), dynamics, true,
+                [&] { return judge_run(run.sampling(), dynamics, std::move(take), progress.value_or(nullptr)); });
 }
 
 double relative_violation_of_lane(const LaneRun& run) {
@@ -244,10 +248,7 @@ void bind_lane_runs(py::module_& module) {
 
 /// What a run says of itself on its way.
 void bind_measures(py::class_<Run>& run) {
-  run.def("relative_violation", exclusive(+[](const Run& run) {
-            RelativeViolation measure(run.dynamics().system());
-            return relative_violation(run, measure);
-          }),
+  run.def("relative_violation", exclusive(&relative_violation),
           "Largest violation of a position constraint now, relative to the size of the mechanism.")
       .def_property_readonly(
           "energies", exclusive(+[](const Run& run) { return to_python(run.sampling().energies()); }),
@@ -263,6 +264,9 @@ void bind_runs(py::module_& module) {
           "history.")
       .def("take_frames",
            exclusive(+[](Run& run) { return frames_to_dict(run.take_frames(), run.dynamics().system()); }))
+      .def("record_reactions", exclusive(+[](Run& run) { run.record_reactions(); }),
+           "Frames have reaction_force and reaction_torque (k, joints, 3), too: as Dynamics.reactions finds them, for "
+           "less. Before the first frame.")
       .def_property_readonly("finished", &Run::finished)
       .def_property_readonly("t", &Run::t)
       .def_property_readonly("last_state", exclusive(+[](const Run& run) {
@@ -277,10 +281,12 @@ void bind_runs(py::module_& module) {
            "Times [s], ascending, at which something is not smooth and no step ends: steps that contain one are taken "
            "again, too, if there are not many.")
       .def("judge", exclusive(&judge), py::arg("dynamics"), py::arg("method"), py::arg("other") = false,
+           py::arg("progress") = py::none(),
            "Takes the kept steps of the run again by `dynamics`, which is used up, and says what they were off by, "
            "relative to the motion: steps (t, h, state, reactions or None) and how many failed; over the run state, "
            "local_error [1/s], reactions_by_state, violation, rate [1/s] and seconds; see AccumulatedError. "
-           "`method`: that of the run, or one that is much more accurate, and `other`.")
+           "`method`: that of the run, or one that is much more accurate, and `other`. `progress` is called with the "
+           "share that is done, as each step is begun.")
       .def("statistics", &run_statistics);  // by way of those of its dynamics
   bind_measures(run);
   bind_checkpoints(run);

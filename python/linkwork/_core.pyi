@@ -1057,9 +1057,19 @@ class Run:
         """
         Times [s], ascending, at which something is not smooth and no step ends: steps that contain one are taken again, too, if there are not many.
         """
-    def judge(self, dynamics: Dynamics, method: typing.Any, other: bool = False) -> dict:
+    def judge(
+        self,
+        dynamics: Dynamics,
+        method: typing.Any,
+        other: bool = False,
+        progress: collections.abc.Callable[[float], None] | None = None,
+    ) -> dict:
         """
-        Takes the kept steps of the run again by `dynamics`, which is used up, and says what they were off by, relative to the motion: steps (t, h, state, reactions or None) and how many failed; over the run state, local_error [1/s], reactions_by_state, violation, rate [1/s] and seconds; see AccumulatedError. `method`: that of the run, or one that is much more accurate, and `other`.
+        Takes the kept steps of the run again by `dynamics`, which is used up, and says what they were off by, relative to the motion: steps (t, h, state, reactions or None) and how many failed; over the run state, local_error [1/s], reactions_by_state, violation, rate [1/s] and seconds; see AccumulatedError. `method`: that of the run, or one that is much more accurate, and `other`. `progress` is called with the share that is done, as each step is begun.
+        """
+    def record_reactions(self) -> None:
+        """
+        Frames have reaction_force and reaction_torque (k, joints, 3), too: as Dynamics.reactions finds them, for less. Before the first frame.
         """
     def relative_violation(self) -> float:
         """

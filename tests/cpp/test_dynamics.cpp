@@ -143,3 +143,21 @@ TEST_CASE("a history of another mechanism is refused") {
   Dynamics dynamics(spherical_pendulum(), {});
   CHECK(error_code([&] { dynamics.set_history(VectorXd(2)); }) == "history");
 }
+
+TEST_CASE("the D at hand is that of the last evaluation alone: of its pose, and where joints are driven of its time") {
+  Dynamics driven(driven_chain(), unstabilized()), free(four_bar(), unstabilized());
+  for (Dynamics* dynamics : {&driven, &free}) {
+    const int nq = dynamics->system().q_size();
+    VectorXd y = dynamics->initial_y();
+    dynamics->evaluate(0.5, y);
+    CHECK(dynamics->has_D_of(0.5, y.head(nq)));
+    CHECK(dynamics->has_D_of(0.6, y.head(nq)) == (dynamics == &free));
+    dynamics->begin_elsewhere(0.5, y);
+    CHECK(!dynamics->has_D_of(0.5, y.head(nq)));
+    dynamics->evaluate(0.5, y);
+    y[nq] += 1.0;  // D is of the pose
+    CHECK(dynamics->has_D_of(0.5, y.head(nq)));
+    y[0] += 1e-15;
+    CHECK(!dynamics->has_D_of(0.5, y.head(nq)));
+  }
+}

@@ -1,6 +1,10 @@
 #include "linkwork/integration/recorder.hpp"
 
+#include <chrono>
+#include <thread>
+
 #include "integrators.hpp"
+#include "linkwork/math/interruption.hpp"
 
 using namespace support;
 
@@ -56,4 +60,100 @@ TEST_CASE("a frame that waits for a step which does not come is recorded at the 
   recorder.record_in_step(0.0, dynamics.initial_y());
   recorder.finish();
   CHECK(recorder.count() == 1);
+}
+
+namespace {
+
+struct Reactions {
+  Eigen::Matrix3Xd force, torque;
+
+  static Reactions at(const System& system, double t, const VectorXd& y, const VectorXd& lambda) {
+    Evaluation anew = system.make_evaluation();
+    Reactions out{{3, system.joint_count()}, {3, system.joint_count()}};
+    const auto q = y.head(system.q_size());
+    system.evaluate_constraints(t, q, VectorXd::Zero(system.v_size()), system.initial_history(), anew);
+    system.reactions(anew, q, lambda, out.force, out.torque);
+    return out;
+  }
+  static Reactions of(const Frames& frames, std::size_t frame, Eigen::Index joints) {
+    const auto columns = [&](const std::vector<double>& list) {
+      return Eigen::Map<const Eigen::Matrix3Xd>(list.data() + 3 * joints * frame, 3, joints);
+    };
+    return {columns(frames.reaction_force), columns(frames.reaction_torque)};
+  }
+  bool operator==(const Reactions& other) const { return force == other.force && torque == other.torque; }
+};
+
+VectorXd last_lambda(const Frames& frames, const System& system) {
+  const VectorXd all =
+      Eigen::Map<const VectorXd>(frames.lambda.data(), static_cast<Eigen::Index>(frames.lambda.size()));
+  return all.tail(system.row_count());
+}
+
+}  // namespace
+
+TEST_CASE("reactions come with frames where they are asked for, those of redundant joints, too") {
+  Dynamics dynamics(four_bar(), unstabilized());
+  const System& system = dynamics.system();
+  const VectorXd y = dynamics.initial_y();
+  REQUIRE(dynamics.dropped().count() == 3);
+  Recorder recorder(dynamics);
+  dynamics.evaluate(0.0, y);
+  recorder.record(0.0, y);
+  CHECK(recorder.take().reaction_force.empty());
+  recorder.record_reactions();
+  recorder.record(0.0, y);
+  CHECK(dynamics.has_D_of(0.0, y.head(system.q_size())));
+  const Frames frames = recorder.take();
+  const Reactions found = Reactions::of(frames, 0, system.joint_count());
+  CHECK(found == Reactions::at(system, 0.0, y, last_lambda(frames, system)));
+  CHECK(found.force.norm() > 1.0);
+}
+
+TEST_CASE("reactions are those of the frame, be the evaluation at hand of another pose") {
+  Dynamics dynamics(four_bar(), unstabilized());
+  const System& system = dynamics.system();
+  const VectorXd y = dynamics.initial_y();
+  VectorXd other = y;
+  other.segment<4>(3) = Vec4<double>(std::cos(0.1), 0, 0, std::sin(0.1));
+  Recorder recorder(dynamics);
+  recorder.record_reactions();
+  dynamics.evaluate(0.0, y);
+  recorder.record(0.0, y);
+  recorder.record(0.5, other);
+  recorder.record(1.0, y);
+  CHECK(!dynamics.has_D_of(0.5, other.head(system.q_size())));
+  const Frames frames = recorder.take();
+  const VectorXd lambda = last_lambda(frames, system);
+  REQUIRE(frames.reaction_force.size() == 3 * 3 * 4);
+  for (const std::size_t k : {0, 1, 2})
+    CHECK(Reactions::of(frames, k, 4) == Reactions::at(system, frames.t[k], k == 1 ? other : y, lambda));
+  CHECK(!(Reactions::of(frames, 0, 4) == Reactions::of(frames, 1, 4)));
+}
+
+TEST_CASE("a frame in which the run is interrupted is there as a whole or not at all") {
+  struct Ended {};
+  Dynamics dynamics(four_bar(), unstabilized());
+  const VectorXd y = dynamics.initial_y();
+  Recorder recorder(dynamics);
+  recorder.record_reactions();
+  dynamics.evaluate(0.0, y);
+  set_interruption([] { throw Ended(); });
+  for (int phase = 0; phase < 4; ++phase) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(60));
+    const auto for_ever = [&] {
+      for (;;) recorder.record(0.0, y);
+    };
+    CHECK_THROWS_AS(for_ever(), Ended);
+    recorder.record(0.0, y);
+    const Frames frames = recorder.take();
+    const std::size_t count = frames.t.size();
+    CHECK(count > 100);
+    CHECK(frames.q.size() == count * 21);
+    CHECK(frames.history.size() == 0);
+    CHECK(frames.violation.size() == 3 * count);
+    CHECK(frames.reaction_force.size() == 12 * count);
+    CHECK(frames.reaction_torque.size() == 12 * count);
+  }
+  set_interruption(nullptr);
 }

@@ -66,3 +66,17 @@ TEST_CASE("every kept step of a run is judged, and belongs to a part of it") {
   for (const RunPart& part : errors.parts) steps += double(part.steps);
   CHECK(steps == 200.0);
 }
+
+TEST_CASE("the share of a verdict that is done grows from none to all but its last step") {
+  Dynamics dynamics(pendulum(), Options());
+  Simulation run(dynamics, make_runge_kutta(rk4()), {2.0, 0.01});
+  run.advance(1 << 30, 1e9);
+  std::vector<double> shares;
+  const auto report = [&](double share) { shares.push_back(share); };
+  const RunErrors errors = judge_run(run.sampling(), dynamics, in_parts(make_runge_kutta(rk4())), report);
+  REQUIRE(shares.size() == errors.steps.size() + 3);
+  CHECK(shares.front() == 0.0);
+  CHECK(std::is_sorted(shares.begin(), shares.end()));
+  const double parts = 2.0 * double(errors.steps.size()) + 3.0 * 8.0;
+  CHECK(shares.back() == doctest::Approx(1.0 - 8.0 / parts));
+}

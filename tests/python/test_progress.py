@@ -100,6 +100,24 @@ def test_run_reports_its_step_and_its_violation() -> None:
     assert seen[-1].step == pytest.approx(1e-3)
 
 
+SHARES = """
+import time
+from linkwork.running.progress import sharing
+with sharing({progress}, "the verdict", {before}) as report:
+    for part in range(100):
+        report(part / 100)
+        time.sleep({seconds} / 100)
+print("done")
+"""
+
+
+def test_a_part_of_a_run_other_than_its_steps_says_what_it_is_and_how_long_it_takes() -> None:
+    own, of_long_run = (SHARES.replace("{before}", before) for before in ("0.0", "10.0"))
+    assert re.search(r"the verdict, \d s left", on_a_terminal("None", 3.0, own))
+    assert "the verdict" in on_a_terminal("None", 0.0, of_long_run)
+    assert on_a_terminal("False", 2.5, of_long_run) == on_a_terminal("None", 0.5, own) == ""
+
+
 NOTEBOOK = """
 import sys, types
 shown = []

@@ -74,6 +74,7 @@ class System {
   int v_size() const { return velocity_size * body_count(); }
   const Model& model() const { return model_; }
   bool time_dependent_constraints() const { return time_dependent_constraints_; }
+  bool has_special_joints() const { return !special_joints_.empty(); }
 
   /// Sums over bodies, joints and forces are made by its threads from here on. No bit depends on how many these are.
   void use(std::shared_ptr<ThreadPool> threads) { threads_ = std::move(threads); }

@@ -6,6 +6,7 @@
 
 #include "linkwork/assembly/system.hpp"
 #include "linkwork/math/error.hpp"
+#include "linkwork/math/interruption.hpp"
 
 namespace linkwork {
 namespace {
@@ -266,9 +267,11 @@ VectorXd System::blank_history() const {
 
 Evaluation System::make_evaluation() const {
   Evaluation out;
+  InterruptionMeter meter;  // it is memory that is touched first here, which takes as long as an evaluation
   if (has_elements_) out.bodies.assign(body_count() + 1, BodyState<double>::ground());
   out.signals.resize(model_.signals().size());
   out.D.assign(D_size_ + velocity_size, 0.0);
+  meter.add(body_count());
   out.special.resize(most_bodies_);
   if (!body_wrench_begin_.empty()) out.wrenches.resize(wrench_size * count_elements(force_batches_));
   out.potentials.resize((body_count() + chunk - 1) / chunk);
@@ -278,6 +281,7 @@ Evaluation System::make_evaluation() const {
   for (VectorXd* each : {&out.inerter_gamma, &out.inerter_values})
     each->setZero(static_cast<Eigen::Index>(inerters_.count()));
   out.g.setZero(v_size() + velocity_size);
+  meter.add(body_count());
   return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "linkwork/constraints/least_constrained_motion.hpp"
 #include "linkwork/constraints/length_scale.hpp"
@@ -100,7 +101,9 @@ Dynamics::Dynamics(const Model& model, const Options& options, const Dynamics* l
                                        "' has no pivots that tell a singular pose; use linear solver 'block', or "
                                        "on_singular 'pass'");
   if (!rank_.singular_rows.empty()) formulation_->watch().start(1.0);
-  if (system_.body_count() > large_model) return_free_memory();
+  if (system_.body_count() <= large_model) return;
+  look_for_interruption();
+  return_free_memory();
 }
 
 Dynamics::~Dynamics() = default;
@@ -337,6 +340,23 @@ void Dynamics::acceleration_residual(const ConstVector& v_dot, MutableVector res
   formulation_->dropped().put_back(at_);
   system_.multiply_D(at_, v_dot, residual);
   residual -= at_.gamma;
+  formulation_->dropped().take_out(at_);
+}
+
+/// Bits, as zeros have signs. The D of special joints may go by their history, which goes on where a state is accepted.
+bool Dynamics::has_D_of(double t, const ConstVector& q) const {
+  const auto same = [](const double* a, const double* b, Eigen::Index count) {
+    return std::memcmp(a, b, sizeof(double) * static_cast<std::size_t>(count)) == 0;
+  };
+  if (formulation_->elsewhere() || system_.has_special_joints()) return false;
+  if (system_.time_dependent_constraints() && !same(&t, &now_.t, 1)) return false;
+  return now_.y.size() == y_size() && q.size() == system_.q_size() && same(q.data(), now_.y.data(), q.size());
+}
+
+void Dynamics::reactions(const ConstVector& lambda, Eigen::Ref<Eigen::Matrix3Xd> force,
+                         Eigen::Ref<Eigen::Matrix3Xd> torque) {
+  formulation_->dropped().put_back(at_);
+  system_.reactions(at_, now_.y.head(system_.q_size()), lambda, force, torque);
   formulation_->dropped().take_out(at_);
 }
 

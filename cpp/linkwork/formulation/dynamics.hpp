@@ -128,6 +128,11 @@ class Dynamics {
   /// D v_dot - gamma of all constraints, redundant ones included.
   void acceleration_residual(const ConstVector& v_dot, MutableVector residual);
 
+  /// Whether the D of the evaluation is that of the positions q at t to the last bit, whatever the history.
+  bool has_D_of(double t, const ConstVector& q) const;
+  /// See System::reactions: at the current state, by the D of all constraints.
+  void reactions(const ConstVector& lambda, Eigen::Ref<Eigen::Matrix3Xd> force, Eigen::Ref<Eigen::Matrix3Xd> torque);
+
   /// Solves M x - D^T lambda = a, D x = b at the current state by the formulation.
   void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda);
 

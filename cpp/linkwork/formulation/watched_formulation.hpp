@@ -51,6 +51,7 @@ class WatchedFormulation final : public Formulation {
   void begin();
   /// The same, of which nothing is evaluated yet but what somebody else needs; see Dynamics::begin_elsewhere.
   void begin_elsewhere();
+  bool elsewhere() const { return elsewhere_; }  ///< and still so
   bool factorized() const { return factorized_; }
   std::int64_t factorizations() const { return factorizations_; }
   double smallest_pivot() const { return smallest_pivot_; }  ///< of all, 0 where one broke down

@@ -22,6 +22,7 @@ Recorder::Recorder(Dynamics& dynamics)
 
 void Recorder::record(double t, const VectorXd& y) {
   dynamics_.accelerations(v_dot_, lambda_);
+  look_for_interruption();
   record(t, y, v_dot_, lambda_);
 }
 
@@ -47,6 +48,9 @@ void Recorder::record(double t, const VectorXd& y, const ConstVector& v_dot, con
   const Evaluation& at = dynamics_.evaluation();
   dynamics_.acceleration_residual(v_dot, residual_);
   if (t <= silent_until_) return;
+  look_for_interruption();
+  if (with_reactions_) add_reactions(t, y.head(nq), lambda);
+  look_for_interruption();  // and not before the frame is there as a whole
   frames_.t.push_back(t);
   append(frames_.q, y.head(nq));
   append(frames_.v, y.segment(nq, nv));
@@ -58,6 +62,24 @@ void Recorder::record(double t, const VectorXd& y, const ConstVector& v_dot, con
   for (const VectorXd* rows : {&at.Phi, &at.Phi_dot, static_cast<const VectorXd*>(&residual_)})
     frames_.violation.push_back(largest(*rows));
   append(frames_.history, at.history);
+  look_for_interruption();
+}
+
+/// Of the frame that comes next: by the D of the step that is just here, where it is that of this very pose.
+void Recorder::add_reactions(double t, const ConstVector& q, const ConstVector& lambda) {
+  const System& system = dynamics_.system();
+  const std::size_t joints = system.joint_count(), first = 3 * joints * frames_.t.size();
+  for (std::vector<double>* list : {&frames_.reaction_force, &frames_.reaction_torque})
+    list->resize(first + 3 * joints);
+  const auto columns = [&](std::vector<double>& list) {
+    return Eigen::Map<Eigen::Matrix3Xd>(list.data() + first, 3, system.joint_count());
+  };
+  auto force = columns(frames_.reaction_force), torque = columns(frames_.reaction_torque);
+  if (dynamics_.has_D_of(t, q)) return dynamics_.reactions(lambda, force, torque);
+  if (!anew_) anew_ = std::make_unique<Evaluation>(system.make_evaluation());
+  const VectorXd rest = VectorXd::Zero(system.v_size());
+  system.evaluate_constraints(t, q, rest, dynamics_.evaluation().history, *anew_);
+  system.reactions(*anew_, q, lambda, force, torque);
 }
 
 }  // namespace linkwork

@@ -17,6 +17,8 @@ struct Frames {
   std::vector<double> kinetic, potential, work;
   std::vector<double> violation;  ///< 3 a frame: max |Phi|, max |Phi_dot|, max |D v_dot - gamma|
   std::vector<double> history;    ///< history variables, see history.hpp
+  /// 3 joints each a frame, see System::reactions; none where they are not recorded.
+  std::vector<double> reaction_force, reaction_torque;
 };
 
 /// Collects frames until somebody takes them.
@@ -32,6 +34,8 @@ class Recorder {
 
   /// The same where a step goes on from this state: in the course of it, without changing a bit of it.
   void record_in_step(double t, const VectorXd& y);
+  /// From here on frames have reactions, which whoever needs them can find later, too, but not for less.
+  void record_reactions() { with_reactions_ = true; }
   /// Frames up to t are not kept.
   void silence_until(double t) { silent_until_ = t; }
   /// A frame that waits for a step which will not come.
@@ -41,12 +45,18 @@ class Recorder {
   Frames take() { return std::exchange(frames_, {}); }
 
  private:
+  void look_for_interruption() { meter_.add(dynamics_.system().body_count()); }
+  void add_reactions(double t, const ConstVector& q, const ConstVector& lambda);
+
   Dynamics& dynamics_;
   std::shared_ptr<char> here_ = std::make_shared<char>();  ///< `dynamics` may outlive what it was asked to call
+  bool with_reactions_ = false;
+  std::unique_ptr<Evaluation> anew_;  ///< of reactions that the evaluation of the dynamics does not tell
   double silent_until_ = -INFINITY;
   double waiting_t_ = 0.0;
   VectorXd waiting_y_;
   VectorXd v_dot_, lambda_, residual_;
+  InterruptionMeter meter_;
   Frames frames_;
 };
 

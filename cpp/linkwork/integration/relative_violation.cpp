@@ -4,9 +4,7 @@
 #include <cmath>
 
 namespace linkwork {
-namespace {
-
-double size_of(const System& system) {
+double RelativeViolation::length_of(const System& system) {
   double longest = 0.0;
   for (const Element& joint : system.model().joints()) {
     if (joint.i != ground) longest = std::max(longest, joint.at.s_i.norm());
@@ -19,10 +17,8 @@ double size_of(const System& system) {
   return squared > 0.0 ? std::sqrt(squared) : 1.0;
 }
 
-}  // namespace
-
 RelativeViolation::RelativeViolation(const System& system)
-    : system_(system), length_(size_of(system)), at_(system.make_evaluation()) {}
+    : system_(system), length_(length_of(system)), at_(system.make_evaluation()) {}
 
 // With d the displacement and phi the rotation of a body, Phi changes by D_r d + D_phi phi: the least change of both
 // that makes up for a violation is |Phi| / |(D_r, D_phi / L)| as a length, L the size of the mechanism.

@@ -16,6 +16,7 @@ class RelativeViolation {
   double largest(double t, const VectorXd& y, const VectorXd& history);
   /// Size of the mechanism [m]: the longest arm from a center of mass to a joint, or its radius of gyration.
   double length() const { return length_; }
+  static double length_of(const System& system);
 
  private:
   const System& system_;

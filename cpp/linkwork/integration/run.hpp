@@ -55,6 +55,9 @@ class Run {
     return taken();
   }
 
+  /// Frames have reactions. Before the first of them.
+  void record_reactions() { recorder_.record_reactions(); }
+
   /// Goes on from a checkpoint of a run of the same mechanism by the same method, which this run, before its first
   /// step, need not begin at: it takes the steps of the other once more up to its start, unseen, and the rest as that
   /// one would have taken them. `work` [J] at the start.

@@ -32,7 +32,7 @@ const RetakenStep& of_step(std::size_t step, const RetakenSteps& retaken) {
 }  // namespace
 
 RunJudge::RunJudge(const StepSampling& sampling, Dynamics& dynamics, SecondTake take)
-    : length_(RelativeViolation(dynamics.system()).length()),
+    : length_(RelativeViolation::length_of(dynamics.system())),
       every_inside_(sampling.steps() <= few_steps ? 1 : every_inside),
       divisions_(sampling.steps() <= few_steps ? few_divisions : usual_divisions),
       judge_(dynamics, std::move(take), sampling.breaks()) {
@@ -53,10 +53,19 @@ double RunJudge::size(const StepError& error) const {
                   speed_ > 0.0 ? std::max(end.velocity, length_ * end.omega) / speed_ : 0.0);
 }
 
+StepError RunJudge::judge_next(std::size_t k, int divisions, bool reactions, bool inside, const RetakenStep& retaken) {
+  const auto parts = [](std::size_t steps, int times) { return static_cast<double>(steps << times); };
+  const std::size_t count = kept_.size();
+  if (progress_) progress_(done_ / (parts(count, divisions_) + parts(std::min(worst, count), divisions_of_worst)));
+  done_ += parts(1, divisions);
+  return judge_.judge(*kept_[k], reactions, inside, retaken);
+}
+
 void RunJudge::judge(const RetakenSteps& retaken) {
   judge_.divide_parts(divisions_);
   for (std::size_t k = 0; k < kept_.size(); ++k)
-    out_.steps.push_back(judge_.judge(*kept_[k], k % every_reaction == 0, k % every_inside_ == 0, of_step(k, retaken)));
+    out_.steps.push_back(
+        judge_next(k, divisions_, k % every_reaction == 0, k % every_inside_ == 0, of_step(k, retaken)));
   for (const StepError& it : out_.steps) speed_ = std::max({speed_, it.speed, length_ * it.spin});
   std::vector<std::size_t> order(out_.steps.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -80,7 +89,7 @@ RunErrors RunJudge::judge_worst(const RetakenSteps& retaken) {
   double before = 0.0, after = 0.0;
   for (std::size_t k = 0; k < worst_.size(); ++k) {
     const StepError& first = out_.steps[worst_[k]];
-    const StepError again = judge_.judge(*kept_[worst_[k]], false, false, of_step(k, retaken));
+    const StepError again = judge_next(worst_[k], divisions_of_worst, false, false, of_step(k, retaken));
     if (first.failed || again.failed) continue;
     before += size(first);
     after += size(again);
@@ -90,8 +99,9 @@ RunErrors RunJudge::judge_worst(const RetakenSteps& retaken) {
   return std::move(out_);
 }
 
-RunErrors judge_run(const StepSampling& sampling, Dynamics& dynamics, SecondTake take) {
+RunErrors judge_run(const StepSampling& sampling, Dynamics& dynamics, SecondTake take, JudgeProgress progress) {
   RunJudge judge(sampling, dynamics, std::move(take));
+  judge.report_to(std::move(progress));
   judge.judge();
   return judge.judge_worst();
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "linkwork/integration/step_judge.hpp"
@@ -21,6 +23,9 @@ struct RunErrors {
 /// Of kept steps, in their order.
 using RetakenSteps = std::vector<RetakenStep>;
 
+/// Called as each step is begun, with the share of the work that is done.
+using JudgeProgress = std::function<void(double)>;
+
 /// Judges a run by its kept steps, and then the worst of them once more in smaller parts.
 class RunJudge {
  public:
@@ -31,6 +36,7 @@ class RunJudge {
   const std::vector<const KeptStep*>& steps() const { return kept_; }
   int divisions() const { return divisions_; }
   void judge(const RetakenSteps& retaken = {});
+  void report_to(JudgeProgress progress) { progress_ = std::move(progress); }
 
   /// After that likewise.
   std::vector<const KeptStep*> worst_steps() const;
@@ -39,6 +45,7 @@ class RunJudge {
 
  private:
   double size(const StepError& error) const;
+  StepError judge_next(std::size_t k, int divisions, bool reactions, bool inside, const RetakenStep& retaken);
 
   double length_, speed_ = 0.0;
   std::size_t every_inside_;
@@ -47,8 +54,10 @@ class RunJudge {
   RunErrors out_;
   std::vector<const KeptStep*> kept_;
   std::vector<std::size_t> worst_;  ///< of them
+  JudgeProgress progress_;
+  double done_ = 0.0;  ///< parts of steps
 };
 
-RunErrors judge_run(const StepSampling& sampling, Dynamics& dynamics, SecondTake take);
+RunErrors judge_run(const StepSampling& sampling, Dynamics& dynamics, SecondTake take, JudgeProgress progress = {});
 
 }  // namespace linkwork

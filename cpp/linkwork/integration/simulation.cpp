@@ -129,6 +129,7 @@ void Simulation::trace_step(double h) {
 double Simulation::begin_step() {
   while (!finished_) {
     if (!evaluated_ && natural()) mark(steps_done_ == steps_total_ - (whole_ ? 0 : 1));
+    look_where_steps_are_long(y_.size());
     divergence_.blame(y_, t(), schedule_.step, [&] { with_time(t(), NAN, [&] { evaluate_and_record(); }); });
     finished_ = steps_done_ == steps_total_;
     kept_y_ = y_;
@@ -218,7 +219,9 @@ void Simulation::finish_step() {
   divergence_.check(y_, t_new, next_step());
   system.normalize(y_.head(system.q_size()));
   if (projects()) with_time(t_new, next_step(), [&] { projection().stabilize(t_new, y_); });
+  look_where_steps_are_long(y_.size());
   sampling_.after(t(), next_step(), kept_y_, y_);
+  look_where_steps_are_long(y_.size());
   with_time(t_new, next_step(), [&] { crossing_.look_back(t(), next_step(), kept_y_); });
   steps_done_ += 1;
   evaluated_ = false;

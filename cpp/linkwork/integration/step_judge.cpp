@@ -67,14 +67,13 @@ StepJudge::StepJudge(Dynamics& dynamics, SecondTake take, std::vector<double> br
       take_(std::move(take)),
       parts_(std::move(breaks), take_.share),
       factor_(1.0 / (1.0 - take_.left)),
-      projection_(dynamics),
-      projects_(projects_positions(dynamics.stabilization()) || projects_velocities(dynamics.stabilization())),
       violation_(dynamics.system()),
       low_(Eigen::Array3d::Constant(INFINITY)),
       high_(Eigen::Array3d::Constant(-INFINITY)),
       v_dot_(dynamics.system().v_size()),
-      lambda_(VectorXd::Zero(dynamics.system().row_count())),
-      at_(dynamics.system().make_evaluation()) {
+      lambda_(VectorXd::Zero(dynamics.system().row_count())) {
+  if (projects_positions(dynamics.stabilization()) || projects_velocities(dynamics.stabilization()))
+    projection_ = std::make_unique<Projection>(dynamics);
   take_.integrator->start(dynamics.y_size());
   if (take_.pair) {
     stepper_ = std::make_unique<PairStepper>(*take_.pair);
@@ -176,7 +175,7 @@ void StepJudge::leave_out(const std::vector<int>& rows) {
 
 void StepJudge::finish(double t) {
   dynamics_.system().normalize(y_.head(dynamics_.system().q_size()));
-  if (projects_) projection_.stabilize(t, y_);
+  if (projection_) projection_->stabilize(t, y_);
 }
 
 void StepJudge::compare(const KeptStep& step, StepError& out) {
@@ -236,12 +235,9 @@ void StepJudge::compare_reactions(const KeptStep& step, StepError& out) {
 }
 
 void StepJudge::find_reactions(double t, const VectorXd& y, Eigen::Matrix3Xd& force, Eigen::Matrix3Xd& torque) {
-  const System& system = dynamics_.system();
-  const auto q = y.head(system.q_size());
   dynamics_.evaluate(t, y);
   dynamics_.accelerations(v_dot_, lambda_);
-  system.evaluate_constraints(t, q, y.segment(system.q_size(), system.v_size()), dynamics_.history(), at_);
-  system.reactions(at_, q, lambda_, force, torque);
+  dynamics_.reactions(lambda_, force, torque);
 }
 
 }  // namespace linkwork

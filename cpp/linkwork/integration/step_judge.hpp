@@ -107,15 +107,13 @@ class StepJudge {
   SecondTake take_;
   StepParts parts_;
   double factor_;
-  Projection projection_;
-  bool projects_;
+  std::unique_ptr<Projection> projection_;  ///< where the run projects
   RelativeViolation violation_;
   Eigen::Array3d low_, high_;
   std::unique_ptr<PairStepper> stepper_;  ///< of a run that records inside of steps
   VectorXd y_, v_dot_, lambda_;
   VectorXd inside_, interpolated_;
   bool came_inside_ = false;  ///< to inside_, where the first part ends
-  Evaluation at_;
   Eigen::Matrix3Xd force_, torque_, other_force_, other_torque_;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "linkwork/math/interruption.hpp"
 #include "linkwork/math/rotation.hpp"
 #include "linkwork/math/stopwatch.hpp"
 
@@ -257,7 +258,11 @@ std::vector<RunPart> StepSampling::parts() const {
   while (chosen.size() > 2 && chosen.size() < static_cast<std::size_t>(steps_) && 2 * chosen.size() > wanted + 1)
     chosen = join_pairs(std::move(chosen));
   std::vector<RunPart> out;
-  for (const auto& it : chosen) out.push_back({it.steps, it.t, it.seconds, it.sum_of_changes, *it.any, *it.steepest});
+  InterruptionMeter meter;
+  for (const auto& it : chosen) {
+    meter.add(body_count_);
+    out.push_back({it.steps, it.t, it.seconds, it.sum_of_changes, *it.any, *it.steepest});
+  }
   return out;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "linkwork/math/error.hpp"
+#include "linkwork/math/interruption.hpp"
 #include "linkwork/math/types.hpp"
 
 namespace linkwork {
@@ -42,6 +43,7 @@ class Archive {
   }
 
   void bytes(void* values, std::size_t count) {
+    if (count > long_bytes) look_for_interruption();
     if (!reading_) {
       written_.append(static_cast<const char*>(values), count);
       return;
@@ -99,6 +101,8 @@ class Archive {
     if (reading_) value = there ? std::optional<Value>(Value{}) : std::nullopt;
     if (there) keep(*value);
   }
+
+  static constexpr std::size_t long_bytes = std::size_t{1} << 20;
 
   std::string written_;
   std::string_view unread_;

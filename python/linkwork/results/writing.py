@@ -353,7 +353,9 @@ class ResultWriter:
             self._pause()
             file.flush()
             self._pause()
-            return file.id.get_file_image(), digest
+            image = file.id.get_file_image()
+            self._pause()
+            return image, digest
 
     def _write_header(self, file: h5py.File, run: str) -> int:
         """Its digest."""

@@ -100,12 +100,21 @@ class ErrorEstimator:
         if verdict.error > GOOD:
             raise AccuracyError(f"{say(verdict, self._system.model.name)}: stopped", code="inaccurate")
 
-    def verdict(self, statistics: Mapping[str, Any], *, steps: bool = True) -> Verdict | None:
+    def verdict(
+        self,
+        statistics: Mapping[str, Any],
+        *,
+        steps: bool = True,
+        report: Callable[[float], None] | None = None,
+    ) -> Verdict | None:
         """Of the run, which is over: the system is used up. None: there was no step.
 
-        steps  whether it lists those that were taken again
+        steps   whether it lists those that were taken again
+        report  is called with the share that is done, as each is begun
         """
-        return self._of(self._system, statistics, steps=steps) if self._run.steps_done else None
+        if not self._run.steps_done:
+            return None
+        return self._of(self._system, statistics, steps=steps, report=report)
 
     def verify(
         self, result: Result, output: str | os.PathLike[str] | None, run: Callable[[dict[str, Any]], Result]
@@ -133,7 +142,14 @@ class ErrorEstimator:
             add_finer(output, finer, result.statistics)
             result._finer = Result.load(output)._finer
 
-    def _of(self, system: System, statistics: Mapping[str, Any], *, steps: bool = True) -> Verdict:
+    def _of(
+        self,
+        system: System,
+        statistics: Mapping[str, Any],
+        *,
+        steps: bool = True,
+        report: Callable[[float], None] | None = None,
+    ) -> Verdict:
         self._energies.reach(*self._run.energies)
         stateful = callbacks.changed(self._contents, self._functions)
         if stateful:
@@ -146,7 +162,7 @@ class ErrorEstimator:
                 listed = steps or bool(self._pulses)
                 found = self._run.judge(system.compiled(), *self._compiled(), steps=listed)
             else:
-                found = self._run.judge(system.compiled(), *self._compiled())
+                found = self._run.judge(system.compiled(), *self._compiled(), progress=report)
         except Exception as error:  # also of the user's functions
             return self._by_balance(f"no step could be taken again ({error})", statistics)
         verdict = estimate(found, self._energies, self._resolution(), statistics, self._before)

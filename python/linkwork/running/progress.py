@@ -136,6 +136,23 @@ def counting(show: ShowOption, total: int) -> Iterator[Callable[[int, str], None
         yield report
 
 
+@contextmanager
+def sharing(progress: ProgressOption, what: str, before: float = 0.0) -> Iterator[Callable[[float], None]]:
+    """Give a part of a run other than its steps its `report(share)`; shown as by `reporting`.
+
+    before  what the run took up to here [s]; the part of a long one is shown at once
+    """
+    started = time.monotonic()
+    with _shown(progress is None or progress is True) as shown:
+
+        def report(share: float) -> None:
+            elapsed = time.monotonic() - started
+            shown(before + elapsed, share, lambda: what + _left(elapsed, share))
+
+        report(0.0)
+        yield report
+
+
 def describe(info: ProgressInfo) -> str:
     """The numbers of the line: simulated time, rate, remaining time, step, violation."""
     left = "" if info.remaining is None else f", {time_in_words(info.remaining)} left"

@@ -29,7 +29,7 @@ from linkwork.running import breakpoints, checks, estimation, forecast, recordin
 from linkwork.running.events import Event, compile_events
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.manifest import manifest
-from linkwork.running.progress import ProgressOption, check_progress, reporting
+from linkwork.running.progress import ProgressOption, check_progress, reporting, sharing
 from linkwork.running.recording import PythonStep
 
 __all__ = ["PythonStep", "check_run", "simulate", "what_steps"]
@@ -137,7 +137,8 @@ def simulate(
         given = {"t_end": t_end, "step": step, "integrator": integrator, "rtol": rtol, "atol": atol,
                  "record_every": record_every, "breaks": breaks, "assemble": assemble,
                  "on_inaccurate": on_inaccurate, **options}  # fmt: skip
-        prepared = _prepared(model, plan, given, options, compile_events(events, model), start)
+        prepared = _prepared(model, plan, given, options, compile_events(events, model), start,
+                             in_file=output is not None)  # fmt: skip
         _check_output(output, overwrite)
         prepared = _looked_ahead(prepared, output)
     with Interrupts() as interrupts, path:
@@ -211,8 +212,13 @@ def _prepared(
     options: Options,
     watched: Sequence[tuple[str, _core.Event]],
     start: Snapshot | None,
+    *,
+    in_file: bool = False,
 ) -> Prepared:
-    """System, consistent initial state and driver. OptionError, ModelError: what cannot be run."""
+    """System, consistent initial state and driver. OptionError, ModelError: what cannot be run.
+
+    in_file  whether frames go to a file, which has reactions
+    """
     t_start = checks.start_time(start)
     stepped = what_steps(model, plan, given, options, start)
     method, options, system, assembly, breaks = stepped
@@ -228,6 +234,8 @@ def _prepared(
     if resume is not None:
         known = breakpoints.of_run(model, given["breaks"], resume.checkpoint.t, plan.t_end)
     run = plan.run(method, system, [event for _, event in watched], start, known)
+    if in_file:
+        run.record_reactions()
     if resume is not None:
         run.resume(resume.checkpoint.state, resume.work)
     chosen = {"t_start": t_start, **plan.chosen(), "integrator": _name(method), **system.options}
@@ -332,18 +340,19 @@ def _carried_out(
     log.info("%s: %g to %g s by %s", model.describe(), t_start, plan.t_end, _listed(it.chosen))
     if it.forecast is not None:
         forecast.announce(it.forecast, progress)
-    with reporting(progress, plan.t_end, run.steps_total, t_start) as report:
-        pieces = recording.pieces(run, interrupts, it.method, it.system)
-        labels, warns = it.facts["events"], it.system.options["on_singular"] == "warn"
-        with recording.kept(run, recorder, labels, checkpoints):
+    labels, warns = it.facts["events"], it.system.options["on_singular"] == "warn"
+    with recording.kept(run, recorder, labels, checkpoints):
+        with reporting(progress, plan.t_end, run.steps_total, t_start) as report:
+            pieces = recording.pieces(run, interrupts, it.method, it.system)
             spent["driver_seconds"] = recording.record(
                 run, pieces, recorder, report, labels, estimator, interrupts, warns=warns
             )
-            statistics = {**it.statistics(), **plan.steps_with_breaks(it.breaks, t_start)}
-            driven = time.perf_counter()
-            with interrupts.computing():
-                verdict = estimator.verdict(statistics)
-            spent["verdict_seconds"] = time.perf_counter() - driven
+        statistics = {**it.statistics(), **plan.steps_with_breaks(it.breaks, t_start)}
+        driven = time.perf_counter()
+        sharing_verdict = sharing(progress, "steps taken again for the verdict", driven - started)
+        with interrupts.computing(), sharing_verdict as share:
+            verdict = estimator.verdict(statistics, report=share)
+        spent["verdict_seconds"] = time.perf_counter() - driven
     seconds = time.perf_counter() - started
     log.info("%s: done, %d steps in %.3g s", model.name or "model", run.steps_done, seconds)
     found = {"verdict": verdict.numbers()} if verdict is not None else {}
