@@ -191,6 +191,7 @@ class System {
     std::ptrdiff_t D, history;  ///< places
   };
   void compile_masses();
+  void append_kind(int kind, int count);
   void compile_joints();
   void compile_special_joint(int joint, const SpecialJoint& special);
   void compile_forces();

@@ -103,6 +103,17 @@ Mat3<double> System::inverse_inertia(int body) const {
   return massless_inverses_[static_cast<std::size_t>(found - massless_.begin())];
 }
 
+void System::append_kind(int kind, int count) {
+  const JointKind& it = joint_kinds()[kind];
+  const InstructionSet instructions = instruction_set_for(count, instructions_);
+  joints_.push_back({.evaluate = it.evaluate[instructions.level],
+                     .reactions = joint_reactions(instructions),
+                     .rows = it.info.rows,
+                     .width = instructions.width,
+                     .batch = {}});
+  joints_.back().batch.reserve(count, it.info.parameters.size(), instructions.width);
+}
+
 void System::compile_joints() {
   std::vector<int> count(joint_kinds().size(), 0);
   std::vector<std::size_t> place(joint_kinds().size(), 0);
@@ -111,13 +122,7 @@ void System::compile_joints() {
   for (std::size_t kind = 0; kind < count.size(); ++kind) {
     if (count[kind] == 0) continue;
     place[kind] = joints_.size();
-    const InstructionSet instructions = instruction_set_for(count[kind], instructions_);
-    joints_.push_back({.evaluate = joint_kinds()[kind].evaluate[instructions.level],
-                       .reactions = joint_reactions(instructions),
-                       .rows = joint_kinds()[kind].info.rows,
-                       .width = instructions.width,
-                       .batch = {}});
-    joints_.back().batch.reserve(count[kind], joint_kinds()[kind].info.parameters.size(), instructions.width);
+    append_kind(static_cast<int>(kind), count[kind]);
   }
   blocks_.reserve(2 * model_.joints().size());
   for (int joint = 0; joint < joint_count(); ++joint) {

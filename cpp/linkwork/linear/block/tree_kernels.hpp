@@ -138,15 +138,9 @@ LINKWORK_INLINE void add_to_parent(const TreeStep& step, const Data& data, const
 }
 
 template <int rows, bool scattered>
-LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const double* a, const double* b,
-                                 const TurningJoint& joint, SmallestPivot& smallest) {
+LINKWORK_INLINE void factor_row_by_row(const TreeStep& step, const Data& data, const double* a, const double* b,
+                                       SmallestPivot& smallest) {
   const RowsOfStep<scattered> of{step, data};
-  if constexpr (turns<rows, scattered>) {
-    if (joint.turns) return factor_turning_step<rows, scattered>(step, data, a, joint, smallest);
-    data.factors[step.storage + TurningFactors<rows>::sign] = 0.0;
-  }
-  if constexpr (by_numbers<rows, scattered>)
-    if (factor_hinge(step, data, a, b, smallest)) return;
   Vector M[6], W[6], L[6], G[6];
   load_columns<rows>([&](int k) { return of.D_body(k); }, W);
   LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
@@ -178,6 +172,18 @@ LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const d
       G[k] -= G[c] * lane(L[k], c);
     store_packed<rows>(factors + (rows + 1) * k, G[k]);
   }
+}
+
+template <int rows, bool scattered>
+LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const double* a, const double* b,
+                                 const TurningJoint& joint, SmallestPivot& smallest) {
+  if constexpr (turns<rows, scattered>) {
+    if (joint.turns) return factor_turning_step<rows, scattered>(step, data, a, joint, smallest);
+    data.factors[step.storage + TurningFactors<rows>::sign] = 0.0;
+  }
+  if constexpr (by_numbers<rows, scattered>)
+    if (factor_hinge(step, data, a, b, smallest)) return;
+  factor_row_by_row<rows, scattered>(step, data, a, b, smallest);
 }
 
 template <int rows, bool scattered>
