@@ -132,10 +132,10 @@ template <bool grounded>
 LINKWORK_INLINE block::HingeElimination<Lanes, grounded> hinge_of(const block::TreeStep& step, const LaneData& data,
                                                                   const double* a) {
   constexpr std::ptrdiff_t stride = width;
-  const double* inertia = data.articulated_inertias + step.slot * articulated * stride;
+  const double* inertia = step.slot < 0 ? nullptr : data.articulated_inertias + step.slot * articulated * stride;
   return block::HingeElimination<Lanes, grounded>({.D_body = data.D + step.D_body * stride,
                                                    .D_parent = data.D + step.D_parent * stride,
-                                                   .articulated_inertia = step.slot >= 0 ? inertia : nullptr,
+                                                   .articulated_inertia = inertia,
                                                    .mass = data.mass + 10 * stride * step.body,
                                                    .a = a + 6 * stride * step.body,
                                                    .factors = data.factors + step.storage * stride});
@@ -157,13 +157,14 @@ void factor_hinge(const block::TreeStep& step, const LaneData& data, const doubl
   const Native size = hinge.read(b + std::ptrdiff_t{step.row} * width), pivot = hinge.release();
   smallest.note_mass(pivot);
   smallest.note_failure(~(size > splat_native(block::least_size)));
-  double* to = data.articulated_inertias + step.parent_slot * articulated * std::ptrdiff_t{width};
-  if constexpr (!grounded) LINKWORK_UNROLL
-    for (int c = 0; c < 6; ++c) LINKWORK_UNROLL
+  if constexpr (!grounded) {
+    double* to = data.articulated_inertias + step.parent_slot * articulated * std::ptrdiff_t{width};
+    LINKWORK_UNROLL for (int c = 0; c < 6; ++c) LINKWORK_UNROLL
       for (int r = c; r < 7; ++r) {
         const Native before = step.parent_begins ? own_number(step, data, a, c, r) : get(to, 8 * c + r);
         put(to, 8 * c + r, before + hinge.parent(c, r));
       }
+  }
   hinge.store_way_back();
 }
 

@@ -20,10 +20,10 @@ struct Doubles {
 
 template <bool grounded>
 LINKWORK_INLINE HingeElimination<Doubles, grounded> hinge_of(const TreeStep& step, const Data& data, const double* a) {
-  const double* inertia = data.articulated_inertias + step.slot * articulated_inertia_size;
+  const double* inertia = step.slot < 0 ? nullptr : data.articulated_inertias + step.slot * articulated_inertia_size;
   return HingeElimination<Doubles, grounded>({.D_body = data.D + step.D_body,
                                               .D_parent = data.D + step.D_parent,
-                                              .articulated_inertia = step.slot >= 0 ? inertia : nullptr,
+                                              .articulated_inertia = inertia,
                                               .mass = &data.mass[step.body].m,
                                               .a = a + 6 * step.body,
                                               .factors = data.factors + step.storage});

@@ -277,12 +277,13 @@ template <int rows, bool with_inerter>
 LINKWORK_INLINE void factor_turning_step(const TreeStep& step, const Data& data, const double* a,
                                          const TurningJoint& joint, SmallestPivot& smallest) {
   using Kind = TurningKind<rows, with_inerter>;
-  const double* M = data.articulated_inertias + step.slot * articulated_inertia_size;
   alignas(64) double own[articulated_inertia_size];
-  if (step.slot < 0) {
+  const double* M = own;
+  if (step.slot >= 0) {
+    M = data.articulated_inertias + step.slot * articulated_inertia_size;
+  } else {
     LINKWORK_UNROLL for (int c = 0; c < 6; ++c)
       store(own + c * lanes, mass_column(data.mass[step.body], c, a[6 * step.body + c]));
-    M = own;
   }
   Vector W[6];
   multiply_by_mass(joint, M, W);
