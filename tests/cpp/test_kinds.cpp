@@ -26,11 +26,19 @@ TEST_CASE("a kind that does not exist is refused with those that do") {
   CHECK_THROWS_WITH_AS(force_kind_index("sprung"), doctest::Contains("spring_damper"), OptionError);
 }
 
-TEST_CASE("a kind with more parameters than an evaluation holds is found when it is registered") {
+TEST_CASE("a kind with more parameters or rows than an evaluation holds is found when it is registered") {
   JointKind kind{};
   kind.info.name = "many";
+  kind.info.rows = 6;
   kind.info.parameters.resize(max_joint_parameters);
   CHECK_NOTHROW(checked(kind));
   kind.info.parameters.resize(max_joint_parameters + 1);
   CHECK_THROWS_WITH(checked(kind), "joint kind 'many' has 9 parameters, more than max_joint_parameters = 8");
+  kind.info.parameters.clear();
+  for (const int rows : {0, 7}) {
+    kind.info.rows = rows;
+    CHECK_THROWS_WITH(checked(kind), ("joint kind 'many' has " + std::to_string(rows) +
+                                      " rows, but two bodies have 1 to 6 that can differ")
+                                         .c_str());
+  }
 }

@@ -56,30 +56,11 @@ double body_forces(int count, const MassBlock* mass, const double* gravity, cons
 
 #else
 
+#include "linkwork/math/choice_by_instruction_set.hpp"
+
 namespace linkwork {
 
-#define LINKWORK_BODY_FORCES \
-  double body_forces(int, const MassBlock*, const double*, const double*, const double*, double*)
-namespace v2 {
-LINKWORK_BODY_FORCES;
-}
-#if LINKWORK_X86
-namespace v3 {
-LINKWORK_BODY_FORCES;
-}
-namespace v4 {
-LINKWORK_BODY_FORCES;
-}
-#endif
-
-BodyForces body_forces(const InstructionSet& instructions) {
-#if LINKWORK_X86
-  if (instructions.level == 2) return &v4::body_forces;
-  if (instructions.level == 1) return &v3::body_forces;
-#endif
-  static_cast<void>(instructions);
-  return &v2::body_forces;
-}
+LINKWORK_CHOOSE_BY_INSTRUCTION_SET(BodyForces, body_forces)
 
 }  // namespace linkwork
 

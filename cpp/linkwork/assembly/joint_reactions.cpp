@@ -137,30 +137,11 @@ void joint_reactions(const JointArrays& joints, int rows, const double* D, const
 
 #else
 
+#include "linkwork/math/choice_by_instruction_set.hpp"
+
 namespace linkwork {
 
-#define LINKWORK_JOINT_REACTIONS \
-  void joint_reactions(const JointArrays&, int, const double*, const double*, const double*, double*, double*)
-namespace v2 {
-LINKWORK_JOINT_REACTIONS;
-}
-#if LINKWORK_X86
-namespace v3 {
-LINKWORK_JOINT_REACTIONS;
-}
-namespace v4 {
-LINKWORK_JOINT_REACTIONS;
-}
-#endif
-
-JointReactions joint_reactions(const InstructionSet& instructions) {
-#if LINKWORK_X86
-  if (instructions.level == 2) return &v4::joint_reactions;
-  if (instructions.level == 1) return &v3::joint_reactions;
-#endif
-  static_cast<void>(instructions);
-  return &v2::joint_reactions;
-}
+LINKWORK_CHOOSE_BY_INSTRUCTION_SET(JointReactions, joint_reactions)
 
 }  // namespace linkwork
 

@@ -50,7 +50,7 @@ struct JointKind {
 /// An evaluation holds the parameters of a joint in an array of this size.
 constexpr std::size_t max_joint_parameters = 8;
 
-/// A std::logic_error, when the list of kinds is first read: more parameters than max_joint_parameters.
+/// A std::logic_error, when the list of kinds is first read: more parameters than max_joint_parameters, no rows or more than 6.
 JointKind checked(JointKind kind);
 
 /// Both ways to evaluate a kind, by one instruction set.

@@ -46,6 +46,9 @@ JointKind checked(JointKind kind) {
   if (kind.info.parameters.size() > max_joint_parameters)
     throw std::logic_error("joint kind '" + kind.info.name + "' has " + std::to_string(kind.info.parameters.size()) +
                            " parameters, more than max_joint_parameters = " + std::to_string(max_joint_parameters));
+  if (kind.info.rows < 1 || kind.info.rows > 6)
+    throw std::logic_error("joint kind '" + kind.info.name + "' has " + std::to_string(kind.info.rows) +
+                           " rows, but two bodies have 1 to 6 that can differ");
   return kind;
 }
 

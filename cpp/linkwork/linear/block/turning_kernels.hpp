@@ -220,6 +220,7 @@ LINKWORK_INLINE Release release(const TurningJoint& joint, const Vector* W) {
   return out;
 }
 
+/// [M; a] of a body, its own or what came together. To branch in each column makes a sweep a twelfth slower.
 LINKWORK_INLINE void load_inertia(bool own, int body, const double* articulated, const Data& data, const double* a,
                                   Vector* M) {
   if (own) LINKWORK_UNROLL
