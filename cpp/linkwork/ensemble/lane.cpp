@@ -174,7 +174,8 @@ class Lane::StepStart final : public Arrival {
 void Lane::look_ahead(std::int64_t at, const FixedSteps& steps, const Speeds& speeds, const VectorXd& y,
                       StageFactors* factors) {
   const double t = steps.time(at), h = steps.size(at);
-  StepStart start(dynamics_, t, y, recording_, factors);
+  const bool changed = std::exchange(changed_, false);
+  StepStart start(dynamics_, t, y, recording_, changed ? nullptr : factors);
   const double most = dynamics_.system().model().autonomous() ? INFINITY : steps.t_end() - t;
   const std::int64_t changes = dynamics_.watch().row_changes(), poses = dynamics_.watch().singular_poses();
   guarded(t, [&] {
@@ -183,7 +184,7 @@ void Lane::look_ahead(std::int64_t at, const FixedSteps& steps, const Speeds& sp
       if (leaping_) begin_leap(t, steps, y);
       else dynamics_.evaluate(t, y);
     }
-    moves_ = dynamics_.watch().row_changes() != changes;
+    moves_ = changed || dynamics_.watch().row_changes() != changes;
     if (!leaping_ && dynamics_.watch().singular_poses() != poses) leave(t, "the motion is in a singular pose");
     looked_ = !leaping_ && start.factorized();
   });
@@ -236,8 +237,9 @@ SingularWatch::Range Lane::usual_pivots() const {
 }
 
 void Lane::look_back(double t, double h, const VectorXd& y) {
-  const std::int64_t poses = dynamics_.watch().singular_poses();
+  const std::int64_t changes = dynamics_.watch().row_changes(), poses = dynamics_.watch().singular_poses();
   guarded(t, [&] { crossing_.look_back(t, h, y); });
+  changed_ = dynamics_.watch().row_changes() != changes;
   if (stops_ && dynamics_.watch().singular_poses() != poses) leave(t, "a singular pose was passed");
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "linkwork/ensemble/lane_fronts.hpp"
+#include "linkwork/linear/block/hinge_elimination.hpp"
 
 /// Bodies of closed loops of all lanes: the equations of block/body_kernels.hpp, and their order of operations, element
 /// by element.
@@ -73,6 +74,64 @@ LINKWORK_INLINE void reduce_row(const double* D, const double* own, const double
   }
 }
 
+LINKWORK_INLINE block::HingeElimination<Lanes, true> hinge_of(const CoreBody& body, const LaneData& data,
+                                                              const double* a) {
+  constexpr std::ptrdiff_t stride = width;
+  const double* inertia = body.slot < 0 ? nullptr : data.articulated_inertias + body.slot * articulated * stride;
+  return block::HingeElimination<Lanes, true>({.D_body = data.D + body.hinge_D * stride,
+                                               .D_parent = nullptr,
+                                               .articulated_inertia = inertia,
+                                               .mass = data.mass + 10 * stride * body.body,
+                                               .a = a + 6 * stride * body.body,
+                                               .factors = data.factors + body.hinge_factors * stride});
+}
+
+/// Of a body that turns on the ground.
+struct Turning {
+  Native direction[6], alone[6], mobility;
+};
+
+Turning turn(const CoreBody& body, const LaneData& data, const double* a, const double* b, SmallestPivots& smallest) {
+  auto hinge = hinge_of(body, data, a);
+  const Native size = hinge.read(b + std::ptrdiff_t{body.hinge_row} * width), pivot = hinge.release();
+  smallest.note_mass(pivot);
+  smallest.note_failure(~(size > splat_native(block::least_size)));
+  hinge.store_way_back();
+  Turning out{{}, {}, hinge.mobility()};
+  LINKWORK_UNROLL for (int r = 0; r < 6; ++r) {
+    out.direction[r] = hinge.direction(r);
+    out.alone[r] = hinge.alone(r);
+  }
+  return out;
+}
+
+/// Of a row of D, what a body that turns leaves of its right-hand side, and D g of one that moves along `direction`.
+template <RowForm form>
+LINKWORK_INLINE Native along(const double* D, const Native* direction) {
+  Native sum{};
+  LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
+    if (holds<false, form>(k)) sum += get(D, k) * direction[k];
+  return sum;
+}
+
+/// As add_row of a body that turns: D g, with and without 1/d.
+template <bool branches, bool right_hand_side_only, RowForm form>
+LINKWORK_INLINE void add_turning_row(int row, const FrontPlace& at, const LaneData& data, const double* own,
+                                     const double* factor, const Turning& turning, double* U) {
+  const double* D = data.D + data.rows[row].D * width;
+  const int position = data.row_positions[row];
+  put(at.right(), position, get(at.right(), position) - along<form>(D, turning.alone));
+  if constexpr (right_hand_side_only) return;
+  const Native moved = along<form>(D, turning.direction);
+  put(U, 0, moved);
+  put(U, 1, moved * turning.mobility);
+  Native B[6], d{};
+  reduce_row<branches, form>(D, own, factor, B);
+  LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
+    if (holds<branches, form>(k)) d += B[k] * (B[k] * (branches ? get(own, 9 * k) : get(factor, 3 + k)));
+  put(at.diagonal(), position, get(at.diagonal(), position) + d);
+}
+
 /// What a row of a body leaves of its right-hand side, and L^-1 D^T and D^-1 L^-1 D^T, where others read them.
 template <bool branches, bool right_hand_side_only, RowForm form>
 LINKWORK_INLINE void add_row(int row, const FrontPlace& at, const LaneData& data, const double* own,
@@ -120,6 +179,28 @@ void add_body(const CoreBody& body, const FrontPlace& at, const LaneData& data, 
     with_form(data.row_forms[row], [&](auto form) {
       add_row<branches, right_hand_side_only, form.value>(row, at, data, own, factor, y, U);
     });
+}
+
+/// The same of one that turns on the ground.
+template <bool branches, bool right_hand_side_only>
+void add_turning_body(const CoreBody& body, const FrontPlace& at, const LaneData& data, const Turning& turning) {
+  double* U = data.scratch;
+  const double* own = data.factors + body.own_factors * width;
+  const double* factor = branches ? nullptr : mass_factor_of(body, data);
+  for (int row = body.first_row; row < body.first_row + body.rows; ++row, U += 2l * width)
+    with_form(data.row_forms[row], [&](auto form) {
+      add_turning_row<branches, right_hand_side_only, form.value>(row, at, data, own, factor, turning, U);
+    });
+}
+
+/// Its part of the columns of D M^-1 D^T, from their diagonal on.
+void add_turning_columns(const CoreBody& body, const FrontPlace& at, const LaneData& data) {
+  const int* positions = data.row_positions + body.first_row;
+  for (int j = 0; j < body.rows; ++j) {
+    double* C = at.column(positions[j]);
+    const Native scaled = get(data.scratch, 2l * j + 1);
+    for (int i = j; i < body.rows; ++i) put(C, positions[i], get(C, positions[i]) + get(data.scratch, 2l * i) * scaled);
+  }
 }
 
 /// Some columns of a body's part of D M^-1 D^T; `moving`: of rows that have to do with translations.
@@ -200,10 +281,15 @@ void add_body_columns(const CoreBody& body, const FrontPlace& at, const LaneData
 }
 
 template <bool right_hand_side_only>
-void eliminate_body(const CoreBody& body, const FrontPlace& at, const LaneData& data, const double* a,
+void eliminate_body(const CoreBody& body, const FrontPlace& at, const LaneData& data, const double* a, const double* b,
                     SmallestPivots& smallest) {
-  if (body.slot >= 0) {
-    factor_mass(body, data, smallest);
+  if (body.slot >= 0) factor_mass(body, data, smallest);
+  if (body.turns()) {
+    const Turning turning = turn(body, data, a, b, smallest);
+    if (body.slot >= 0) add_turning_body<true, right_hand_side_only>(body, at, data, turning);
+    else add_turning_body<false, right_hand_side_only>(body, at, data, turning);
+    if constexpr (!right_hand_side_only) add_turning_columns(body, at, data);
+  } else if (body.slot >= 0) {
     add_body<true, right_hand_side_only>(body, at, data, a);
     if constexpr (!right_hand_side_only) add_body_columns<true>(body, at, data);
   } else {
@@ -233,10 +319,15 @@ LINKWORK_INLINE void sum_reactions(const CoreBody& body, const LaneData& data, c
     sum[k] += odd[k];
 }
 
-/// x = M^-1 (a + D^T lambda).
-void backward_body(const CoreBody& body, const LaneData& data, const double* a, double* x, const double* lambda) {
+/// x = M^-1 (a + D^T lambda), and the multipliers of a hinge on the ground.
+void backward_body(const CoreBody& body, const LaneData& data, const double* a, double* x, double* lambda) {
   Native sum[6]{};
   sum_reactions(body, data, lambda, sum);
+  if (body.turns()) {
+    constexpr std::ptrdiff_t stride = width;
+    hinge_of(body, data, a).go_back_in_loops(sum, x + 6 * stride * body.body, lambda + stride * body.hinge_row);
+    return;
+  }
   if (body.slot >= 0) {
     const double* own = data.factors + body.own_factors * width;
     Native solution[6];

@@ -239,7 +239,7 @@ void factor_loops(const LaneData& data, const double* a, const double* b, const 
     const FrontPlace at(front, data);
     if (front.childless) clear(front, data);
     for (int body = front.first_body; body < front.first_body + front.bodies; ++body)
-      eliminate_body<false>(data.bodies[body], at, data, a, smallest);
+      eliminate_body<false>(data.bodies[body], at, data, a, b, smallest);
     if (front.mixed >= 0) {
       add_hubs(data.mixed[front.mixed], at, data);
       add_hub_right_hand_sides(data.mixed[front.mixed], at, data, a);
@@ -275,7 +275,7 @@ void forward_loops(const LaneData& data, const double* a, const double* b) {
     const FrontPlace at(front, data);
     if (front.childless) clear_list(at.right(), at);
     for (int body = front.first_body; body < front.first_body + front.bodies; ++body)
-      eliminate_body<true>(data.bodies[body], at, data, a, unchanged);
+      eliminate_body<true>(data.bodies[body], at, data, a, b, unchanged);
     if (front.mixed >= 0) add_hub_right_hand_sides(data.mixed[front.mixed], at, data, a);
     forward_joints(at, data, b);
     if (front.parent < 0) continue;

@@ -177,7 +177,7 @@ void LanePack::begin_lane(int l, std::int64_t step) {
   const double t = steps_.time(step);
   const bool last = step == steps_.count();
   const VectorXd& y = watches_.state(l);
-  if (!lane.leaping() && !usual_in_redundant_rows(l)) {
+  if (!lane.leaping() && (lane.changed() || !usual_in_redundant_rows(l))) {
     Evaluation& at = lane.begin(t, y);
     stepper_.violations(l, at.Phi, at.Phi_dot);
     lane.watch_redundant_rows(t, y);

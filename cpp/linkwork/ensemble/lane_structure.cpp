@@ -168,7 +168,8 @@ bool LaneStructure::same(const Dynamics& dynamics) const {
 }
 
 bool LaneStructure::keeps_order(const Dynamics& dynamics, double pivot) const {
-  return symbolic.hubs.empty() || (pivot >= symbolic.breakdown() && !dynamics.formulation().saddle().reordered());
+  if (symbolic.hubs.empty() && !symbolic.turns()) return true;
+  return pivot >= symbolic.breakdown() && !dynamics.formulation().saddle().reordered();
 }
 
 std::string LaneStructure::refusal_of_numbers(const Dynamics& dynamics) {

@@ -1,8 +1,13 @@
 #pragma once
 
 #include "linkwork/linear/block/front_kernels.hpp"
+#include "linkwork/linear/block/hinge_kernels.hpp"
 
 /// Bodies of closed loops: their part of D M^-1 D^T and of -D M^-1 a is added to the front of their first joint.
+//
+// Of a body that a hinge holds on the ground these are D g (1/d) (D g)^T and -D x, with its direction of motion g and
+// its acceleration x without the loops. What pivots are compared with stays diag(D M^-1 D^T) of the body without its
+// hinge: a row that the hinge nearly fulfils by itself must not look like any other.
 namespace linkwork::block {
 namespace {
 
@@ -39,13 +44,50 @@ LINKWORK_INLINE Vector solve_lower(const MassFactor& factor, Vector a) {
   return a * load_first<6>(factor.inverse);
 }
 
+/// Of a body that turns on the ground.
+struct Turning {
+  double direction[6], alone[6], mobility;
+};
+
+LINKWORK_INLINE HingeElimination<Doubles, true> hinge_of(const CoreBody& body, const Data& data, const double* a) {
+  return HingeElimination<Doubles, true>({.D_body = data.D + body.hinge_D,
+                                          .D_parent = nullptr,
+                                          .articulated_inertia = articulated_inertia_at(body.slot, data),
+                                          .mass = &data.mass[body.body].m,
+                                          .a = a + 6 * body.body,
+                                          .factors = data.factors + body.hinge_factors});
+}
+
+Turning turn(const CoreBody& body, const Data& data, const double* a, const double* b, SmallestPivot& smallest) {
+  auto hinge = hinge_of(body, data, a);
+  const double size = hinge.read(b + body.hinge_row), pivot = hinge.release();
+  if (!(size > least_size && pivot > 0.0) && !(smallest.ratio < data.breakdown))
+    smallest = {size == size && pivot == pivot ? 0.0 : not_a_number, body.hinge_row};
+  hinge.store_way_back();
+  Turning out{{}, {}, hinge.mobility()};
+  LINKWORK_UNROLL for (int r = 0; r < 6; ++r) {
+    out.direction[r] = hinge.direction(r);
+    out.alone[r] = hinge.alone(r);
+  }
+  return out;
+}
+
+/// Of rows of D, by columns of them, what a body that turns leaves of their right-hand side, and D g of one that moves
+/// along `direction`.
+LINKWORK_INLINE Native along(const Native* B, const double* direction) {
+  Native sum = B[0] * splat_native(direction[0]);
+  LINKWORK_UNROLL for (int k = 1; k < 6; ++k)
+    sum += B[k] * splat_native(direction[k]);
+  return sum;
+}
+
 /// What [M; D | a] of a body leaves, D M^-1 D^T and -D M^-1 a, is added to the front. With `right_hand_side_only`
-/// nothing but the last column.
-template <bool branches, bool right_hand_side_only>
-void add_body(const CoreBody& body, const Front& front, const Data& data, const double* a) {
+/// nothing but the last column. `turning`, where given, says how it turns on the ground.
+template <bool branches, bool turns, bool right_hand_side_only>
+void add_body(const CoreBody& body, const Front& front, const Data& data, const double* a, const Turning& turning) {
   const RowVector* vectors = data.vectors + body.first_vector;
   const std::ptrdiff_t stride = lanes * static_cast<std::ptrdiff_t>(body.vectors);
-  double *U = data.scratch, *scaled = U + 6 * stride;  // L^-1 D^T, with and without D^-1
+  double *U = data.scratch, *scaled = U + 6 * stride;  // L^-1 D^T, with and without D^-1; D g, with and without 1/d
   double *right = right_hand_side_of(front, data), *diagonal = diagonal_of(front, data);
   const double* own = data.factors + body.own_factors;
   const MassFactor* factor = branches ? nullptr : data.mass_factors + body.mass_factor;
@@ -54,6 +96,12 @@ void add_body(const CoreBody& body, const Front& front, const Data& data, const 
     for (int first = 0; first < lanes; first += width) {
       Native B[6], r{}, d{};
       gather_D(vectors[v].D + first, data, B);
+      if constexpr (turns) {
+        r -= along(B, turning.alone);
+        const Native moved = along(B, turning.direction);
+        store_native(U + v * lanes + first, moved);
+        store_native(scaled + v * lanes + first, moved * splat_native(turning.mobility));
+      }
       if constexpr (branches) {
         LINKWORK_UNROLL for (int k = 0; k < 6; ++k) LINKWORK_UNROLL
           for (int c = k + 1; c < 6; ++c) B[c] -= B[k] * splat_native(own[k * lanes + c]);
@@ -62,10 +110,11 @@ void add_body(const CoreBody& body, const Front& front, const Data& data, const 
         B[5] -= B[3] * splat_native(factor->L53) + B[4] * splat_native(factor->L54);
       }
       LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
-        r -= B[k] * lane(y, k).part[0];
+        if constexpr (!turns) r -= B[k] * lane(y, k).part[0];
         if constexpr (right_hand_side_only) continue;
         const Native L = B[k] * splat_native(branches ? own[k * (lanes + 1)] : factor->inverse[k]);
         d += B[k] * L;
+        if constexpr (turns) continue;
         store_native(U + k * stride + v * lanes + first, B[k]);
         store_native(scaled + k * stride + v * lanes + first, L);
       }
@@ -75,7 +124,8 @@ void add_body(const CoreBody& body, const Front& front, const Data& data, const 
     }
 }
 
-/// The columns of D M^-1 D^T, from their diagonal on.
+/// The columns of D M^-1 D^T, from their diagonal on: products of `depth` rows.
+template <int depth>
 void add_body_columns(const CoreBody& body, const Front& front, const Data& data) {
   const RowVector* vectors = data.vectors + body.first_vector;
   const std::ptrdiff_t stride = lanes * static_cast<std::ptrdiff_t>(body.vectors);
@@ -90,37 +140,34 @@ void add_body_columns(const CoreBody& body, const Front& front, const Data& data
         for (; v + vectors_at_once <= body.vectors; v += vectors_at_once) {
           int at[vectors_at_once];
           for (int k = 0; k < vectors_at_once; ++k) at[k] = vectors[v + k].position;
-          add_product<1, 6, columns, vectors_at_once>(C, C_stride, at, U + v * lanes, scaled + begin, stride);
+          add_product<1, depth, columns, vectors_at_once>(C, C_stride, at, U + v * lanes, scaled + begin, stride);
         }
         if (v < body.vectors)
-          add_product<1, 6, columns, 1>(C, C_stride, &vectors[v].position, U + v * lanes, scaled + begin, stride);
+          add_product<1, depth, columns, 1>(C, C_stride, &vectors[v].position, U + v * lanes, scaled + begin, stride);
       });
     }
   }
 }
 
-void factor_body(const CoreBody& body, const Front& front, const Data& data, const double* a, SmallestPivot& smallest) {
-  if (body.slot >= 0) {
-    factor_mass(body, data, smallest);
-    add_body<true, false>(body, front, data, a);
-  } else {
-    add_body<false, false>(body, front, data, a);
+template <bool right_hand_side_only>
+void eliminate_body(const CoreBody& body, const Front& front, const Data& data, const double* a, const double* b,
+                    SmallestPivot& smallest) {
+  const bool branches = body.slot >= 0;
+  if (branches) factor_mass(body, data, smallest);
+  if (body.turns()) {
+    const Turning turning = turn(body, data, a, b, smallest);
+    if (branches) add_body<true, true, right_hand_side_only>(body, front, data, a, turning);
+    else add_body<false, true, right_hand_side_only>(body, front, data, a, turning);
+    if constexpr (!right_hand_side_only) add_body_columns<1>(body, front, data);
+    return;
   }
-  add_body_columns(body, front, data);
+  if (branches) add_body<true, false, right_hand_side_only>(body, front, data, a, {});
+  else add_body<false, false, right_hand_side_only>(body, front, data, a, {});
+  if constexpr (!right_hand_side_only) add_body_columns<6>(body, front, data);
 }
 
-void forward_body(const CoreBody& body, const Front& front, const Data& data, const double* a) {
-  if (body.slot >= 0) {
-    SmallestPivot unchanged;
-    factor_mass(body, data, unchanged);
-    add_body<true, true>(body, front, data, a);
-  } else {
-    add_body<false, true>(body, front, data, a);
-  }
-}
-
-/// x = M^-1 (a + D^T lambda).
-void backward_body(const CoreBody& body, const Data& data, const double* a, double* x, const double* lambda) {
+/// x = M^-1 (a + D^T lambda), and the multipliers of a hinge on the ground.
+void backward_body(const CoreBody& body, const Data& data, const double* a, double* x, double* lambda) {
   const BodyRow* rows = data.rows + body.first_row;
   Vector sum = splat(0.0), odd = splat(0.0);
   int r = 0;
@@ -130,6 +177,13 @@ void backward_body(const CoreBody& body, const Data& data, const double* a, doub
   }
   if (r < body.rows) sum += load_first<6>(data.D + rows[r].D) * splat(lambda[rows[r].row]);
   sum += odd;
+  if (body.turns()) {
+    double forces[lanes], *x_body = x + 6 * body.body;
+    store(forces, sum);
+    hinge_of(body, data, a).go_back_in_loops(forces, x_body, lambda + body.hinge_row);
+    if (body.slot >= 0) leave_for_children(load_first<6>(x_body), body.slot, data);
+    return;
+  }
   if (body.slot >= 0) {
     const double* own = data.factors + body.own_factors;
     Vector L[8], solution = load(own + 6 * lanes);

@@ -59,16 +59,17 @@ class CoreBuilder {
  public:
   CoreBuilder(const System& system, const PrunedLeaves& pruned, const std::vector<int>& slot,
               const EliminatedRows& rows, const std::vector<SymbolicFactorization::DelayedPivot>& delayed,
-              bool for_threads, SymbolicFactorization& out)
+              const CoreOptions& options, SymbolicFactorization& out)
       : system_(system), slot_(slot), rows_(rows), delayed_(delayed), out_(out) {
+    if (options.turns) find_hinges(pruned);
     for (int joint = 0; joint < system.joint_count(); ++joint)
-      if (!pruned.joints[joint]) joints_.push_back(joint);
+      if (!pruned.joints[joint] && !is_hinge(joint)) joints_.push_back(joint);
     if (joints_.empty()) return;
     choose_order();
     place_bodies();
     append_fronts();
     connect();
-    out_.front_plan = plan_work({.parent = std::move(parents_), .work = work_, .keeps = true}, for_threads);
+    out_.front_plan = plan_work({.parent = std::move(parents_), .work = work_, .keeps = true}, options.for_threads);
     place_contributions();
     out_.contribution_size = contributions_.total();
   }
@@ -81,6 +82,37 @@ class CoreBuilder {
     std::shared_ptr<const Elimination> elimination;
     double cost = 0.0;
   };
+
+  /// The hinge on the ground that each body is eliminated with: the first of its joints that can be. A body with many
+  /// joints may become a hub.
+  void find_hinges(const PrunedLeaves& pruned) {
+    hinge_of_.assign(system_.body_count(), none);
+    for (int body = 0; body < system_.body_count(); ++body) {
+      const BlockRange blocks = system_.body_blocks(body);
+      if (blocks.end() - blocks.begin() >= std::ptrdiff_t{joints_of_a_hub}) continue;
+      for (const int index : blocks) {
+        const int joint = system_.blocks()[index].joint;
+        if (hinge_of_[body] == none && !pruned.joints[joint] && holds_on_ground(joint)) hinge_of_[body] = index;
+      }
+    }
+  }
+
+  bool holds_on_ground(int joint) const {
+    constexpr int rows = 5;
+    const BlockRange blocks = system_.joint_blocks(joint);
+    const bool whole = rows_.count(joint) == rows && first_row(joint + 1) - first_row(joint) == rows;
+    return whole && rows_.next(joint) == none && blocks.end() - blocks.begin() == 1 && rows_.turning(joint);
+  }
+
+  const ConstraintBlock* hinge_of(int body) const {
+    return hinge_of_.empty() || hinge_of_[body] == none ? nullptr : &system_.blocks()[hinge_of_[body]];
+  }
+  bool is_hinge(int joint) const {
+    const BlockRange blocks = system_.joint_blocks(joint);
+    if (blocks.end() - blocks.begin() != 1) return false;
+    const ConstraintBlock* hinge = hinge_of(system_.blocks()[*blocks.begin()].body);
+    return hinge && hinge->joint == joint;
+  }
 
   int first_row(int joint) const { return system_.model().joint_rows()[joint]; }
   int joint_count() const { return static_cast<int>(joints_.size()); }
@@ -134,7 +166,7 @@ class CoreBuilder {
       } else if (!clique.empty()) {
         const double rows = std::accumulate(clique.begin(), clique.end(), 0.0,
                                             [&](double sum, int joint) { return sum + graph.weight[joint]; });
-        out.cost += 36.0 * rows + 6.0 * rows * rows;
+        out.cost += hinge_of(body) ? 36.0 * rows + rows * rows : 36.0 * rows + 6.0 * rows * rows;
         graph.cliques.add(clique);
       }
     }
@@ -201,6 +233,7 @@ class CoreBuilder {
       out.own_factors = out_.factor_size;
       out_.factor_size += own_factor_size;
     }
+    append_hinge(out);
     out.first_vector = static_cast<int>(out_.vectors.size());
     out.first_run = static_cast<int>(out_.runs.size());
     out.first_row = static_cast<int>(out_.rows.size());
@@ -223,9 +256,20 @@ class CoreBuilder {
     out.vectors = static_cast<int>(out_.vectors.size()) - out.first_vector;
     out.runs = static_cast<int>(out_.runs.size()) - out.first_run;
     out.rows = static_cast<int>(out_.rows.size()) - out.first_row;
-    out_.flops += 72.0 + 36.0 * (out.rows + 1.0) + 6.0 * (out.rows + 1.0) * (out.rows + 1.0);
-    out_.nonzeros += 21 + 6 * out.rows;
+    const double square = (out.rows + 1.0) * (out.rows + 1.0);
+    out_.flops += 72.0 + 36.0 * (out.rows + 1.0) + (out.turns() ? 200.0 + square : 6.0 * square);
+    out_.nonzeros += 21 + (out.turns() ? 18 : 6 * out.rows);
     out_.bodies.push_back(out);
+  }
+
+  void append_hinge(CoreBody& body) {
+    body.hinge_row = none;
+    const ConstraintBlock* hinge = hinge_of(body.body);
+    if (!hinge) return;
+    body.hinge_row = hinge->row;
+    body.hinge_D = hinge->offset;
+    body.hinge_factors = out_.factor_size;
+    out_.factor_size += step_storage(hinge->rows);
   }
 
   /// Rows come in the order of their positions.
@@ -410,6 +454,7 @@ class CoreBuilder {
   const EliminatedRows& rows_;
   const std::vector<SymbolicFactorization::DelayedPivot>& delayed_;
   SymbolicFactorization& out_;
+  std::vector<int> hinge_of_;  ///< the block of D, per body, or none; empty: of all
   std::vector<int> joints_, core_index_, position_;
   std::vector<int> place_;  ///< of each elimination in the front at hand: of its first row
   std::vector<std::vector<int>> bodies_of_;
@@ -423,8 +468,8 @@ class CoreBuilder {
 
 void eliminate_core(const System& system, const PrunedLeaves& pruned, const std::vector<int>& slot,
                     const EliminatedRows& rows, const std::vector<SymbolicFactorization::DelayedPivot>& delayed,
-                    bool for_threads, SymbolicFactorization& out) {
-  CoreBuilder(system, pruned, slot, rows, delayed, for_threads, out);
+                    const CoreOptions& options, SymbolicFactorization& out) {
+  CoreBuilder(system, pruned, slot, rows, delayed, options, out);
 }
 
 }  // namespace linkwork::block

@@ -8,9 +8,14 @@
 
 namespace linkwork::block {
 
+struct CoreOptions {
+  bool for_threads;  ///< in tasks for several ones
+  bool turns;        ///< bodies may be eliminated with a hinge that holds them on the ground
+};
+
 /// Fills the core: fronts of its bodies and of supernodes of joints and hubs. `slot`: see eliminate_trees.
 void eliminate_core(const System& system, const PrunedLeaves& pruned, const std::vector<int>& slot,
                     const EliminatedRows& rows, const std::vector<SymbolicFactorization::DelayedPivot>& delayed,
-                    bool for_threads, SymbolicFactorization& out);
+                    const CoreOptions& options, SymbolicFactorization& out);
 
 }  // namespace linkwork::block

@@ -244,7 +244,7 @@ void extend_add(const Front& front, const Data& data) {
 void factor_front(const Front& front, const Data& data, const double* a, const double* b, SmallestPivot& smallest) {
   if (front.childless) clear(front, data);
   for (int body = front.first_body; body < front.first_body + front.bodies; ++body)
-    factor_body(data.bodies[body], front, data, a, smallest);
+    eliminate_body<false>(data.bodies[body], front, data, a, b, smallest);
   if (front.mixed >= 0) {
     add_hubs(front, data.mixed[front.mixed], data);
     add_hub_right_hand_sides(front, data.mixed[front.mixed], data, a);
@@ -292,9 +292,10 @@ void clear_right(const Front& front, const Data& data) {
 }
 
 void forward_front(const Front& front, const Data& data, const double* a, const double* b) {
+  SmallestPivot unchanged;
   if (front.childless) clear_right(front, data);
   for (int body = front.first_body; body < front.first_body + front.bodies; ++body)
-    forward_body(data.bodies[body], front, data, a);
+    eliminate_body<true>(data.bodies[body], front, data, a, b, unchanged);
   if (front.mixed >= 0) add_hub_right_hand_sides(front, data.mixed[front.mixed], data, a);
   for (int k0 = 0; k0 < front.width; k0 += lanes)
     with_count<lanes>(depth_at(front, k0), [&](auto depth) { forward_block<depth>(front, data, k0, b); });

@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "linkwork/model/joint_kind.hpp"
+
 namespace linkwork::block {
 namespace {
 
@@ -35,6 +37,13 @@ void EliminatedRows::attach(int joint) {
   host_[joint] = host;
   count_[host] += std::exchange(count_[joint], 0);
   all_rows_[host] += all_rows_[joint];
+}
+
+bool EliminatedRows::turning(int joint) const {
+  const Model& model = system_.model();
+  if (model.special_joint(joint)) return false;
+  const JointKind& kind = joint_kinds()[model.joints()[joint].kind];
+  return kind.info.rows >= 5 && kind.holds_point;
 }
 
 /// Among those before it, on the body with the fewest: the other one may have very many.

@@ -25,6 +25,9 @@ class EliminatedRows {
   /// Of a joint, the one attached to the same host that comes behind it, or -1; it begins with the host.
   int next(int joint) const { return next_[joint]; }
 
+  /// Whether a joint holds a point and two or three rotations: its rows have the form of turning_kernels.hpp.
+  bool turning(int joint) const;
+
   /// Calls f with the blocks of D, on a body, of a joint and of those attached to it.
   template <class Function>
   void for_blocks_on(int body, int joint, const Function& f) const {

@@ -5,8 +5,11 @@
 #include "linkwork/linear/block/kernels.hpp"
 #include "linkwork/math/inline.hpp"
 
-/// Bodies of open branches on a hinge without an inerter, number by number: the equations of turning_kernels.hpp in one
-/// order of operations, for deterministic runs and for ensembles, where `Access` reads and writes numbers of all lanes.
+/// Bodies on a hinge without an inerter, number by number: the equations of turning_kernels.hpp in one order of
+/// operations, for deterministic runs and for ensembles, where `Access` reads and writes numbers of all lanes.
+///
+/// A body of closed loops that a hinge holds on the ground has one velocity u_f left: for the loops it is a body with
+/// the mobility g_f g_f^T / d and, without them, the acceleration `alone`.
 ///
 /// Of X are kept the columns that are no constants: those of the parent's rotation, of the right-hand side, and g_f.
 /// The way back finds lambda from M_b x_b - a_b, which takes fewer operations than rows for it.
@@ -60,15 +63,19 @@ class HingeElimination {
       n += X_[k][free] * W_[k][free];
       r_[6] += X_[k][free] * W_[k][right];
     }
-    const Number inverse = 1.0 / n;
+    mobility_ = 1.0 / n;
     LINKWORK_UNROLL for (int c = first; c < 3; ++c) {
       r_[c] = -W_[c][free];
       r_[3 + c] = product(c, free);
     }
     LINKWORK_UNROLL for (int c = grounded ? 6 : 0; c < 7; ++c)
-      t_[c] = -(r_[c] * inverse);
+      t_[c] = -(r_[c] * mobility_);
     return n;
   }
+
+  LINKWORK_INLINE Number mobility() const { return mobility_; }           ///< 1/d
+  LINKWORK_INLINE Number direction(int r) const { return X_[r][free]; }   ///< g_f
+  LINKWORK_INLINE Number alone(int r) const { return X_[r][right] + X_[r][free] * t_[6]; }
 
   /// Number r of column c of [M_p; a_p], r >= c, what is added to it.
   LINKWORK_INLINE Number parent(int c, int r) const {
@@ -82,6 +89,7 @@ class HingeElimination {
   LINKWORK_INLINE void store_way_back() const {
     LINKWORK_UNROLL for (int r = 0; r < 6; ++r) LINKWORK_UNROLL
       for (int c = first; c < columns; ++c) put(at_.factors, columns * r + c, X_[r][c]);
+    if constexpr (grounded) put(at_.factors, of_mobility, mobility_);
     LINKWORK_UNROLL for (int c = grounded ? 6 : 0; c < 7; ++c)
       put(at_.factors, of_t + c, t_[c]);
     LINKWORK_UNROLL for (int c = 0; c < 2; ++c) LINKWORK_UNROLL
@@ -96,9 +104,24 @@ class HingeElimination {
 
   /// x of the body from that of its parent, and lambda.
   LINKWORK_INLINE void go_back(const double* x_parent, double* x, double* lambda) {
-    Number u = get(at_.factors, of_t + 6), moved[6], rest[6];
+    Number u = get(at_.factors, of_t + 6);
     LINKWORK_UNROLL for (int c = grounded ? 6 : 0; c < 6; ++c)
       u -= get(at_.factors, of_t + c) * get(x_parent, c);
+    const Number none[6]{};
+    go_back(u, none, x_parent, x, lambda);
+  }
+  /// The same of a body in loops, on which these forces of their joints act.
+  LINKWORK_INLINE void go_back_in_loops(const Number* forces, double* x, double* lambda) {
+    static_assert(grounded);
+    Number sum = get(at_.factors, free) * forces[0];
+    LINKWORK_UNROLL for (int r = 1; r < 6; ++r)
+      sum += get(at_.factors, columns * r + free) * forces[r];
+    go_back(get(at_.factors, of_t + 6) + get(at_.factors, of_mobility) * sum, forces, nullptr, x, lambda);
+  }
+
+ private:
+  LINKWORK_INLINE void go_back(Number u, const Number* forces, const double* x_parent, double* x, double* lambda) {
+    Number moved[6], rest[6];
     LINKWORK_UNROLL for (int r = 0; r < 6; ++r) {
       moved[r] = get(at_.factors, columns * r + right) + get(at_.factors, columns * r + free) * u;
       if (!grounded && r < 3) moved[r] += get(x_parent, r);
@@ -108,6 +131,8 @@ class HingeElimination {
     LINKWORK_UNROLL for (int r = 0; r < 6; ++r)
       put(x, r, moved[r]);
     find_rest(moved, rest);
+    LINKWORK_UNROLL for (int r = 0; r < 6; ++r)
+      rest[r] -= forces[r];
     const Number s = get(at_.D_body, 0);
     LINKWORK_UNROLL for (int r = 0; r < 3; ++r) {
       rest[r] = s * rest[r];
@@ -121,10 +146,9 @@ class HingeElimination {
     }
   }
 
- private:
   static constexpr int right = 3, free = 4, columns = 5;  // of X, behind those of the parent's rotation
   static constexpr int first = grounded ? right : 0;      // that is there
-  static constexpr int of_t = 6 * columns, of_R_inverse = of_t + 7, of_force = of_R_inverse + 6;
+  static constexpr int of_t = 6 * columns, of_mobility = of_t, of_R_inverse = of_t + 7, of_force = of_R_inverse + 6;
   static constexpr int of_inertia = of_force + 6, size = of_inertia + 21;
   static_assert(size < step_storage(5));
 
@@ -221,7 +245,7 @@ class HingeElimination {
 
   const HingePlaces at_;
   Number R_inverse_[3][3];  ///< columns
-  Number X_[6][columns], W_[6][columns], M_[6][6], r_[7], t_[7];
+  Number X_[6][columns], W_[6][columns], M_[6][6], r_[7], t_[7], mobility_;
 };
 
 }  // namespace

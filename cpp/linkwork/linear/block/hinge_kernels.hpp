@@ -3,7 +3,8 @@
 #include "linkwork/linear/block/common_kernels.hpp"
 #include "linkwork/linear/block/hinge_elimination.hpp"
 
-/// Hinges of deterministic runs, which go number by number as those of ensembles do.
+/// Hinges of deterministic runs, and those that hold bodies of closed loops on the ground, which go number by number as
+/// those of ensembles do.
 namespace linkwork::block {
 namespace {
 
@@ -18,12 +19,15 @@ struct Doubles {
   static LINKWORK_INLINE void put(double* to, std::ptrdiff_t k, double x) { to[k] = x; }
 };
 
+LINKWORK_INLINE const double* articulated_inertia_at(int slot, const Data& data) {
+  return slot < 0 ? nullptr : data.articulated_inertias + slot * articulated_inertia_size;
+}
+
 template <bool grounded>
 LINKWORK_INLINE HingeElimination<Doubles, grounded> hinge_of(const TreeStep& step, const Data& data, const double* a) {
-  const double* inertia = step.slot < 0 ? nullptr : data.articulated_inertias + step.slot * articulated_inertia_size;
   return HingeElimination<Doubles, grounded>({.D_body = data.D + step.D_body,
                                               .D_parent = data.D + step.D_parent,
-                                              .articulated_inertia = inertia,
+                                              .articulated_inertia = articulated_inertia_at(step.slot, data),
                                               .mass = &data.mass[step.body].m,
                                               .a = a + 6 * step.body,
                                               .factors = data.factors + step.storage});

@@ -73,6 +73,8 @@ struct Front {
 /// rows have a place.
 ///
 /// `vectors` of the front's positions hold its rows; the rows stand in these, one after the other, in the same lanes.
+///
+/// One that turns on the ground is eliminated with that hinge, which is part of no front: see HingeElimination.
 struct CoreBody {
   int body;
   int slot;         ///< of its articulated inertia, or -1 for a body without branches
@@ -81,6 +83,10 @@ struct CoreBody {
   int first_run, runs;         ///< of its rows, in `runs`: where they stand in the vectors, and in the front
   int first_row, rows;         ///< in `rows`
   std::ptrdiff_t own_factors;  ///< of a body with branches: place of L and of D^-1 L^-1 a
+  int hinge_row;               ///< the first of the hinge, or -1
+  std::ptrdiff_t hinge_D, hinge_factors;
+
+  bool turns() const { return hinge_row >= 0; }
 };
 
 /// Eight positions of a front from `position` on, and where the rows of D stand that belong there, or a row of

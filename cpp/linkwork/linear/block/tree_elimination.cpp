@@ -4,8 +4,6 @@
 #include <numeric>
 #include <utility>
 
-#include "linkwork/model/joint_kind.hpp"
-
 namespace linkwork::block {
 namespace {
 
@@ -40,13 +38,6 @@ class TreeBuilder {
     const int index = pruned_.inboard_block[body];
     if (!pruned_.bodies[body] || index == none) return none;
     return other_body(system_, system_.blocks()[index]);
-  }
-
-  bool turning(int joint) const {
-    const Model& model = system_.model();
-    if (model.special_joint(joint)) return false;
-    const JointKind& kind = joint_kinds()[model.joints()[joint].kind];
-    return kind.info.rows >= 5 && kind.holds_point;
   }
 
   void group_children() {
@@ -88,7 +79,7 @@ class TreeBuilder {
       step.row = block.row;
       step.rows = block.rows;
       step.D_body = block.offset;
-      step.turning = turning(block.joint);
+      step.turning = rows_.turning(block.joint);
       for (const int other : system_.joint_blocks(block.joint))
         if (other != index) step.D_parent = system_.blocks()[other].offset;
       if (rows_.next(block.joint) != none) append_rows(block.joint, step);
