@@ -9,7 +9,7 @@
 #include "linkwork/linear/block/symbolic_factorization.hpp"
 #include "linkwork/math/error.hpp"
 #include "linkwork/model/special/coupler.hpp"
-#include "support.hpp"
+#include "mechanisms.hpp"
 
 using namespace support;
 
@@ -145,6 +145,104 @@ TEST_CASE("loops closed by every kind of joint, dependent rows included, are sol
     for (int trial = 0; trial < 20; ++trial) {
       const System system(loops(random, random.integer(3, 25)));
       check_solves(solver, system, random, true);
+    }
+  });
+}
+
+namespace {
+
+/// Bodies on hinges on the ground, some with branches; each is joined to the next by a body, or a rod.
+Model turning_bodies(Random& random, int count, bool branches) {
+  Model model;
+  for (int k = 0; k < count; ++k) {
+    const std::string number = std::to_string(k);
+    const int body = model.add_body("body" + number, random_body(random));
+    if (k % 4 < 3) add_joint(model, random, "revolute", "hinge" + number, ground, body);
+  }
+  for (int k = 0; k < count; ++k) {
+    const std::string number = std::to_string(k);
+    const int next = (k + 1) % count;
+    if (k % 2 == 0) {
+      add_joint(model, random, "distance", "rod" + number, k, next);
+    } else {
+      const int coupler = model.add_body("coupler" + number, random_body(random));
+      add_joint(model, random, "universal", "left" + number, k, coupler);
+      add_joint(model, random, "distance", "right" + number, coupler, next);
+    }
+    if (!branches) continue;
+    const int branch = model.add_body("branch" + number, random_body(random));
+    add_joint(model, random, k % 3 ? "revolute" : "cylindrical", "branch" + number, k, branch);
+  }
+  return model;
+}
+
+int count_turning(const System& system) {
+  const block::SymbolicFactorization symbolic(system);
+  int out = 0;
+  for (const block::CoreBody& body : symbolic.bodies) out += body.turns();
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("bodies of loops that turn on the ground are solved, with branches and where hinges yield, too") {
+  for_every_instruction_set([](SaddleSolver& solver) {
+    Random random(16);
+    for (int trial = 0; trial < 40; ++trial) {
+      const int count = random.integer(4, 12);
+      const System system(turning_bodies(random, count, trial % 2 == 1));
+      CHECK(count_turning(system) == count - count / 4);
+      check_solves(solver, system, random, false);
+      check_solves(solver, system, random, true);
+      CHECK(solver.reordered());  // hinges that yield are joints like others
+      check_solves(solver, system, random, false);
+      CHECK(!solver.reordered());
+    }
+  });
+}
+
+TEST_CASE("bodies of loops on a hinge on the ground that is violated by far are solved as others are") {
+  for_every_instruction_set([](SaddleSolver& solver) {
+    Random random(17);
+    int reordered = 0;
+    for (int trial = 0; trial < 20; ++trial) {
+      Model model;
+      for (int body = 0; body < 3; ++body) {
+        model.add_body("body" + std::to_string(body), random_body(random));
+        model.add_joint("revolute", "hinge" + std::to_string(body), ground, body, random_attachment(random));
+      }
+      for (int body = 0; body < 2; ++body)
+        add_joint(model, random, "distance", "rod" + std::to_string(body), body, body + 1);
+      const System system(model);
+      CHECK(count_turning(system) == 3);
+      check_solves(solver, system, random, false);
+      reordered += solver.reordered();
+    }
+    CHECK(reordered > 1);
+    CHECK(reordered < 19);
+  });
+}
+
+TEST_CASE("a row that a hinge on the ground nearly fulfils by itself is a small pivot") {
+  for_every_instruction_set([](SaddleSolver& solver) {
+    for (const double angle : {0.5, 1e-2, 1e-4, 1e-6}) {
+      INFO("at ", angle);
+      Model model;  // a crank, and a rod from its pin almost straight on to the ground
+      const Vec3<double> pin(0.4, 0.0, 0.0), far(0.4 + std::cos(angle), std::sin(angle), 0.0);
+      const int crank = model.add_body("crank", body_at({0.2, 0.0, 0.0}));
+      join(model, "revolute", "bearing", ground, crank, {0.0, 0.0, 0.0});
+      Attachment<double> at{far, pin - Vec3<double>(0.2, 0.0, 0.0), Mat3<double>::Identity(), Mat3<double>::Identity()};
+      model.add_joint("distance", "rod", ground, crank, at, {Parameter{1.0}});
+      const System system(model);
+      REQUIRE(count_turning(system) == 1);
+      const Evaluation evaluation = evaluate_initially(system);
+      solver.analyze(system, evaluation);
+      solver.factorize(evaluation, VectorXd());
+      const MatrixXd M = dense_M(model), D = dense_D(system, evaluation), S = dense_delassus(M, D);
+      const MatrixXd first = S.topLeftCorner(5, 5);
+      const VectorXd s = S.col(5).head(5);
+      const double pivot = (S(5, 5) - s.dot(dense_solution(first, s))) / S(5, 5);
+      CHECK(solver.smallest_pivot() == doctest::Approx(pivot).epsilon(1e-3));
     }
   });
 }

@@ -166,8 +166,8 @@ void eliminate_body(const CoreBody& body, const Front& front, const Data& data, 
   if constexpr (!right_hand_side_only) add_body_columns<6>(body, front, data);
 }
 
-/// x = M^-1 (a + D^T lambda), and the multipliers of a hinge on the ground.
-void backward_body(const CoreBody& body, const Data& data, const double* a, double* x, double* lambda) {
+/// D^T lambda: those in odd places apart.
+LINKWORK_INLINE Vector sum_reactions(const CoreBody& body, const Data& data, const double* lambda) {
   const BodyRow* rows = data.rows + body.first_row;
   Vector sum = splat(0.0), odd = splat(0.0);
   int r = 0;
@@ -176,37 +176,46 @@ void backward_body(const CoreBody& body, const Data& data, const double* a, doub
     odd += load_first<6>(data.D + rows[r + 1].D) * splat(lambda[rows[r + 1].row]);
   }
   if (r < body.rows) sum += load_first<6>(data.D + rows[r].D) * splat(lambda[rows[r].row]);
-  sum += odd;
+  return sum + odd;
+}
+
+/// M^-1 (a + forces) of a body with branches.
+LINKWORK_INLINE Vector accelerate(const CoreBody& body, const Data& data, Vector forces) {
+  const double* own = data.factors + body.own_factors;
+  Vector L[8], solution = load(own + 6 * lanes);
+  LINKWORK_UNROLL for (int k = 0; k < 8; ++k)
+    L[k] = k < 6 ? load(own + k * lanes) : splat(0.0);
+  LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
+    const Vector known = lane(forces, k);
+    solution += unit(k) * L[k] * known;
+    forces -= L[k] * lanes_after(k) * known;
+  }
+  transpose(L);
+  LINKWORK_UNROLL for (int k = 5; k > 0; --k)
+    solution -= (L[k] * lanes_before(k)) * lane(solution, k);
+  return solution;
+}
+
+/// x = M^-1 (a + D^T lambda), and the multipliers of a hinge on the ground.
+void backward_body(const CoreBody& body, const Data& data, const double* a, double* x, double* lambda) {
+  Vector sum = sum_reactions(body, data, lambda);
+  double* x_body = x + 6 * body.body;
   if (body.turns()) {
-    double forces[lanes], *x_body = x + 6 * body.body;
+    alignas(64) double forces[lanes];
     store(forces, sum);
     hinge_of(body, data, a).go_back_in_loops(forces, x_body, lambda + body.hinge_row);
-    if (body.slot >= 0) leave_for_children(load_first<6>(x_body), body.slot, data);
-    return;
+  } else if (body.slot >= 0) {
+    store_first<6>(x_body, accelerate(body, data, sum));
   }
-  if (body.slot >= 0) {
-    const double* own = data.factors + body.own_factors;
-    Vector L[8], solution = load(own + 6 * lanes);
-    LINKWORK_UNROLL for (int k = 0; k < 8; ++k)
-      L[k] = k < 6 ? load(own + k * lanes) : splat(0.0);
-    LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
-      const Vector known = lane(sum, k);
-      solution += unit(k) * L[k] * known;
-      sum -= L[k] * lanes_after(k) * known;
-    }
-    transpose(L);
-    LINKWORK_UNROLL for (int k = 5; k > 0; --k)
-      solution -= (L[k] * lanes_before(k)) * lane(solution, k);
-    store_first<6>(x + 6 * body.body, solution);
-    return leave_for_children(solution, body.slot, data);
-  }
+  if (body.slot >= 0) return leave_for_children(load_first<6>(x_body), body.slot, data);
+  if (body.turns()) return;
   sum += load_first<6>(a + 6 * body.body);
   const MassFactor& factor = data.mass_factors[body.mass_factor];
-  if (factor.diagonal) return store_first<6>(x + 6 * body.body, sum * load_first<6>(factor.inverse));
+  if (factor.diagonal) return store_first<6>(x_body, sum * load_first<6>(factor.inverse));
   Vector solution = solve_lower(factor, sum);
   solution -= unit(4) * splat(factor.L54) * lane(solution, 5);
   solution -= unit(3) * (splat(factor.L43) * lane(solution, 4) + splat(factor.L53) * lane(solution, 5));
-  store_first<6>(x + 6 * body.body, solution);
+  store_first<6>(x_body, solution);
 }
 
 }  // namespace
