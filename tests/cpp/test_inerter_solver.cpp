@@ -158,7 +158,7 @@ TEST_CASE("inertances from nothing to rigidity are solved, along what moves and 
     check_by_block(System(model), random, false, 1e-11);
     if (inertance > 1e6) continue;  // as hard as joints that contradict each other, along what does not move
     for (int kind = 0; kind < 3; ++kind) add_inerter(model, random, kind, inertance, 2 * kind - 1, 2 * kind);
-    check_by_block(System(model), random, false, 1e-9);
+    check_by_block(System(model), random, false, 1e-8);  // roundoff of the rows times 1e6
   }
 }
 

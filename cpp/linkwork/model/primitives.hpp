@@ -176,28 +176,39 @@ LINKWORK_PRIMITIVE void angle_of(const BodyState<Real>& i, const BodyState<Real>
   out.gamma[0] += Real(2) * scale * rate * (c.Phi * c_dot + s.Phi * s_dot);
 }
 
+/// Of x_j about z_i: proportional to the cosine and the sine of its angle.
+template <class Real>
+struct Heading {
+  Real c, s;
+};
+
+// The row of the angle of x_j against x_i about z_i without the angle itself. In axes of i, where C = A_i^T A_j, b = C x_j
+// and w = C w_j - w_i: c = x_i . b, s = y_i . b, n = (c y_i - s x_i) / (c^2 + s^2), to which b is normal, d = b x n;
+// exact in every pose, whatever c^2 + s^2 is.
+// Phi_dot = w . d,   D_i = [0, -d^T],   D_j = [0, (C^T d)^T]
+// gamma = (w_i x C w_j) . d - (w . n) (w . b) + 2 Phi_dot (c c_dot + s s_dot) / (c^2 + s^2),   b_dot = w x b
+template <class Real>
+LINKWORK_PRIMITIVE Heading<Real> turning(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& x_i,
+                                         const Vec3<Real>& y_i, const Vec3<Real>& x_j, Rows<Real, 1> out) {
+  const Vec3<Real> b = i.A.transpose() * (j.A * x_j), omega_j = i.A.transpose() * (j.A * j.omega);
+  const Real c = x_i.dot(b), s = y_i.dot(b), scale = Real(1) / (c * c + s * s);
+  const Vec3<Real> n = scale * c * y_i - scale * s * x_i, d = b.cross(n), omega = omega_j - i.omega;
+  const Vec3<Real> b_dot = omega.cross(b);
+  set_row<Real>(out.D_i, 0, Vec3<Real>::Zero(), -d);
+  set_row<Real>(out.D_j, 0, Vec3<Real>::Zero(), j.A.transpose() * (i.A * d));
+  out.Phi[0] = out.Phi_t[0] = Real(0);
+  out.gamma[0] = i.omega.cross(omega_j).dot(d) - omega.dot(n) * omega.dot(b) +
+                 Real(2) * scale * omega.dot(d) * (c * x_i.dot(b_dot) + s * y_i.dot(b_dot));
+  return {c, s};
+}
+
 // Phi = the angle of x_j against x_i about z_i [rad], in (-pi, pi].
 template <class Real>
 LINKWORK_PRIMITIVE void angle(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& x_i,
                               const Vec3<Real>& y_i, const Vec3<Real>& x_j, Rows<Real, 1> out) {
-  Equation<Real> s, c;
-  perpendicular<Real>(i, j, y_i, x_j, s.rows());
-  perpendicular<Real>(i, j, x_i, x_j, c.rows());
-  angle_of<Real>(i, j, s, c, out);
-}
-
-// The row of that angle without the angle itself. With b = A_i^T A_j x_j, c = x_i . b, s = y_i . b it is that of
-// n . b = 0 for n = (c y_i - s x_i) / (c^2 + s^2), as if n were fixed in i; its gamma has beside that
-//   2 Phi_dot (c c_dot + s s_dot) / (c^2 + s^2),   c_dot = x_i . b_dot, s_dot = y_i . b_dot, Phi_dot = n . b_dot
-template <class Real>
-LINKWORK_PRIMITIVE void turning(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& x_i,
-                                const Vec3<Real>& y_i, const Vec3<Real>& x_j, Rows<Real, 1> out) {
-  const Vec3<Real> b = i.A.transpose() * (j.A * x_j);
-  const Vec3<Real> b_dot = i.A.transpose() * (j.A * j.omega.cross(x_j)) - i.omega.cross(b);
-  const Real c = x_i.dot(b), s = y_i.dot(b), scale = Real(1) / (c * c + s * s);
-  const Vec3<Real> n = scale * c * y_i - scale * s * x_i;
-  perpendicular<Real>(i, j, n, x_j, out);
-  out.gamma[0] += Real(2) * scale * n.dot(b_dot) * (c * x_i.dot(b_dot) + s * y_i.dot(b_dot));
+  using elementary::arc_tangent;
+  const Heading<Real> heading = turning<Real>(i, j, x_i, y_i, x_j, out);
+  out.Phi[0] = arc_tangent(heading.s, heading.c);
 }
 
 // Phi = the angle about z_i of the direction from the point of i to the point of j [rad], in (-pi, pi].
