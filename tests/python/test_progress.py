@@ -118,6 +118,40 @@ def test_a_part_of_a_run_other_than_its_steps_says_what_it_is_and_how_long_it_ta
     assert on_a_terminal("False", 2.5, of_long_run) == on_a_terminal("None", 0.5, own) == ""
 
 
+PREPARES = """
+import time
+from linkwork.running.progress import preparing
+with preparing({progress}, "preparing the run"):
+    time.sleep({seconds})  # says nothing itself
+print("done")
+"""
+
+AFTER_LONG_SETUP = """
+import time
+from linkwork.running.progress import reporting
+with reporting({progress}, 10.0, 100, before=9.0):
+    time.sleep({seconds})
+print("done")
+"""
+
+
+def test_what_says_nothing_of_itself_is_told_of_while_it_lasts() -> None:
+    written = on_a_terminal("None", 3.5, PREPARES)
+    assert re.search(r"preparing the run, 2 s", written) and re.search(r"preparing the run, 3 s", written)
+    assert "%" not in written  # nobody knows its share
+    assert on_a_terminal("None", 0.5, PREPARES) == on_a_terminal("False", 2.5, PREPARES) == ""
+
+
+def test_what_fails_while_it_is_told_of_fails_as_ever() -> None:
+    with pytest.raises(ZeroDivisionError), progress.preparing(None, "preparing the run"):
+        _ = 1 / 0
+
+
+def test_the_first_frame_of_a_long_run_is_waited_for_before_a_line() -> None:
+    assert "t = 0 of 10 s" in on_a_terminal("None", 0.0, AFTER_LONG_SETUP)
+    assert on_a_terminal("False", 0.0, AFTER_LONG_SETUP) == ""
+
+
 NOTEBOOK = """
 import sys, types
 shown = []

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import logging
 import sys
+import threading
 import time
 import uuid
 from collections.abc import Callable, Iterator
@@ -33,6 +34,9 @@ SILENT_SECONDS = 2.0
 
 #: Of the bar on a terminal, in characters.
 BAR = 16
+
+#: Between two looks at work whose share is not known [s].
+WORKING_SECONDS = 0.25
 
 #: Between two lines in a log, and between two updates in a notebook [s].
 LOG_SECONDS, NOTEBOOK_SECONDS = 10.0, 0.5
@@ -93,30 +97,33 @@ def check_progress(progress: ProgressOption) -> None:
 
 @contextmanager
 def reporting(
-    progress: ProgressOption, t_end: float, steps_total: int = 0, t_start: float = 0.0
+    progress: ProgressOption, t_end: float, steps_total: int = 0, t_start: float = 0.0, before: float = 0.0
 ) -> Iterator[Report]:
     """Give the run its `report(t, steps_done, violation)`; a line that was shown is cleared at the end.
 
     `progress`: None = automatic (a line where the run takes more than two seconds and standard error is a
     terminal or the program a notebook), False = nothing, or a function that is called with a ProgressInfo at
-    every report. The log is written in any case, every ten seconds, where its level allows.
+    every report. The log is written in any case, every ten seconds, where its level allows. `before` is what
+    the run took up to here [s]: where that is long, the line is there before the first report.
     """
     started = time.monotonic()
-    before = t_start, 0
+    last = t_start, 0
     with _shown(progress is None or progress is True) as show:
+        if before:
+            show(before, 0.0, lambda: f"t = {t_start:.4g} of {t_end:g} s")
 
         def report(t: float, steps_done: int, violation: float | None = None) -> None:
-            nonlocal before
+            nonlocal last
             t = max(t, t_start)  # one that is resumed takes some steps again
-            taken = steps_done - before[1]
-            step = (t - before[0]) / taken if taken > 0 and before[1] > 0 else None
-            before = t, steps_done
+            taken = steps_done - last[1]
+            step = (t - last[0]) / taken if taken > 0 and last[1] > 0 else None
+            last = t, steps_done
             elapsed = time.monotonic() - started
             info = ProgressInfo(
                 t=t, t_end=t_end, steps_done=steps_done, steps_total=steps_total, elapsed=elapsed, step=step,
                 violation=violation, t_start=t_start,
             )  # fmt: skip
-            show(info.elapsed, info.fraction, lambda: describe(info))
+            show(before + info.elapsed, info.fraction, lambda: describe(info))
             if callable(progress):
                 progress(info)
 
@@ -153,6 +160,34 @@ def sharing(progress: ProgressOption, what: str, before: float = 0.0) -> Iterato
         yield report
 
 
+@contextmanager
+def preparing(progress: ProgressOption, what: str, before: float = 0.0) -> Iterator[None]:
+    """Tell of work whose share is not known, as it lasts; shown as by `reporting`.
+
+    before  what the run took up to here [s]
+    """
+    started = time.monotonic() - before
+    with _shown(progress is None or progress is True) as show:
+        done = threading.Event()
+
+        def elapsed() -> float:
+            return time.monotonic() - started
+
+        def tell() -> None:
+            while not done.wait(WORKING_SECONDS):
+                show(elapsed(), None, lambda: f"{what}, {time_in_words(elapsed())}")
+
+        teller = threading.Thread(target=tell, daemon=True)
+        if show.displays:
+            teller.start()
+        try:
+            yield
+        finally:
+            done.set()
+            if show.displays:
+                teller.join()
+
+
 def describe(info: ProgressInfo) -> str:
     """The numbers of the line: simulated time, rate, remaining time, step, violation."""
     left = "" if info.remaining is None else f", {time_in_words(info.remaining)} left"
@@ -179,24 +214,33 @@ class _Display(Protocol):
 
     seconds: float
 
-    def show(self, fraction: float, text: str) -> None: ...
+    def show(self, fraction: float | None, text: str) -> None: ...
     def close(self) -> None: ...
 
 
-@contextmanager
-def _shown(wanted: bool) -> Iterator[Callable[[float, float, Callable[[], str]], None]]:
-    """show(elapsed, fraction, text) on all displays that there are; the text is made when it is needed."""
-    displays = [*(_screens() if wanted else []), *([_Log()] if log.isEnabledFor(logging.INFO) else [])]
-    due = {display: max(SILENT_SECONDS, display.seconds) for display in displays}
+class _Show:
+    """show(elapsed, fraction, text) on displays; the text is made when it is needed.
 
-    def show(elapsed: float, fraction: float, text: Callable[[], str]) -> None:
-        for display, when in due.items():
+    A fraction is None where nobody knows it.
+    """
+
+    def __init__(self, displays: list[_Display]) -> None:
+        self.displays = displays
+        self._due = {display: max(SILENT_SECONDS, display.seconds) for display in displays}
+
+    def __call__(self, elapsed: float, fraction: float | None, text: Callable[[], str]) -> None:
+        for display, when in self._due.items():
             if elapsed >= when:
                 display.show(fraction, text())
-                due[display] = elapsed + display.seconds
+                self._due[display] = elapsed + display.seconds
 
+
+@contextmanager
+def _shown(wanted: bool) -> Iterator[_Show]:
+    """On all displays that there are."""
+    displays = [*(_screens() if wanted else []), *([_Log()] if log.isEnabledFor(logging.INFO) else [])]
     try:
-        yield show
+        yield _Show(displays)
     finally:
         for display in displays:
             display.close()
@@ -222,11 +266,11 @@ class _Terminal:
     def __init__(self) -> None:
         self._progress: Progress | None = None
 
-    def show(self, fraction: float, text: str) -> None:
+    def show(self, fraction: float | None, text: str) -> None:
         if self._progress is None:
             self._progress = _terminal_progress()
             self._progress.start()
-            self._progress.add_task("", total=1.0)
+            self._progress.add_task("", total=None if fraction is None else 1.0)
         text = fitting(text, self._progress.console.width - BAR - len(" 100%  "))
         self._progress.update(self._progress.task_ids[0], completed=fraction, description=text)
 
@@ -244,8 +288,8 @@ class _Notebook:
         self._name = uuid.uuid4().hex
         self._shown = False
 
-    def show(self, fraction: float, text: str) -> None:
-        self._display(f"{100 * fraction:3.0f} %  {text}")
+    def show(self, fraction: float | None, text: str) -> None:
+        self._display(text if fraction is None else f"{100 * fraction:3.0f} %  {text}")
 
     def close(self) -> None:
         if self._shown:
@@ -264,8 +308,8 @@ class _Log:
 
     seconds = LOG_SECONDS
 
-    def show(self, fraction: float, text: str) -> None:
-        log.info("%.0f %%, %s", 100 * fraction, text)
+    def show(self, fraction: float | None, text: str) -> None:
+        log.info("%s", text if fraction is None else f"{100 * fraction:.0f} %, {text}")
 
     def close(self) -> None:
         pass

@@ -29,7 +29,7 @@ from linkwork.running import breakpoints, checks, estimation, forecast, recordin
 from linkwork.running.events import Event, compile_events
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.manifest import manifest
-from linkwork.running.progress import ProgressOption, check_progress, reporting, sharing
+from linkwork.running.progress import ProgressOption, check_progress, preparing, reporting, sharing
 from linkwork.running.recording import PythonStep
 
 __all__ = ["PythonStep", "check_run", "simulate", "what_steps"]
@@ -125,14 +125,15 @@ def simulate(
     """
     started = time.perf_counter()
     path = _core.OnePath(options.get("deterministic") is True)
-    with Interrupts() as interrupts, interrupts.computing(), recording.StopIterationIsError(), path:
+    check_progress(progress)
+    with (Interrupts() as interrupts, interrupts.computing(), recording.StopIterationIsError(), path,
+          preparing(progress, "preparing the run")):  # fmt: skip
         checks.check_bodies(model)
         for name in options:
             check_option(name, TABLE)
         t_start = checks.start_time(start)
         size = recording.frame_bytes(model)
         plan = schedule.plan(t_end, step, rtol, atol, record_every, times, size, t_start)
-        check_progress(progress)
         _check_choices(on_inaccurate, assemble=assemble, verify=verify)
         given = {"t_end": t_end, "step": step, "integrator": integrator, "rtol": rtol, "atol": atol,
                  "record_every": record_every, "breaks": breaks, "assemble": assemble,
@@ -334,7 +335,8 @@ def _carried_out(
     with interrupts.computing():
         estimator = estimator or estimator_of(it)
         header = it.header()
-    recorder = recording.recorder(output, header, checkpoints, interrupts)
+    with preparing(progress, f"beginning '{output}'", time.perf_counter() - started):
+        recorder = recording.recorder(output, header, checkpoints, interrupts)
     model, run, plan, t_start = it.system.model, it.run, it.plan, it.t_start
     spent = {"setup_seconds": time.perf_counter() - started}
     log.info("%s: %g to %g s by %s", model.describe(), t_start, plan.t_end, _listed(it.chosen))
@@ -342,7 +344,7 @@ def _carried_out(
         forecast.announce(it.forecast, progress)
     labels, warns = it.facts["events"], it.system.options["on_singular"] == "warn"
     with recording.kept(run, recorder, labels, checkpoints):
-        with reporting(progress, plan.t_end, run.steps_total, t_start) as report:
+        with reporting(progress, plan.t_end, run.steps_total, t_start, spent["setup_seconds"]) as report:
             pieces = recording.pieces(run, interrupts, it.method, it.system)
             spent["driver_seconds"] = recording.record(
                 run, pieces, recorder, report, labels, estimator, interrupts, warns=warns
