@@ -117,7 +117,7 @@ TEST_CASE("open branches of every kind of joint are solved on every instruction 
   });
 }
 
-TEST_CASE("hinges and welds that are violated by far are solved, too") {
+TEST_CASE("hinges, welds and sliders on the ground that are violated by far are solved, too") {
   for_every_instruction_set([](SaddleSolver& solver) {
     Random random(13);
     int turned_away = 0;  // axes that are nearly perpendicular
@@ -127,7 +127,8 @@ TEST_CASE("hinges and welds that are violated by far are solved, too") {
         model.add_body("body" + std::to_string(body), random_body(random));
         const Attachment<double> at = random_attachment(random);
         const int i = random.integer(ground, body - 1);
-        model.add_joint(body % 3 == 2 ? "fixed" : "revolute", "joint" + std::to_string(body), i, body, at);
+        const char* kind = body % 3 == 2 ? "fixed" : i == ground && body % 2 == 1 ? "translational" : "revolute";
+        model.add_joint(kind, "joint" + std::to_string(body), i, body, at);
         const Mat3<double> A_i = i == ground ? Mat3<double>(Mat3<double>::Identity())
                                              : rotation_matrix<double>(model.bodies()[i].orientation);
         const Vec3<double> z_j = rotation_matrix<double>(model.bodies()[body].orientation) * at.C_j.col(2);
@@ -151,13 +152,16 @@ TEST_CASE("loops closed by every kind of joint, dependent rows included, are sol
 
 namespace {
 
-/// Bodies on hinges on the ground, some with branches; each is joined to the next by a body, or a rod.
-Model turning_bodies(Random& random, int count, bool branches) {
+/// Bodies on hinges and sliders on the ground, some with branches; each is joined to the next by a body, or a rod.
+Model grounded_bodies(Random& random, int count, bool branches) {
   Model model;
   for (int k = 0; k < count; ++k) {
     const std::string number = std::to_string(k);
     const int body = model.add_body("body" + number, random_body(random));
-    if (k % 4 < 3) add_joint(model, random, "revolute", "hinge" + number, ground, body);
+    const char* kind = k % 4 == 1 ? "translational" : "revolute";
+    if (k % 4 == 3) continue;
+    if (k % 3) add_joint(model, random, kind, "guide" + number, ground, body);
+    else add_joint(model, random, kind, "guide" + number, body, ground);
   }
   for (int k = 0; k < count; ++k) {
     const std::string number = std::to_string(k);
@@ -176,32 +180,32 @@ Model turning_bodies(Random& random, int count, bool branches) {
   return model;
 }
 
-int count_turning(const System& system) {
+int count_grounded(const System& system) {
   const block::SymbolicFactorization symbolic(system);
   int out = 0;
-  for (const block::CoreBody& body : symbolic.bodies) out += body.turns();
+  for (const block::CoreBody& body : symbolic.bodies) out += body.grounded();
   return out;
 }
 
 }  // namespace
 
-TEST_CASE("bodies of loops that turn on the ground are solved, with branches and where hinges yield, too") {
+TEST_CASE("grounded bodies of loops are solved, with branches and where their joints yield, too") {
   for_every_instruction_set([](SaddleSolver& solver) {
     Random random(16);
     for (int trial = 0; trial < 40; ++trial) {
       const int count = random.integer(4, 12);
-      const System system(turning_bodies(random, count, trial % 2 == 1));
-      CHECK(count_turning(system) == count - count / 4);
+      const System system(grounded_bodies(random, count, trial % 2 == 1));
+      CHECK(count_grounded(system) == count - count / 4);
       check_solves(solver, system, random, false);
       check_solves(solver, system, random, true);
-      CHECK(solver.reordered());  // hinges that yield are joints like others
+      CHECK(solver.reordered());  // joints that yield are like others
       check_solves(solver, system, random, false);
       CHECK(!solver.reordered());
     }
   });
 }
 
-TEST_CASE("bodies of loops on a hinge on the ground that is violated by far are solved as others are") {
+TEST_CASE("grounded bodies whose joints are violated by far are solved as others are") {
   for_every_instruction_set([](SaddleSolver& solver) {
     Random random(17);
     int reordered = 0;
@@ -209,12 +213,13 @@ TEST_CASE("bodies of loops on a hinge on the ground that is violated by far are 
       Model model;
       for (int body = 0; body < 3; ++body) {
         model.add_body("body" + std::to_string(body), random_body(random));
-        model.add_joint("revolute", "hinge" + std::to_string(body), ground, body, random_attachment(random));
+        model.add_joint(body ? "revolute" : "translational", "guide" + std::to_string(body), ground, body,
+                        random_attachment(random));
       }
       for (int body = 0; body < 2; ++body)
         add_joint(model, random, "distance", "rod" + std::to_string(body), body, body + 1);
       const System system(model);
-      CHECK(count_turning(system) == 3);
+      CHECK(count_grounded(system) == 3);
       check_solves(solver, system, random, false);
       reordered += solver.reordered();
     }
@@ -223,7 +228,7 @@ TEST_CASE("bodies of loops on a hinge on the ground that is violated by far are 
   });
 }
 
-TEST_CASE("a row that a hinge on the ground nearly fulfils by itself is a small pivot") {
+TEST_CASE("a row that the joint of a grounded body nearly fulfils by itself is a small pivot") {
   for_every_instruction_set([](SaddleSolver& solver) {
     for (const double angle : {0.5, 1e-2, 1e-4, 1e-6}) {
       INFO("at ", angle);
@@ -234,7 +239,7 @@ TEST_CASE("a row that a hinge on the ground nearly fulfils by itself is a small 
       Attachment<double> at{far, pin - Vec3<double>(0.2, 0.0, 0.0), Mat3<double>::Identity(), Mat3<double>::Identity()};
       model.add_joint("distance", "rod", ground, crank, at, {Parameter{1.0}});
       const System system(model);
-      REQUIRE(count_turning(system) == 1);
+      REQUIRE(count_grounded(system) == 1);
       const Evaluation evaluation = evaluate_initially(system);
       solver.analyze(system, evaluation);
       solver.factorize(evaluation, VectorXd());

@@ -66,6 +66,19 @@ TEST_CASE("kinds that say that they hold a point do, and those that do say it") 
   }
 }
 
+TEST_CASE("kinds that say that they slide hold two shifts and all rotations, and those that do say it") {
+  Random random(9);
+  for (const JointKind& kind : joint_kinds()) {
+    CAPTURE(kind.info.name);
+    bool slides = kind.info.rows == 5;
+    for (int state = 0; slides && state < 20; ++state) {
+      const VectorXd D = random_D(kind.info, random);
+      for (int row = 0; row < 10; ++row) slides = slides && (D.segment<3>(6 * row).norm() > 0.1) == (row % 5 < 2);
+    }
+    CHECK(kind.slides == slides);
+  }
+}
+
 TEST_CASE("a slider moves along an axis of its own") {
   const std::vector<RowForm> forms = row_forms(joint_kind_index("translational"));
   CHECK(std::count(forms.begin(), forms.end(), RowForm::general) == 4);

@@ -32,7 +32,7 @@ std::multiset<int> eliminated_rows(const SymbolicFactorization& symbolic) {
   for (const block::Front& front : symbolic.fronts)
     for (int k = 0; k < front.width; ++k) out.insert(symbolic.unknowns[front.unknown + k]);
   for (const block::CoreBody& body : symbolic.bodies)
-    for (int k = 0; body.turns() && k < 5; ++k) out.insert(body.hinge_row + k);
+    for (int k = 0; body.grounded() && k < 5; ++k) out.insert(body.ground_row + k);
   return out;
 }
 
@@ -42,21 +42,22 @@ TEST_CASE("bodies of loops are eliminated into a front, with every row of their 
   const System system(four_bar_with_tail());
   std::multiset<int> expected;
   for (int row = 0; row < 20; ++row) expected.insert(row);
-  for (const bool turns : {true, false}) {
-    const SymbolicFactorization symbolic(system, {}, std::numeric_limits<int>::max(), {}, false, turns);
+  for (const bool grounded : {true, false}) {
+    const SymbolicFactorization symbolic(system, {}, std::numeric_limits<int>::max(), {}, false, grounded);
     CHECK(symbolic.steps.size() == 2);
     CHECK(symbolic.bodies.size() == 3);
     CHECK(eliminated_rows(symbolic) == expected);
-    CHECK(symbolic.turns() == turns);
-    CHECK(symbolic.turns_on(0) == turns);  // crank and ground
-    CHECK(!symbolic.turns_on(5));
+    CHECK(symbolic.grounded() == grounded);
+    CHECK(symbolic.grounded_by(0) == grounded);  // crank and ground
+    CHECK(!symbolic.grounded_by(5));
   }
 }
 
 TEST_CASE("bodies are eliminated with a hinge on the ground that is whole, and takes fewer operations") {
   const System system(four_bar());
   const auto count = [](const SymbolicFactorization& it) {
-    return std::count_if(it.bodies.begin(), it.bodies.end(), [](const block::CoreBody& body) { return body.turns(); });
+    return std::count_if(it.bodies.begin(), it.bodies.end(),
+                         [](const block::CoreBody& body) { return body.grounded(); });
   };
   const SymbolicFactorization all(system), less(system, {17});
   CHECK(count(all) == 2);

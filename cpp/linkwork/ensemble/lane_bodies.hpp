@@ -1,7 +1,6 @@
 #pragma once
 
 #include "linkwork/ensemble/lane_fronts.hpp"
-#include "linkwork/linear/block/hinge_elimination.hpp"
 
 /// Bodies of closed loops of all lanes: the equations of block/body_kernels.hpp, and their order of operations, element
 /// by element.
@@ -74,57 +73,49 @@ LINKWORK_INLINE void reduce_row(const double* D, const double* own, const double
   }
 }
 
-LINKWORK_INLINE block::HingeElimination<Lanes, true> hinge_of(const CoreBody& body, const LaneData& data,
-                                                              const double* a) {
-  constexpr std::ptrdiff_t stride = width;
-  const double* inertia = body.slot < 0 ? nullptr : data.articulated_inertias + body.slot * articulated * stride;
-  return block::HingeElimination<Lanes, true>({.D_body = data.D + body.hinge_D * stride,
-                                               .D_parent = nullptr,
-                                               .articulated_inertia = inertia,
-                                               .mass = data.mass + 10 * stride * body.body,
-                                               .a = a + 6 * stride * body.body,
-                                               .factors = data.factors + body.hinge_factors * stride});
+LINKWORK_INLINE block::GroundPlaces ground_places(const CoreBody& body, const LaneData& data, const double* a) {
+  return ground_places(body, body.ground_D, body.ground_factors, data, a);
 }
 
-/// Of a body that turns on the ground.
-struct Turning {
+/// What a grounded body is to the loops, see block/ground_elimination.hpp.
+struct Grounded {
   Native direction[6], alone[6], mobility;
 };
 
-Turning turn(const CoreBody& body, const LaneData& data, const double* a, const double* b, SmallestPivots& smallest) {
-  auto hinge = hinge_of(body, data, a);
-  const Native size = hinge.read(b + std::ptrdiff_t{body.hinge_row} * width), pivot = hinge.release();
-  smallest.note_mass(pivot);
-  smallest.note_failure(~(size > splat_native(block::least_size)));
-  hinge.store_way_back();
-  Turning out{{}, {}, hinge.mobility()};
-  LINKWORK_UNROLL for (int r = 0; r < 6; ++r) {
-    out.direction[r] = hinge.direction(r);
-    out.alone[r] = hinge.alone(r);
-  }
-  return out;
+Grounded eliminate_ground_joint(const CoreBody& body, const LaneData& data, const double* a, const double* b,
+                                SmallestPivots& smallest) {
+  return with_ground_joint(body.slides, ground_places(body, data, a), [&](auto joint) {
+    eliminate_joint(joint, body.ground_row, b, smallest);
+    joint.store_way_back();
+    Grounded out{{}, {}, joint.mobility()};
+    LINKWORK_UNROLL for (int r = 0; r < 6; ++r) {
+      out.direction[r] = joint.direction(r);
+      out.alone[r] = joint.alone(r);
+    }
+    return out;
+  });
 }
 
-/// Of a row of D, what a body that turns leaves of its right-hand side, and D g of one that moves along `direction`.
+/// The product of a row of D with a motion.
 template <RowForm form>
-LINKWORK_INLINE Native along(const double* D, const Native* direction) {
+LINKWORK_INLINE Native along(const double* D, const Native* motion) {
   Native sum{};
   LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
-    if (holds<false, form>(k)) sum += get(D, k) * direction[k];
+    if (holds<false, form>(k)) sum += get(D, k) * motion[k];
   return sum;
 }
 
-/// As add_row of a body that turns: D g, with and without 1/d.
+/// As add_row of a grounded body: D g, with and without 1/n.
 template <bool branches, bool right_hand_side_only, RowForm form>
-LINKWORK_INLINE void add_turning_row(int row, const FrontPlace& at, const LaneData& data, const double* own,
-                                     const double* factor, const Turning& turning, double* U) {
+LINKWORK_INLINE void add_grounded_row(int row, const FrontPlace& at, const LaneData& data, const double* own,
+                                      const double* factor, const Grounded& grounded, double* U) {
   const double* D = data.D + data.rows[row].D * width;
   const int position = data.row_positions[row];
-  put(at.right(), position, get(at.right(), position) - along<form>(D, turning.alone));
+  put(at.right(), position, get(at.right(), position) - along<form>(D, grounded.alone));
   if constexpr (right_hand_side_only) return;
-  const Native moved = along<form>(D, turning.direction);
+  const Native moved = along<form>(D, grounded.direction);
   put(U, 0, moved);
-  put(U, 1, moved * turning.mobility);
+  put(U, 1, moved * grounded.mobility);
   Native B[6], d{};
   reduce_row<branches, form>(D, own, factor, B);
   LINKWORK_UNROLL for (int k = 0; k < 6; ++k)
@@ -181,20 +172,20 @@ void add_body(const CoreBody& body, const FrontPlace& at, const LaneData& data, 
     });
 }
 
-/// The same of one that turns on the ground.
+/// The same of a grounded one.
 template <bool branches, bool right_hand_side_only>
-void add_turning_body(const CoreBody& body, const FrontPlace& at, const LaneData& data, const Turning& turning) {
+void add_grounded_body(const CoreBody& body, const FrontPlace& at, const LaneData& data, const Grounded& grounded) {
   double* U = data.scratch;
   const double* own = data.factors + body.own_factors * width;
   const double* factor = branches ? nullptr : mass_factor_of(body, data);
   for (int row = body.first_row; row < body.first_row + body.rows; ++row, U += 2l * width)
     with_form(data.row_forms[row], [&](auto form) {
-      add_turning_row<branches, right_hand_side_only, form.value>(row, at, data, own, factor, turning, U);
+      add_grounded_row<branches, right_hand_side_only, form.value>(row, at, data, own, factor, grounded, U);
     });
 }
 
 /// Its part of the columns of D M^-1 D^T, from their diagonal on.
-void add_turning_columns(const CoreBody& body, const FrontPlace& at, const LaneData& data) {
+void add_grounded_columns(const CoreBody& body, const FrontPlace& at, const LaneData& data) {
   const int* positions = data.row_positions + body.first_row;
   for (int j = 0; j < body.rows; ++j) {
     double* C = at.column(positions[j]);
@@ -284,11 +275,11 @@ template <bool right_hand_side_only>
 void eliminate_body(const CoreBody& body, const FrontPlace& at, const LaneData& data, const double* a, const double* b,
                     SmallestPivots& smallest) {
   if (body.slot >= 0) factor_mass(body, data, smallest);
-  if (body.turns()) {
-    const Turning turning = turn(body, data, a, b, smallest);
-    if (body.slot >= 0) add_turning_body<true, right_hand_side_only>(body, at, data, turning);
-    else add_turning_body<false, right_hand_side_only>(body, at, data, turning);
-    if constexpr (!right_hand_side_only) add_turning_columns(body, at, data);
+  if (body.grounded()) {
+    const Grounded grounded = eliminate_ground_joint(body, data, a, b, smallest);
+    if (body.slot >= 0) add_grounded_body<true, right_hand_side_only>(body, at, data, grounded);
+    else add_grounded_body<false, right_hand_side_only>(body, at, data, grounded);
+    if constexpr (!right_hand_side_only) add_grounded_columns(body, at, data);
   } else if (body.slot >= 0) {
     add_body<true, right_hand_side_only>(body, at, data, a);
     if constexpr (!right_hand_side_only) add_body_columns<true>(body, at, data);
@@ -319,14 +310,15 @@ LINKWORK_INLINE void sum_reactions(const CoreBody& body, const LaneData& data, c
     sum[k] += odd[k];
 }
 
-/// x = M^-1 (a + D^T lambda), and the multipliers of a hinge on the ground.
+/// x = M^-1 (a + D^T lambda), and the multipliers of a grounded body's joint.
 void backward_body(const CoreBody& body, const LaneData& data, const double* a, double* x, double* lambda) {
   Native sum[6]{};
   sum_reactions(body, data, lambda, sum);
-  if (body.turns()) {
+  if (body.grounded()) {
     constexpr std::ptrdiff_t stride = width;
-    hinge_of(body, data, a).go_back_in_loops(sum, x + 6 * stride * body.body, lambda + stride * body.hinge_row);
-    return;
+    return with_ground_joint(body.slides, ground_places(body, data, a), [&](auto joint) {
+      joint.go_back(sum, x + 6 * stride * body.body, lambda + stride * body.ground_row);
+    });
   }
   if (body.slot >= 0) {
     const double* own = data.factors + body.own_factors * width;

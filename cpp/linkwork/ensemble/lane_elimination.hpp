@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "linkwork/ensemble/lanes.hpp"
+#include "linkwork/linear/block/ground_elimination.hpp"
 #include "linkwork/math/simd.hpp"
 
 /// What the eliminations of lanes share. For lane_kernels.cpp only, which is compiled once per instruction set.
@@ -17,6 +18,7 @@ LINKWORK_INLINE void put(double* to, std::ptrdiff_t k, Native x) { store_native(
 
 struct Lanes {
   using Number = Native;
+  static constexpr std::ptrdiff_t stride = width;
   static LINKWORK_INLINE Native get(const double* from, std::ptrdiff_t k) { return linkwork::get(from, k); }
   static LINKWORK_INLINE void put(double* to, std::ptrdiff_t k, Native x) { linkwork::put(to, k, x); }
 };
@@ -73,6 +75,33 @@ template <class Function>
 LINKWORK_INLINE void by_eights(int begin, int end, const Function& f) {
   for (; begin + 8 <= end; begin += 8) f(std::integral_constant<int, 8>(), begin);
   if (begin < end) with_count<7>(end - begin, [&](auto count) { f(count, begin); });
+}
+
+/// Of a body or a step, its joint on the ground at D.
+template <class Body>
+LINKWORK_INLINE block::GroundPlaces ground_places(const Body& body, std::ptrdiff_t D, std::ptrdiff_t factors,
+                                                  const LaneData& data, const double* a) {
+  constexpr std::ptrdiff_t stride = width;
+  return {.D = data.D + D * stride,
+          .articulated_inertia = body.slot < 0 ? nullptr : data.articulated_inertias + body.slot * articulated * stride,
+          .mass = data.mass + 10 * stride * body.body,
+          .a = a + 6 * stride * body.body,
+          .factors = data.factors + factors * stride};
+}
+
+/// Calls f with the elimination on a hinge or on a slider.
+template <class Function>
+LINKWORK_INLINE auto with_ground_joint(bool slides, const block::GroundPlaces& places, const Function& f) {
+  if (slides) return f(block::GroundElimination<Lanes, block::SliderOnGround>(places));
+  return f(block::GroundElimination<Lanes, block::HingeOnGround>(places));
+}
+
+/// Begins at a joint; lanes where it is violated by far fail.
+template <class Elimination>
+LINKWORK_INLINE void eliminate_joint(Elimination& joint, int row, const double* b, SmallestPivots& smallest) {
+  const Native size = joint.read(b + std::ptrdiff_t{row} * width), pivot = joint.release();
+  smallest.note_mass(pivot);
+  smallest.note_failure(~(size > splat_native(block::least_size)));
 }
 
 }  // namespace

@@ -168,7 +168,7 @@ bool LaneStructure::same(const Dynamics& dynamics) const {
 }
 
 bool LaneStructure::keeps_order(const Dynamics& dynamics, double pivot) const {
-  if (symbolic.hubs.empty() && !symbolic.turns()) return true;
+  if (symbolic.hubs.empty() && !symbolic.grounded()) return true;
   return pivot >= symbolic.breakdown() && !dynamics.formulation().saddle().reordered();
 }
 

@@ -128,43 +128,49 @@ LINKWORK_INLINE void eliminate_joint(const RowsOfStep<scattered>& of, const doub
   }
 }
 
-template <bool grounded>
-LINKWORK_INLINE block::HingeElimination<Lanes, grounded> hinge_of(const block::TreeStep& step, const LaneData& data,
-                                                                  const double* a) {
+LINKWORK_INLINE block::HingeElimination<Lanes> hinge_of(const block::TreeStep& step, const LaneData& data,
+                                                        const double* a) {
   constexpr std::ptrdiff_t stride = width;
   const double* inertia = step.slot < 0 ? nullptr : data.articulated_inertias + step.slot * articulated * stride;
-  return block::HingeElimination<Lanes, grounded>({.D_body = data.D + step.D_body * stride,
-                                                   .D_parent = data.D + step.D_parent * stride,
-                                                   .articulated_inertia = inertia,
-                                                   .mass = data.mass + 10 * stride * step.body,
-                                                   .a = a + 6 * stride * step.body,
-                                                   .factors = data.factors + step.storage * stride});
+  return block::HingeElimination<Lanes>({.D_body = data.D + step.D_body * stride,
+                                         .D_parent = data.D + step.D_parent * stride,
+                                         .articulated_inertia = inertia,
+                                         .mass = data.mass + 10 * stride * step.body,
+                                         .a = a + 6 * stride * step.body,
+                                         .factors = data.factors + step.storage * stride});
 }
 
-/// Whether a step is of a hinge that does not yield.
+LINKWORK_INLINE block::GroundPlaces ground_places(const block::TreeStep& step, const LaneData& data, const double* a) {
+  return ground_places(step, step.D_body, step.storage, data, a);
+}
+
+/// Whether a step is of a hinge, or of a slider on the ground, that does not yield.
 template <int rows, bool scattered>
-LINKWORK_INLINE bool is_hinge(const block::TreeStep& step, const LaneData& data) {
-  if (rows != 5 || scattered || !step.turning) return false;
+LINKWORK_INLINE bool goes_by_numbers(const block::TreeStep& step, const LaneData& data) {
+  if (rows != 5 || scattered || !(step.turning || step.slides)) return false;
   Native yields{};
   for (int k = 0; k < rows; ++k) yields += get(data.compliance, step.row + k);
   return !any(yields != Native{});
 }
 
-template <bool grounded>
-void factor_hinge(const block::TreeStep& step, const LaneData& data, const double* a, const double* b,
-                  SmallestPivots& smallest) {
-  auto hinge = hinge_of<grounded>(step, data, a);
-  const Native size = hinge.read(b + std::ptrdiff_t{step.row} * width), pivot = hinge.release();
-  smallest.note_mass(pivot);
-  smallest.note_failure(~(size > splat_native(block::least_size)));
-  if constexpr (!grounded) {
-    double* to = data.articulated_inertias + step.parent_slot * articulated * std::ptrdiff_t{width};
-    LINKWORK_UNROLL for (int c = 0; c < 6; ++c) LINKWORK_UNROLL
-      for (int r = c; r < 7; ++r) {
-        const Native before = step.parent_begins ? own_number(step, data, a, c, r) : get(to, 8 * c + r);
-        put(to, 8 * c + r, before + hinge.parent(c, r));
-      }
-  }
+void factor_on_ground(const block::TreeStep& step, const LaneData& data, const double* a, const double* b,
+                      SmallestPivots& smallest) {
+  with_ground_joint(step.slides, ground_places(step, data, a), [&](auto joint) {
+    eliminate_joint(joint, step.row, b, smallest);
+    joint.store_way_back();
+  });
+}
+
+void factor_on_body(const block::TreeStep& step, const LaneData& data, const double* a, const double* b,
+                    SmallestPivots& smallest) {
+  auto hinge = hinge_of(step, data, a);
+  eliminate_joint(hinge, step.row, b, smallest);
+  double* to = data.articulated_inertias + step.parent_slot * articulated * std::ptrdiff_t{width};
+  LINKWORK_UNROLL for (int c = 0; c < 6; ++c) LINKWORK_UNROLL
+    for (int r = c; r < 7; ++r) {
+      const Native before = step.parent_begins ? own_number(step, data, a, c, r) : get(to, 8 * c + r);
+      put(to, 8 * c + r, before + hinge.parent(c, r));
+    }
   hinge.store_way_back();
 }
 
@@ -173,9 +179,9 @@ void factor_hinge(const block::TreeStep& step, const LaneData& data, const doubl
 template <int rows, bool scattered>
 void factor_step(const block::TreeStep& step, const LaneData& data, const double* a, const double* b,
                  SmallestPivots& smallest) {
-  if (is_hinge<rows, scattered>(step, data)) {
-    if (step.parent < 0) factor_hinge<true>(step, data, a, b, smallest);
-    else factor_hinge<false>(step, data, a, b, smallest);
+  if (goes_by_numbers<rows, scattered>(step, data)) {
+    if (step.parent < 0) factor_on_ground(step, data, a, b, smallest);
+    else factor_on_body(step, data, a, b, smallest);
     return;
   }
   const RowsOfStep<scattered> of{step, data};
@@ -213,15 +219,13 @@ void factor_step(const block::TreeStep& step, const LaneData& data, const double
 
 template <int rows, bool scattered>
 void backward_step(const block::TreeStep& step, const LaneData& data, double* x, double* lambda) {
-  if (is_hinge<rows, scattered>(step, data)) {
-    const auto go_back = [&](auto grounded) {
-      constexpr std::ptrdiff_t stride = width;
-      const double* x_parent = grounded ? nullptr : x + 6 * stride * step.parent;
-      hinge_of<grounded>(step, data, x).go_back(x_parent, x + 6 * stride * step.body, lambda + stride * step.row);
-    };
-    if (step.parent < 0) go_back(std::true_type());
-    else go_back(std::false_type());
-    return;
+  if (goes_by_numbers<rows, scattered>(step, data)) {
+    constexpr std::ptrdiff_t stride = width;
+    double *x_body = x + 6 * stride * step.body, *l = lambda + stride * step.row;
+    const Native none[6]{};
+    if (step.parent >= 0) return hinge_of(step, data, x).go_back(x + 6 * stride * step.parent, x_body, l);
+    return with_ground_joint(step.slides, ground_places(step, data, x),
+                             [&](auto joint) { joint.go_back(none, x_body, l); });
   }
   const RowsOfStep<scattered> of{step, data};
   constexpr std::ptrdiff_t second = block::second_factors(rows);

@@ -39,10 +39,12 @@ using EvaluateJointLanes = void (*)(const JointLanes&, const ConstraintArrays&);
 /// What a joint says of itself.
 template <class Joint>
 constexpr bool holds_point = requires { requires Joint::holds_point; };
+template <class Joint>
+constexpr bool slides = requires { requires Joint::slides; };
 
 struct JointKind {
   KindInfo info;
-  bool holds_point;
+  bool holds_point, slides;
   EvaluateJoints evaluate[max_instruction_sets];            ///< by level of the instruction set
   EvaluateJointLanes evaluate_lanes[max_instruction_sets];  ///< likewise; the same bits at every level
 };
@@ -61,7 +63,11 @@ struct JointEvaluation {
 
 template <class Joint>
 JointKind make_joint_kind(JointEvaluation v2, JointEvaluation v3 = {}, JointEvaluation v4 = {}) {
-  JointKind kind{Joint::info(), holds_point<Joint>, {v2.joints, v3.joints, v4.joints}, {v2.lanes, v3.lanes, v4.lanes}};
+  JointKind kind{Joint::info(),
+                 holds_point<Joint>,
+                 slides<Joint>,
+                 {v2.joints, v3.joints, v4.joints},
+                 {v2.lanes, v3.lanes, v4.lanes}};
   kind.info.rows = Joint::rows;
   return checked(std::move(kind));
 }

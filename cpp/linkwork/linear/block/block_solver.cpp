@@ -14,8 +14,8 @@ namespace {
 
 constexpr double singular_pivot = 1e-15;
 constexpr double far_apart = 1e6;
-constexpr std::size_t cached = 1 << 16;   // doubles, half of a cache of 1 MB: the rest is for D
-constexpr int hinge_rows = 5;
+constexpr std::size_t cached = 1 << 16;  // doubles, half of a cache of 1 MB: the rest is for D
+constexpr int ground_rows = 5;
 constexpr std::size_t slack = 2 * lanes;  // vectors may reach past the last column
 
 class BlockSolver final : public SaddleSolver {
@@ -28,7 +28,7 @@ class BlockSolver final : public SaddleSolver {
     e_.resize(0);
     delayed_.clear();
     delays_ = 0;
-    turns_ = true;
+    grounded_ = true;
     split_ = system.threads().threads() > 1;
     factorize_symbolically();
     no_a_.resize(0);
@@ -61,11 +61,11 @@ class BlockSolver final : public SaddleSolver {
 
   /// The order of elimination, which a small pivot has changed for good.
   void keep(Archive& archive) override {
-    archive(delayed_, delays_, turns_);
+    archive(delayed_, delays_, grounded_);
     if (archive.reading() && reordered()) factorize_symbolically();
   }
 
-  bool reordered() const override { return delays_ > 0 || !turns_; }
+  bool reordered() const override { return delays_ > 0 || !grounded_; }
   bool shares_work() const override { return symbolic_->step_plan.shared || symbolic_->front_plan.shared; }
   std::int64_t factor_nonzeros() const override { return symbolic_->nonzeros; }
   std::optional<double> flops() const override { return symbolic_->flops; }
@@ -202,7 +202,8 @@ class BlockSolver final : public SaddleSolver {
   }
 
   void factorize_symbolically() {
-    symbolic_ = std::make_unique<SymbolicFactorization>(*system_, dropped_, compliant_from_, delayed_, split_, turns_);
+    symbolic_ =
+        std::make_unique<SymbolicFactorization>(*system_, dropped_, compliant_from_, delayed_, split_, grounded_);
     look_for_interruption();
     factors_.assign(symbolic_->factor_size + slack, 0.0);
     articulated_inertias_.assign(
@@ -236,11 +237,11 @@ class BlockSolver final : public SaddleSolver {
     return true;
   }
 
-  /// From here on no body is eliminated with its hinge on the ground, if this row is one's: it is violated by far, or
+  /// From here on no body is eliminated with its joint on the ground, if this row is one's: it is violated by far, or
   /// yields. False: nothing to be done.
   bool let_go(int row) {
-    if (!symbolic_->turns_on(row)) return false;
-    turns_ = false;
+    if (!symbolic_->grounded_by(row)) return false;
+    grounded_ = false;
     factorize_symbolically();
     return true;
   }
@@ -278,10 +279,10 @@ class BlockSolver final : public SaddleSolver {
     data_.compliant = compliant();
     if (e_.size() == 0) return;
     const auto yields = [&](const CoreBody& it) {
-      return it.turns() && (e_.segment(it.hinge_row, hinge_rows).array() != 0.0).any();
+      return it.grounded() && (e_.segment(it.ground_row, ground_rows).array() != 0.0).any();
     };
     const auto found = std::find_if(symbolic_->bodies.begin(), symbolic_->bodies.end(), yields);
-    if (found != symbolic_->bodies.end()) let_go(found->hinge_row);
+    if (found != symbolic_->bodies.end()) let_go(found->ground_row);
   }
 
   SmallestPivot sweep(const ConstVector& a, const ConstVector& b) {
@@ -344,7 +345,7 @@ class BlockSolver final : public SaddleSolver {
   std::vector<MassFactor> mass_factors_;
   VectorXd e_, no_a_, no_b_;
   bool refined_ = false, split_ = false;
-  bool turns_ = true;  ///< bodies in loops may be eliminated with a hinge on the ground
+  bool grounded_ = true;  ///< see SymbolicFactorization
   VectorXd rest_a_, rest_b_, change_x_, change_lambda_;
   Data data_{};
   InterruptionMeter meter_;

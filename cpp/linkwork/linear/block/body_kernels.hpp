@@ -5,9 +5,9 @@
 
 /// Bodies of closed loops: their part of D M^-1 D^T and of -D M^-1 a is added to the front of their first joint.
 //
-// Of a body that a hinge holds on the ground these are D g (1/d) (D g)^T and -D x, with its direction of motion g and
-// its acceleration x without the loops. What pivots are compared with stays diag(D M^-1 D^T) of the body without its
-// hinge: a row that the hinge nearly fulfils by itself must not look like any other.
+// Of a body on a hinge or a slider on the ground these are D g (1/n) (D g)^T and -D x, with its direction of motion g and
+// its acceleration x without the loops. What pivots are compared with stays diag(D M^-1 D^T) of the body without that
+// joint: a row that the joint nearly fulfils by itself must not look like any other.
 namespace linkwork::block {
 namespace {
 
@@ -44,50 +44,46 @@ LINKWORK_INLINE Vector solve_lower(const MassFactor& factor, Vector a) {
   return a * load_first<6>(factor.inverse);
 }
 
-/// Of a body that turns on the ground.
-struct Turning {
+/// What a grounded body is to the loops, see GroundElimination.
+struct Grounded {
   double direction[6], alone[6], mobility;
 };
 
-LINKWORK_INLINE HingeElimination<Doubles, true> hinge_of(const CoreBody& body, const Data& data, const double* a) {
-  return HingeElimination<Doubles, true>({.D_body = data.D + body.hinge_D,
-                                          .D_parent = nullptr,
-                                          .articulated_inertia = articulated_inertia_at(body.slot, data),
-                                          .mass = &data.mass[body.body].m,
-                                          .a = a + 6 * body.body,
-                                          .factors = data.factors + body.hinge_factors});
+LINKWORK_INLINE GroundPlaces ground_places(const CoreBody& body, const Data& data, const double* a) {
+  return ground_places(body, body.ground_D, body.ground_factors, data, a);
 }
 
-Turning turn(const CoreBody& body, const Data& data, const double* a, const double* b, SmallestPivot& smallest) {
-  auto hinge = hinge_of(body, data, a);
-  const double size = hinge.read(b + body.hinge_row), pivot = hinge.release();
-  if (!(size > least_size && pivot > 0.0) && !(smallest.ratio < data.breakdown))
-    smallest = {size == size && pivot == pivot ? 0.0 : not_a_number, body.hinge_row};
-  hinge.store_way_back();
-  Turning out{{}, {}, hinge.mobility()};
-  LINKWORK_UNROLL for (int r = 0; r < 6; ++r) {
-    out.direction[r] = hinge.direction(r);
-    out.alone[r] = hinge.alone(r);
-  }
-  return out;
+Grounded eliminate_ground_joint(const CoreBody& body, const Data& data, const double* a, const double* b,
+                                SmallestPivot& smallest) {
+  return with_ground_joint(body.slides, ground_places(body, data, a), [&](auto joint) {
+    const double size = joint.read(b + body.ground_row), pivot = joint.release();
+    if (!(size > least_size && pivot > 0.0) && !(smallest.ratio < data.breakdown))
+      smallest = {size == size && pivot == pivot ? 0.0 : not_a_number, body.ground_row};
+    joint.store_way_back();
+    Grounded out{{}, {}, joint.mobility()};
+    LINKWORK_UNROLL for (int r = 0; r < 6; ++r) {
+      out.direction[r] = joint.direction(r);
+      out.alone[r] = joint.alone(r);
+    }
+    return out;
+  });
 }
 
-/// Of rows of D, by columns of them, what a body that turns leaves of their right-hand side, and D g of one that moves
-/// along `direction`.
-LINKWORK_INLINE Native along(const Native* B, const double* direction) {
-  Native sum = B[0] * splat_native(direction[0]);
+/// The product of rows of D, by columns of them, with a motion.
+LINKWORK_INLINE Native along(const Native* B, const double* motion) {
+  Native sum = B[0] * splat_native(motion[0]);
   LINKWORK_UNROLL for (int k = 1; k < 6; ++k)
-    sum += B[k] * splat_native(direction[k]);
+    sum += B[k] * splat_native(motion[k]);
   return sum;
 }
 
 /// What [M; D | a] of a body leaves, D M^-1 D^T and -D M^-1 a, is added to the front. With `right_hand_side_only`
-/// nothing but the last column. `turning`, where given, says how it turns on the ground.
-template <bool branches, bool turns, bool right_hand_side_only>
-void add_body(const CoreBody& body, const Front& front, const Data& data, const double* a, const Turning& turning) {
+/// nothing but the last column. `grounded` is that of a grounded body.
+template <bool branches, bool on_ground, bool right_hand_side_only>
+void add_body(const CoreBody& body, const Front& front, const Data& data, const double* a, const Grounded& grounded) {
   const RowVector* vectors = data.vectors + body.first_vector;
   const std::ptrdiff_t stride = lanes * static_cast<std::ptrdiff_t>(body.vectors);
-  double *U = data.scratch, *scaled = U + 6 * stride;  // L^-1 D^T, with and without D^-1; D g, with and without 1/d
+  double *U = data.scratch, *scaled = U + 6 * stride;  // L^-1 D^T, with and without D^-1; D g, with and without 1/n
   double *right = right_hand_side_of(front, data), *diagonal = diagonal_of(front, data);
   const double* own = data.factors + body.own_factors;
   const MassFactor* factor = branches ? nullptr : data.mass_factors + body.mass_factor;
@@ -96,11 +92,11 @@ void add_body(const CoreBody& body, const Front& front, const Data& data, const 
     for (int first = 0; first < lanes; first += width) {
       Native B[6], r{}, d{};
       gather_D(vectors[v].D + first, data, B);
-      if constexpr (turns) {
-        r -= along(B, turning.alone);
-        const Native moved = along(B, turning.direction);
+      if constexpr (on_ground) {
+        r -= along(B, grounded.alone);
+        const Native moved = along(B, grounded.direction);
         store_native(U + v * lanes + first, moved);
-        store_native(scaled + v * lanes + first, moved * splat_native(turning.mobility));
+        store_native(scaled + v * lanes + first, moved * splat_native(grounded.mobility));
       }
       if constexpr (branches) {
         LINKWORK_UNROLL for (int k = 0; k < 6; ++k) LINKWORK_UNROLL
@@ -110,11 +106,11 @@ void add_body(const CoreBody& body, const Front& front, const Data& data, const 
         B[5] -= B[3] * splat_native(factor->L53) + B[4] * splat_native(factor->L54);
       }
       LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
-        if constexpr (!turns) r -= B[k] * lane(y, k).part[0];
+        if constexpr (!on_ground) r -= B[k] * lane(y, k).part[0];
         if constexpr (right_hand_side_only) continue;
         const Native L = B[k] * splat_native(branches ? own[k * (lanes + 1)] : factor->inverse[k]);
         d += B[k] * L;
-        if constexpr (turns) continue;
+        if constexpr (on_ground) continue;
         store_native(U + k * stride + v * lanes + first, B[k]);
         store_native(scaled + k * stride + v * lanes + first, L);
       }
@@ -154,10 +150,10 @@ void eliminate_body(const CoreBody& body, const Front& front, const Data& data, 
                     SmallestPivot& smallest) {
   const bool branches = body.slot >= 0;
   if (branches) factor_mass(body, data, smallest);
-  if (body.turns()) {
-    const Turning turning = turn(body, data, a, b, smallest);
-    if (branches) add_body<true, true, right_hand_side_only>(body, front, data, a, turning);
-    else add_body<false, true, right_hand_side_only>(body, front, data, a, turning);
+  if (body.grounded()) {
+    const Grounded grounded = eliminate_ground_joint(body, data, a, b, smallest);
+    if (branches) add_body<true, true, right_hand_side_only>(body, front, data, a, grounded);
+    else add_body<false, true, right_hand_side_only>(body, front, data, a, grounded);
     if constexpr (!right_hand_side_only) add_body_columns<1>(body, front, data);
     return;
   }
@@ -196,19 +192,20 @@ LINKWORK_INLINE Vector accelerate(const CoreBody& body, const Data& data, Vector
   return solution;
 }
 
-/// x = M^-1 (a + D^T lambda), and the multipliers of a hinge on the ground.
+/// x = M^-1 (a + D^T lambda), and the multipliers of a grounded body's joint.
 void backward_body(const CoreBody& body, const Data& data, const double* a, double* x, double* lambda) {
   Vector sum = sum_reactions(body, data, lambda);
   double* x_body = x + 6 * body.body;
-  if (body.turns()) {
+  if (body.grounded()) {
     alignas(64) double forces[lanes];
     store(forces, sum);
-    hinge_of(body, data, a).go_back_in_loops(forces, x_body, lambda + body.hinge_row);
+    with_ground_joint(body.slides, ground_places(body, data, a),
+                      [&](auto joint) { joint.go_back(forces, x_body, lambda + body.ground_row); });
   } else if (body.slot >= 0) {
     store_first<6>(x_body, accelerate(body, data, sum));
   }
   if (body.slot >= 0) return leave_for_children(load_first<6>(x_body), body.slot, data);
-  if (body.turns()) return;
+  if (body.grounded()) return;
   sum += load_first<6>(a + 6 * body.body);
   const MassFactor& factor = data.mass_factors[body.mass_factor];
   if (factor.diagonal) return store_first<6>(x_body, sum * load_first<6>(factor.inverse));

@@ -61,9 +61,9 @@ class CoreBuilder {
               const EliminatedRows& rows, const std::vector<SymbolicFactorization::DelayedPivot>& delayed,
               const CoreOptions& options, SymbolicFactorization& out)
       : system_(system), slot_(slot), rows_(rows), delayed_(delayed), out_(out) {
-    if (options.turns) find_hinges(pruned);
+    if (options.grounded) find_ground_joints(pruned);
     for (int joint = 0; joint < system.joint_count(); ++joint)
-      if (!pruned.joints[joint] && !is_hinge(joint)) joints_.push_back(joint);
+      if (!pruned.joints[joint] && !is_on_ground(joint)) joints_.push_back(joint);
     if (joints_.empty()) return;
     choose_order();
     place_bodies();
@@ -83,16 +83,16 @@ class CoreBuilder {
     double cost = 0.0;
   };
 
-  /// The hinge on the ground that each body is eliminated with: the first of its joints that can be. A body with many
-  /// joints may become a hub.
-  void find_hinges(const PrunedLeaves& pruned) {
-    hinge_of_.assign(system_.body_count(), none);
+  /// The hinge or slider on the ground that each body is eliminated with: the first of its joints that can be. A body
+  /// with many joints may become a hub.
+  void find_ground_joints(const PrunedLeaves& pruned) {
+    ground_block_.assign(system_.body_count(), none);
     for (int body = 0; body < system_.body_count(); ++body) {
       const BlockRange blocks = system_.body_blocks(body);
       if (blocks.end() - blocks.begin() >= std::ptrdiff_t{joints_of_a_hub}) continue;
       for (const int index : blocks) {
         const int joint = system_.blocks()[index].joint;
-        if (hinge_of_[body] == none && !pruned.joints[joint] && holds_on_ground(joint)) hinge_of_[body] = index;
+        if (ground_block_[body] == none && !pruned.joints[joint] && holds_on_ground(joint)) ground_block_[body] = index;
       }
     }
   }
@@ -101,17 +101,18 @@ class CoreBuilder {
     constexpr int rows = 5;
     const BlockRange blocks = system_.joint_blocks(joint);
     const bool whole = rows_.count(joint) == rows && first_row(joint + 1) - first_row(joint) == rows;
-    return whole && rows_.next(joint) == none && blocks.end() - blocks.begin() == 1 && rows_.turning(joint);
+    return whole && rows_.next(joint) == none && blocks.end() - blocks.begin() == 1 &&
+           (rows_.turning(joint) || rows_.slides(joint));
   }
 
-  const ConstraintBlock* hinge_of(int body) const {
-    return hinge_of_.empty() || hinge_of_[body] == none ? nullptr : &system_.blocks()[hinge_of_[body]];
+  const ConstraintBlock* ground_joint(int body) const {
+    return ground_block_.empty() || ground_block_[body] == none ? nullptr : &system_.blocks()[ground_block_[body]];
   }
-  bool is_hinge(int joint) const {
+  bool is_on_ground(int joint) const {
     const BlockRange blocks = system_.joint_blocks(joint);
     if (blocks.end() - blocks.begin() != 1) return false;
-    const ConstraintBlock* hinge = hinge_of(system_.blocks()[*blocks.begin()].body);
-    return hinge && hinge->joint == joint;
+    const ConstraintBlock* block = ground_joint(system_.blocks()[*blocks.begin()].body);
+    return block && block->joint == joint;
   }
 
   int first_row(int joint) const { return system_.model().joint_rows()[joint]; }
@@ -166,7 +167,7 @@ class CoreBuilder {
       } else if (!clique.empty()) {
         const double rows = std::accumulate(clique.begin(), clique.end(), 0.0,
                                             [&](double sum, int joint) { return sum + graph.weight[joint]; });
-        out.cost += hinge_of(body) ? 36.0 * rows + rows * rows : 36.0 * rows + 6.0 * rows * rows;
+        out.cost += ground_joint(body) ? 36.0 * rows + rows * rows : 36.0 * rows + 6.0 * rows * rows;
         graph.cliques.add(clique);
       }
     }
@@ -233,7 +234,7 @@ class CoreBuilder {
       out.own_factors = out_.factor_size;
       out_.factor_size += own_factor_size;
     }
-    append_hinge(out);
+    append_ground_joint(out);
     out.first_vector = static_cast<int>(out_.vectors.size());
     out.first_run = static_cast<int>(out_.runs.size());
     out.first_row = static_cast<int>(out_.rows.size());
@@ -257,19 +258,20 @@ class CoreBuilder {
     out.runs = static_cast<int>(out_.runs.size()) - out.first_run;
     out.rows = static_cast<int>(out_.rows.size()) - out.first_row;
     const double square = (out.rows + 1.0) * (out.rows + 1.0);
-    out_.flops += 72.0 + 36.0 * (out.rows + 1.0) + (out.turns() ? 200.0 + square : 6.0 * square);
-    out_.nonzeros += 21 + (out.turns() ? 18 : 6 * out.rows);
+    out_.flops += 72.0 + 36.0 * (out.rows + 1.0) + (out.grounded() ? 200.0 + square : 6.0 * square);
+    out_.nonzeros += 21 + (out.grounded() ? 18 : 6 * out.rows);
     out_.bodies.push_back(out);
   }
 
-  void append_hinge(CoreBody& body) {
-    body.hinge_row = none;
-    const ConstraintBlock* hinge = hinge_of(body.body);
-    if (!hinge) return;
-    body.hinge_row = hinge->row;
-    body.hinge_D = hinge->offset;
-    body.hinge_factors = out_.factor_size;
-    out_.factor_size += step_storage(hinge->rows);
+  void append_ground_joint(CoreBody& body) {
+    body.ground_row = none;
+    const ConstraintBlock* block = ground_joint(body.body);
+    if (!block) return;
+    body.ground_row = block->row;
+    body.ground_D = block->offset;
+    body.slides = rows_.slides(block->joint);
+    body.ground_factors = out_.factor_size;
+    out_.factor_size += step_storage(block->rows);
   }
 
   /// Rows come in the order of their positions.
@@ -454,7 +456,7 @@ class CoreBuilder {
   const EliminatedRows& rows_;
   const std::vector<SymbolicFactorization::DelayedPivot>& delayed_;
   SymbolicFactorization& out_;
-  std::vector<int> hinge_of_;  ///< the block of D, per body, or none; empty: of all
+  std::vector<int> ground_block_;  ///< the block of D, per body, or none; empty: of all
   std::vector<int> joints_, core_index_, position_;
   std::vector<int> place_;  ///< of each elimination in the front at hand: of its first row
   std::vector<std::vector<int>> bodies_of_;

@@ -10,7 +10,7 @@ namespace linkwork::block {
 
 struct CoreOptions {
   bool for_threads;  ///< in tasks for several ones
-  bool turns;        ///< bodies may be eliminated with a hinge that holds them on the ground
+  bool grounded;     ///< bodies may be eliminated with a hinge or slider that holds them on the ground
 };
 
 /// Fills the core: fronts of its bodies and of supernodes of joints and hubs. `slot`: see eliminate_trees.

@@ -4,8 +4,6 @@
 #include <numeric>
 #include <utility>
 
-#include "linkwork/model/joint_kind.hpp"
-
 namespace linkwork::block {
 namespace {
 
@@ -39,11 +37,20 @@ void EliminatedRows::attach(int joint) {
   all_rows_[host] += all_rows_[joint];
 }
 
-bool EliminatedRows::turning(int joint) const {
+/// None of a special joint.
+const JointKind* EliminatedRows::kind(int joint) const {
   const Model& model = system_.model();
-  if (model.special_joint(joint)) return false;
-  const JointKind& kind = joint_kinds()[model.joints()[joint].kind];
-  return kind.info.rows >= 5 && kind.holds_point;
+  return model.special_joint(joint) ? nullptr : &joint_kinds()[model.joints()[joint].kind];
+}
+
+bool EliminatedRows::turning(int joint) const {
+  const JointKind* found = kind(joint);
+  return found && found->info.rows >= 5 && found->holds_point;
+}
+
+bool EliminatedRows::slides(int joint) const {
+  const JointKind* found = kind(joint);
+  return found && found->slides;
 }
 
 /// Among those before it, on the body with the fewest: the other one may have very many.

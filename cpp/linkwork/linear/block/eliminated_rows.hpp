@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "linkwork/assembly/system.hpp"
+#include "linkwork/model/joint_kind.hpp"
 
 namespace linkwork::block {
 
@@ -27,6 +28,8 @@ class EliminatedRows {
 
   /// Whether a joint holds a point and two or three rotations: its rows have the form of turning_kernels.hpp.
   bool turning(int joint) const;
+  /// Whether two shifts and all rotations: see SliderOnGround.
+  bool slides(int joint) const;
 
   /// Calls f with the blocks of D, on a body, of a joint and of those attached to it.
   template <class Function>
@@ -37,6 +40,7 @@ class EliminatedRows {
   }
 
  private:
+  const JointKind* kind(int joint) const;
   void attach(int joint);
   int find_host(int joint) const;
   bool same_bodies(int joint, int other) const;

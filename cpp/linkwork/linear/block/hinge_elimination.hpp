@@ -2,21 +2,15 @@
 
 #include <cstddef>
 
-#include "linkwork/linear/block/kernels.hpp"
-#include "linkwork/math/inline.hpp"
+#include "linkwork/linear/block/ground_elimination.hpp"
 
-/// Bodies on a hinge without an inerter, number by number: the equations of turning_kernels.hpp in one order of
+/// Bodies on a hinge on another body, without an inerter, number by number: the equations of turning_kernels.hpp in one order of
 /// operations, for deterministic runs and for ensembles, where `Access` reads and writes numbers of all lanes.
-///
-/// A body of closed loops that a hinge holds on the ground has one velocity u_f left: for the loops it is a body with
-/// the mobility g_f g_f^T / d and, without them, the acceleration `alone`.
 ///
 /// Of X are kept the columns that are no constants: those of the parent's rotation, of the right-hand side, and g_f.
 /// The way back finds lambda from M_b x_b - a_b, which takes fewer operations than rows for it.
 namespace linkwork::block {
 namespace {
-
-constexpr double least_size = 0.01;  // of det(R)^2: rows of R have length 1 where the joint is not violated
 
 /// Where the numbers of a step are, each from its first one on.
 struct HingePlaces {
@@ -26,7 +20,7 @@ struct HingePlaces {
   double* factors;
 };
 
-template <class Access, bool grounded>
+template <class Access>
 class HingeElimination {
  public:
   using Number = typename Access::Number;
@@ -37,14 +31,14 @@ class HingeElimination {
   LINKWORK_INLINE Number read(const double* b) {
     const Number determinant = invert();
     LINKWORK_UNROLL for (int m = 0; m < 3; ++m) {
-      LINKWORK_UNROLL for (int c = first; c < 3; ++c)
+      LINKWORK_UNROLL for (int c = 0; c < 3; ++c)
         X_[3 + m][c] = Z(3, c) * R_inverse_[0][m] + Z(4, c) * R_inverse_[1][m];
       X_[3 + m][right] = get(b, 3) * R_inverse_[0][m] + get(b, 4) * R_inverse_[1][m];
       X_[3 + m][free] = R_inverse_[2][m];
     }
     const Number s = get(at_.D_body, 0);
     LINKWORK_UNROLL for (int r = 0; r < 3; ++r) {
-      LINKWORK_UNROLL for (int c = first; c < columns; ++c) {
+      LINKWORK_UNROLL for (int c = 0; c < columns; ++c) {
         const Number turned = K(r, 0) * X_[3][c] + K(r, 1) * X_[4][c] + K(r, 2) * X_[5][c];
         if (c == free) X_[r][c] = -(s * turned);
         else X_[r][c] = s * ((c == right ? get(b, r) : Z(r, c)) - turned);
@@ -63,19 +57,15 @@ class HingeElimination {
       n += X_[k][free] * W_[k][free];
       r_[6] += X_[k][free] * W_[k][right];
     }
-    mobility_ = 1.0 / n;
-    LINKWORK_UNROLL for (int c = first; c < 3; ++c) {
+    const Number inverse = 1.0 / n;
+    LINKWORK_UNROLL for (int c = 0; c < 3; ++c) {
       r_[c] = -W_[c][free];
       r_[3 + c] = product(c, free);
     }
-    LINKWORK_UNROLL for (int c = grounded ? 6 : 0; c < 7; ++c)
-      t_[c] = -(r_[c] * mobility_);
+    LINKWORK_UNROLL for (int c = 0; c < 7; ++c)
+      t_[c] = -(r_[c] * inverse);
     return n;
   }
-
-  LINKWORK_INLINE Number mobility() const { return mobility_; }           ///< 1/d
-  LINKWORK_INLINE Number direction(int r) const { return X_[r][free]; }   ///< g_f
-  LINKWORK_INLINE Number alone(int r) const { return X_[r][right] + X_[r][free] * t_[6]; }
 
   /// Number r of column c of [M_p; a_p], r >= c, what is added to it.
   LINKWORK_INLINE Number parent(int c, int r) const {
@@ -88,9 +78,8 @@ class HingeElimination {
 
   LINKWORK_INLINE void store_way_back() const {
     LINKWORK_UNROLL for (int r = 0; r < 6; ++r) LINKWORK_UNROLL
-      for (int c = first; c < columns; ++c) put(at_.factors, columns * r + c, X_[r][c]);
-    if constexpr (grounded) put(at_.factors, of_mobility, mobility_);
-    LINKWORK_UNROLL for (int c = grounded ? 6 : 0; c < 7; ++c)
+      for (int c = 0; c < columns; ++c) put(at_.factors, columns * r + c, X_[r][c]);
+    LINKWORK_UNROLL for (int c = 0; c < 7; ++c)
       put(at_.factors, of_t + c, t_[c]);
     LINKWORK_UNROLL for (int c = 0; c < 2; ++c) LINKWORK_UNROLL
       for (int m = 0; m < 3; ++m) put(at_.factors, of_R_inverse + 3 * c + m, R_inverse_[c][m]);
@@ -105,34 +94,18 @@ class HingeElimination {
   /// x of the body from that of its parent, and lambda.
   LINKWORK_INLINE void go_back(const double* x_parent, double* x, double* lambda) {
     Number u = get(at_.factors, of_t + 6);
-    LINKWORK_UNROLL for (int c = grounded ? 6 : 0; c < 6; ++c)
+    LINKWORK_UNROLL for (int c = 0; c < 6; ++c)
       u -= get(at_.factors, of_t + c) * get(x_parent, c);
-    const Number none[6]{};
-    go_back(u, none, x_parent, x, lambda);
-  }
-  /// The same of a body in loops, on which these forces of their joints act.
-  LINKWORK_INLINE void go_back_in_loops(const Number* forces, double* x, double* lambda) {
-    static_assert(grounded);
-    Number sum = get(at_.factors, free) * forces[0];
-    LINKWORK_UNROLL for (int r = 1; r < 6; ++r)
-      sum += get(at_.factors, columns * r + free) * forces[r];
-    go_back(get(at_.factors, of_t + 6) + get(at_.factors, of_mobility) * sum, forces, nullptr, x, lambda);
-  }
-
- private:
-  LINKWORK_INLINE void go_back(Number u, const Number* forces, const double* x_parent, double* x, double* lambda) {
     Number moved[6], rest[6];
     LINKWORK_UNROLL for (int r = 0; r < 6; ++r) {
       moved[r] = get(at_.factors, columns * r + right) + get(at_.factors, columns * r + free) * u;
-      if (!grounded && r < 3) moved[r] += get(x_parent, r);
-      LINKWORK_UNROLL for (int c = first; c < 3; ++c)
+      if (r < 3) moved[r] += get(x_parent, r);
+      LINKWORK_UNROLL for (int c = 0; c < 3; ++c)
         moved[r] -= get(at_.factors, columns * r + c) * get(x_parent, 3 + c);
     }
     LINKWORK_UNROLL for (int r = 0; r < 6; ++r)
       put(x, r, moved[r]);
     find_rest(moved, rest);
-    LINKWORK_UNROLL for (int r = 0; r < 6; ++r)
-      rest[r] -= forces[r];
     const Number s = get(at_.D_body, 0);
     LINKWORK_UNROLL for (int r = 0; r < 3; ++r) {
       rest[r] = s * rest[r];
@@ -146,9 +119,9 @@ class HingeElimination {
     }
   }
 
+ private:
   static constexpr int right = 3, free = 4, columns = 5;  // of X, behind those of the parent's rotation
-  static constexpr int first = grounded ? right : 0;      // that is there
-  static constexpr int of_t = 6 * columns, of_mobility = of_t, of_R_inverse = of_t + 7, of_force = of_R_inverse + 6;
+  static constexpr int of_t = 6 * columns, of_R_inverse = of_t + 7, of_force = of_R_inverse + 6;
   static constexpr int of_inertia = of_force + 6, size = of_inertia + 21;
   static_assert(size < step_storage(5));
 
@@ -164,32 +137,18 @@ class HingeElimination {
 
   /// The columns of R^-1 are the products of two rows of R, over the determinant, which is returned.
   LINKWORK_INLINE Number invert() {
-    Number x[3], y[3], z[3];
+    Number x[3], y[3];
     LINKWORK_UNROLL for (int k = 0; k < 3; ++k) {
       x[k] = K(3, k);
       y[k] = K(4, k);
     }
-    cross(x, y, z);
-    const Number determinant = z[0] * z[0] + z[1] * z[1] + z[2] * z[2], inverse = 1.0 / determinant;
-    cross(y, z, R_inverse_[0]);
-    cross(z, x, R_inverse_[1]);
-    LINKWORK_UNROLL for (int m = 0; m < 3; ++m) {
-      R_inverse_[0][m] = R_inverse_[0][m] * inverse;
-      R_inverse_[1][m] = R_inverse_[1][m] * inverse;
-      R_inverse_[2][m] = z[m] * inverse;
-    }
-    return determinant;
-  }
-  static LINKWORK_INLINE void cross(const Number* a, const Number* b, Number* out) {
-    out[0] = a[1] * b[2] - a[2] * b[1];
-    out[1] = a[2] * b[0] - a[0] * b[2];
-    out[2] = a[0] * b[1] - a[1] * b[0];
+    return invert_pair(x, y, R_inverse_);
   }
 
   LINKWORK_INLINE void multiply_by_inertia() {
     LINKWORK_UNROLL for (int c = 0; c < 6; ++c) LINKWORK_UNROLL
       for (int r = c; r < 6; ++r) M_[c][r] = get(at_.articulated_inertia, 8 * c + r);
-    LINKWORK_UNROLL for (int c = first; c < columns; ++c) LINKWORK_UNROLL
+    LINKWORK_UNROLL for (int c = 0; c < columns; ++c) LINKWORK_UNROLL
       for (int r = 0; r < 6; ++r) {
         Number sum = M_[0][r] * X_[0][c];
         LINKWORK_UNROLL for (int k = 1; k < 6; ++k)
@@ -204,7 +163,7 @@ class HingeElimination {
     const Number m = get(at_.mass, 0);
     LINKWORK_UNROLL for (int c = 0; c < 3; ++c) LINKWORK_UNROLL
       for (int r = c; r < 3; ++r) M_[c][r] = r == c ? m : Number{};
-    LINKWORK_UNROLL for (int c = first; c < columns; ++c) LINKWORK_UNROLL
+    LINKWORK_UNROLL for (int c = 0; c < columns; ++c) LINKWORK_UNROLL
       for (int r = 0; r < 3; ++r) {
         W_[r][c] = m * X_[r][c];
         W_[3 + r][c] = J(r, 0) * X_[3][c] + J(r, 1) * X_[4][c] + J(r, 2) * X_[5][c];
@@ -245,7 +204,7 @@ class HingeElimination {
 
   const HingePlaces at_;
   Number R_inverse_[3][3];  ///< columns
-  Number X_[6][columns], W_[6][columns], M_[6][6], r_[7], t_[7], mobility_;
+  Number X_[6][columns], W_[6][columns], M_[6][6], r_[7], t_[7];
 };
 
 }  // namespace

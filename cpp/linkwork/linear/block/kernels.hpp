@@ -21,6 +21,7 @@ struct TreeStep {
   int parent_slot;     ///< of the parent's articulated inertia
   bool parent_begins;  ///< the parent's articulated inertia begins with its own mass here
   bool turning;        ///< of a hinge or of a joint that holds all, whose rows have the form of turning_kernels.hpp
+  bool slides;         ///< of a slider on the ground, see SliderOnGround
   int scattered;       ///< place in `step_rows` of rows that do not stand one after the other, as those of a joint with
                        ///< others attached, or -1
   std::ptrdiff_t D_body, D_parent;
@@ -74,7 +75,8 @@ struct Front {
 ///
 /// `vectors` of the front's positions hold its rows; the rows stand in these, one after the other, in the same lanes.
 ///
-/// One that turns on the ground is eliminated with that hinge, which is part of no front: see HingeElimination.
+/// A grounded one is eliminated with its hinge or slider on the ground, which is part of no front: see
+/// GroundElimination.
 struct CoreBody {
   int body;
   int slot;         ///< of its articulated inertia, or -1 for a body without branches
@@ -83,10 +85,11 @@ struct CoreBody {
   int first_run, runs;         ///< of its rows, in `runs`: where they stand in the vectors, and in the front
   int first_row, rows;         ///< in `rows`
   std::ptrdiff_t own_factors;  ///< of a body with branches: place of L and of D^-1 L^-1 a
-  int hinge_row;               ///< the first of the hinge, or -1
-  std::ptrdiff_t hinge_D, hinge_factors;
+  int ground_row;              ///< of a grounded body the first of that joint, or -1
+  bool slides;                 ///< it is a slider
+  std::ptrdiff_t ground_D, ground_factors;
 
-  bool turns() const { return hinge_row >= 0; }
+  bool grounded() const { return ground_row >= 0; }
 };
 
 /// Eight positions of a front from `position` on, and where the rows of D stand that belong there, or a row of

@@ -28,22 +28,23 @@ PrunedLeaves prune_branches(const System& system, const EliminatedRows& rows) {
 
 SymbolicFactorization::SymbolicFactorization(const System& system, const std::vector<int>& dropped, int compliant_from,
                                              const std::vector<DelayedPivot>& delayed, bool for_threads,
-                                             bool turns) {
+                                             bool grounded) {
   look_for_interruption();
   const EliminatedRows eliminated(system, dropped, compliant_from);
   const PrunedLeaves pruned = prune_branches(system, eliminated);
   const std::vector<int> slots = eliminate_trees(system, pruned, eliminated, for_threads, *this);
-  eliminate_core(system, pruned, slots, eliminated, delayed, {.for_threads = for_threads, .turns = turns}, *this);
+  eliminate_core(system, pruned, slots, eliminated, delayed, {.for_threads = for_threads, .grounded = grounded}, *this);
 }
 
 double SymbolicFactorization::breakdown() const { return hubs.empty() ? singular_pivot : small_pivot; }
 
-bool SymbolicFactorization::turns_on(int row) const {
-  return row >= 0 && std::any_of(bodies.begin(), bodies.end(), [&](const CoreBody& it) { return it.hinge_row == row; });
+bool SymbolicFactorization::grounded_by(int row) const {
+  return row >= 0 &&
+         std::any_of(bodies.begin(), bodies.end(), [&](const CoreBody& it) { return it.ground_row == row; });
 }
 
-bool SymbolicFactorization::turns() const {
-  return std::any_of(bodies.begin(), bodies.end(), [](const CoreBody& it) { return it.turns(); });
+bool SymbolicFactorization::grounded() const {
+  return std::any_of(bodies.begin(), bodies.end(), [](const CoreBody& it) { return it.grounded(); });
 }
 
 int SymbolicFactorization::next_hub(int row) const {

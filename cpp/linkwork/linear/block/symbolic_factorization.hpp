@@ -17,7 +17,8 @@ namespace linkwork::block {
 /// inertias only add up on the way. What is left are closed loops, the 2-core of the graph: its bodies first, then its
 /// joints in a fill-reducing order of the graph "joints that share a body", gathered into supernodes (multifrontal
 /// method, Duff and Reid 1983). Bodies with many joints, hubs, are eliminated among the joints where that takes fewer
-/// operations. Others that a hinge holds on the ground are eliminated with it. Joints with compliance go with another one between the same bodies, see EliminatedRows.
+/// operations. Others on a hinge or a slider on the ground, grounded ones, are eliminated
+/// with it. Joints with compliance go with another one between the same bodies, see EliminatedRows.
 struct SymbolicFactorization {
   /// A joint that must not be eliminated before a hub, because it depends on the others while the hub is held. Of
   /// several that are eliminated together the last one counts.
@@ -26,17 +27,17 @@ struct SymbolicFactorization {
     void keep(Archive& archive) { archive(joint, hub); }
   };
   /// Without the `dropped` rows of joints in loops; rows from `compliant_from` on have compliance; `for_threads`: in
-  /// tasks for several ones; `turns`: bodies in loops may be eliminated with a hinge on the ground.
+  /// tasks for several ones; `grounded`: bodies in loops may be eliminated with a hinge or slider on the ground.
   explicit SymbolicFactorization(const System& system, const std::vector<int>& dropped = {},
                                  int compliant_from = std::numeric_limits<int>::max(),
                                  const std::vector<DelayedPivot>& delayed = {}, bool for_threads = false,
-                                 bool turns = true);
+                                 bool grounded = true);
 
   /// The relative pivot from which no elimination should go on: with hubs, there is a better order.
   double breakdown() const;
-  /// Whether a body is eliminated with the hinge of a constraint row, which is its first.
-  bool turns_on(int row) const;
-  bool turns() const;  ///< some body
+  /// Whether a body is eliminated with the joint on the ground of a constraint row, which is its first.
+  bool grounded_by(int row) const;
+  bool grounded() const;  ///< some body
   /// The hub to which the joint of a constraint row can be delayed: the next one to be eliminated that it affects, or
   /// -1.
   int next_hub(int row) const;

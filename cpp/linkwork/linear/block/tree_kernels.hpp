@@ -182,7 +182,7 @@ LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const d
     data.factors[step.storage + TurningFactors<rows>::sign] = 0.0;
   }
   if constexpr (by_numbers<rows, scattered>)
-    if (factor_hinge(step, data, a, b, smallest)) return;
+    if (factor_by_numbers(step, data, a, b, smallest)) return;
   factor_row_by_row<rows, scattered>(step, data, a, b, smallest);
 }
 
@@ -191,7 +191,7 @@ LINKWORK_INLINE void backward_step(const TreeStep& step, const Data& data, doubl
   if constexpr (turns<rows, scattered>)
     if (turn_back<rows, scattered>(step, data, x, lambda)) return;
   if constexpr (by_numbers<rows, scattered>)
-    if (hinge_back(step, data, x, lambda)) return;
+    if (back_by_numbers(step, data, x, lambda)) return;
   const Vector one = unit(right_hand_side);
   const double* factors = data.factors + step.storage;
   Vector products[6], l = splat(0.0);

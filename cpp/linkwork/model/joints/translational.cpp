@@ -7,6 +7,7 @@ namespace linkwork {
 /// A slider: the bodies share an axis and do not turn against each other (5 equations).
 struct Translational {
   static constexpr int rows = 5;
+  static constexpr bool slides = true;
 
   static KindInfo info() {
     return {
