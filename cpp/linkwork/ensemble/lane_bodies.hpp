@@ -77,22 +77,12 @@ LINKWORK_INLINE block::GroundPlaces ground_places(const CoreBody& body, const La
   return ground_places(body, body.ground_D, body.ground_factors, data, a);
 }
 
-/// What a grounded body is to the loops, see block/ground_elimination.hpp.
-struct Grounded {
-  Native direction[6], alone[6], mobility;
-};
-
-Grounded eliminate_ground_joint(const CoreBody& body, const LaneData& data, const double* a, const double* b,
-                                SmallestPivots& smallest) {
+block::Grounded<Native> eliminate_ground_joint(const CoreBody& body, const LaneData& data, const double* a,
+                                               const double* b, SmallestPivots& smallest) {
   return with_ground_joint(body.slides, ground_places(body, data, a), [&](auto joint) {
     eliminate_joint(joint, body.ground_row, b, smallest);
     joint.store_way_back();
-    Grounded out{{}, {}, joint.mobility()};
-    LINKWORK_UNROLL for (int r = 0; r < 6; ++r) {
-      out.direction[r] = joint.direction(r);
-      out.alone[r] = joint.alone(r);
-    }
-    return out;
+    return joint.grounded();
   });
 }
 
@@ -108,7 +98,7 @@ LINKWORK_INLINE Native along(const double* D, const Native* motion) {
 /// As add_row of a grounded body: D g, with and without 1/n.
 template <bool branches, bool right_hand_side_only, RowForm form>
 LINKWORK_INLINE void add_grounded_row(int row, const FrontPlace& at, const LaneData& data, const double* own,
-                                      const double* factor, const Grounded& grounded, double* U) {
+                                      const double* factor, const block::Grounded<Native>& grounded, double* U) {
   const double* D = data.D + data.rows[row].D * width;
   const int position = data.row_positions[row];
   put(at.right(), position, get(at.right(), position) - along<form>(D, grounded.alone));
@@ -174,7 +164,8 @@ void add_body(const CoreBody& body, const FrontPlace& at, const LaneData& data, 
 
 /// The same of a grounded one.
 template <bool branches, bool right_hand_side_only>
-void add_grounded_body(const CoreBody& body, const FrontPlace& at, const LaneData& data, const Grounded& grounded) {
+void add_grounded_body(const CoreBody& body, const FrontPlace& at, const LaneData& data,
+                       const block::Grounded<Native>& grounded) {
   double* U = data.scratch;
   const double* own = data.factors + body.own_factors * width;
   const double* factor = branches ? nullptr : mass_factor_of(body, data);
@@ -276,7 +267,7 @@ void eliminate_body(const CoreBody& body, const FrontPlace& at, const LaneData& 
                     SmallestPivots& smallest) {
   if (body.slot >= 0) factor_mass(body, data, smallest);
   if (body.grounded()) {
-    const Grounded grounded = eliminate_ground_joint(body, data, a, b, smallest);
+    const block::Grounded<Native> grounded = eliminate_ground_joint(body, data, a, b, smallest);
     if (body.slot >= 0) add_grounded_body<true, right_hand_side_only>(body, at, data, grounded);
     else add_grounded_body<false, right_hand_side_only>(body, at, data, grounded);
     if constexpr (!right_hand_side_only) add_grounded_columns(body, at, data);

@@ -44,28 +44,18 @@ LINKWORK_INLINE Vector solve_lower(const MassFactor& factor, Vector a) {
   return a * load_first<6>(factor.inverse);
 }
 
-/// What a grounded body is to the loops, see GroundElimination.
-struct Grounded {
-  double direction[6], alone[6], mobility;
-};
-
 LINKWORK_INLINE GroundPlaces ground_places(const CoreBody& body, const Data& data, const double* a) {
   return ground_places(body, body.ground_D, body.ground_factors, data, a);
 }
 
-Grounded eliminate_ground_joint(const CoreBody& body, const Data& data, const double* a, const double* b,
-                                SmallestPivot& smallest) {
+Grounded<double> eliminate_ground_joint(const CoreBody& body, const Data& data, const double* a, const double* b,
+                                        SmallestPivot& smallest) {
   return with_ground_joint(body.slides, ground_places(body, data, a), [&](auto joint) {
     const double size = joint.read(b + body.ground_row), pivot = joint.release();
     if (!(size > least_size && pivot > 0.0) && !(smallest.ratio < data.breakdown))
       smallest = {size == size && pivot == pivot ? 0.0 : not_a_number, body.ground_row};
     joint.store_way_back();
-    Grounded out{{}, {}, joint.mobility()};
-    LINKWORK_UNROLL for (int r = 0; r < 6; ++r) {
-      out.direction[r] = joint.direction(r);
-      out.alone[r] = joint.alone(r);
-    }
-    return out;
+    return joint.grounded();
   });
 }
 
@@ -80,7 +70,8 @@ LINKWORK_INLINE Native along(const Native* B, const double* motion) {
 /// What [M; D | a] of a body leaves, D M^-1 D^T and -D M^-1 a, is added to the front. With `right_hand_side_only`
 /// nothing but the last column. `grounded` is that of a grounded body.
 template <bool branches, bool on_ground, bool right_hand_side_only>
-void add_body(const CoreBody& body, const Front& front, const Data& data, const double* a, const Grounded& grounded) {
+void add_body(const CoreBody& body, const Front& front, const Data& data, const double* a,
+              const Grounded<double>& grounded) {
   const RowVector* vectors = data.vectors + body.first_vector;
   const std::ptrdiff_t stride = lanes * static_cast<std::ptrdiff_t>(body.vectors);
   double *U = data.scratch, *scaled = U + 6 * stride;  // L^-1 D^T, with and without D^-1; D g, with and without 1/n
@@ -151,7 +142,7 @@ void eliminate_body(const CoreBody& body, const Front& front, const Data& data, 
   const bool branches = body.slot >= 0;
   if (branches) factor_mass(body, data, smallest);
   if (body.grounded()) {
-    const Grounded grounded = eliminate_ground_joint(body, data, a, b, smallest);
+    const Grounded<double> grounded = eliminate_ground_joint(body, data, a, b, smallest);
     if (branches) add_body<true, true, right_hand_side_only>(body, front, data, a, grounded);
     else add_body<false, true, right_hand_side_only>(body, front, data, a, grounded);
     if constexpr (!right_hand_side_only) add_body_columns<1>(body, front, data);

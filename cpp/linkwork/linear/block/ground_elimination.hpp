@@ -180,6 +180,14 @@ struct SliderOnGround {
   Number shifts_[3][3], turns_[3][3];
 };
 
+/// What such a body is to loops.
+template <class Number>
+struct Grounded {
+  Number direction[6];  ///< g
+  Number alone[6];      ///< its acceleration without them
+  Number mobility;      ///< 1/n
+};
+
 template <class Access, template <class> class Joint>
 class GroundElimination {
  public:
@@ -207,9 +215,14 @@ class GroundElimination {
     return n;
   }
 
-  LINKWORK_INLINE Number mobility() const { return mobility_; }       ///< 1/n
-  LINKWORK_INLINE Number direction(int r) const { return free_[r]; }  ///< g
-  LINKWORK_INLINE Number alone(int r) const { return right_[r] + free_[r] * u_; }
+  LINKWORK_INLINE Grounded<Number> grounded() const {
+    Grounded<Number> out{{}, {}, mobility_};
+    LINKWORK_UNROLL for (int r = 0; r < 6; ++r) {
+      out.direction[r] = free_[r];
+      out.alone[r] = alone(r);
+    }
+    return out;
+  }
 
   LINKWORK_INLINE void store_way_back() const {
     LINKWORK_UNROLL for (int r = 0; r < 6; ++r) {
@@ -244,6 +257,7 @@ class GroundElimination {
   static constexpr int of_mobility = 12, of_force = 13, of_inertia = of_force + 6, of_joint = of_inertia + 21;
   static_assert(of_joint + Joint<Access>::kept < step_storage(5));
 
+  LINKWORK_INLINE Number alone(int r) const { return right_[r] + free_[r] * u_; }
   LINKWORK_INLINE Number J(int r, int c) const { return Access::get(at_.mass, 1 + 3 * r + c); }
   /// r >= c.
   LINKWORK_INLINE Number M(int c, int r) const { return Access::get(at_.articulated_inertia, 8 * c + r); }
