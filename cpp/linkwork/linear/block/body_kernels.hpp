@@ -67,6 +67,18 @@ LINKWORK_INLINE Native along(const Native* B, const double* motion) {
   return sum;
 }
 
+/// L^-1 of rows of D, by columns of them.
+template <bool branches>
+LINKWORK_INLINE void reduce_rows(const double* own, const MassFactor* factor, Native* B) {
+  if constexpr (branches) {
+    LINKWORK_UNROLL for (int k = 0; k < 6; ++k) LINKWORK_UNROLL
+      for (int c = k + 1; c < 6; ++c) B[c] -= B[k] * splat_native(own[k * lanes + c]);
+  } else {
+    B[4] -= B[3] * splat_native(factor->L43);
+    B[5] -= B[3] * splat_native(factor->L53) + B[4] * splat_native(factor->L54);
+  }
+}
+
 /// What [M; D | a] of a body leaves, D M^-1 D^T and -D M^-1 a, is added to the front. With `right_hand_side_only`
 /// nothing but the last column. `grounded` is that of a grounded body.
 template <bool branches, bool on_ground, bool right_hand_side_only>
@@ -89,13 +101,7 @@ void add_body(const CoreBody& body, const Front& front, const Data& data, const 
         store_native(U + v * lanes + first, moved);
         store_native(scaled + v * lanes + first, moved * splat_native(grounded.mobility));
       }
-      if constexpr (branches) {
-        LINKWORK_UNROLL for (int k = 0; k < 6; ++k) LINKWORK_UNROLL
-          for (int c = k + 1; c < 6; ++c) B[c] -= B[k] * splat_native(own[k * lanes + c]);
-      } else {
-        B[4] -= B[3] * splat_native(factor->L43);
-        B[5] -= B[3] * splat_native(factor->L53) + B[4] * splat_native(factor->L54);
-      }
+      reduce_rows<branches>(own, factor, B);
       LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
         if constexpr (!on_ground) r -= B[k] * lane(y, k).part[0];
         if constexpr (right_hand_side_only) continue;
