@@ -4,26 +4,14 @@
 #include <Eigen/LU>
 #include <set>
 
-#include "dense_algebra.hpp"
-#include "linkwork/linear/block/block_solver.hpp"
+#include "block_solver_checks.hpp"
 #include "linkwork/linear/block/symbolic_factorization.hpp"
 #include "linkwork/math/error.hpp"
 #include "linkwork/model/special/coupler.hpp"
-#include "mechanisms.hpp"
 
 using namespace support;
 
 namespace {
-
-/// Runs a check with the kernels of every instruction set that this processor has.
-template <class Check>
-void for_every_instruction_set(Check check) {
-  for (int level = 0; level < instruction_set_count(); ++level) {
-    INFO("kernels of ", std::string(instruction_set(level).name));
-    const auto solver = block::make_block_solver(instruction_set(level));
-    check(*solver);
-  }
-}
 
 /// A square net of n x n nodes, rods between neighbours joined by balls, the first node on the ground.
 Model net(Random& random, int n) {
@@ -67,38 +55,6 @@ Model loops(Random& random, int bodies) {
     if (i != j) add_joint(model, random, joint_kinds()[kind].info.name, "closing" + std::to_string(kind), i, j);
   }
   return model;
-}
-
-/// Largest residuals of the two block rows, each relative to its largest term.
-std::pair<double, double> residuals(const System& system, const Evaluation& at, const VectorXd& e, const VectorXd& a,
-                                    const VectorXd& b, const VectorXd& x, const VectorXd& lambda) {
-  VectorXd Mx(a.size()), Dx(b.size()), Dl = VectorXd::Zero(a.size());
-  system.multiply_mass(at, x, Mx);
-  system.multiply_D(at, x, Dx);
-  system.add_D_transposed(at, lambda, Dl);
-  const double first = (Mx - Dl - a).cwiseAbs().maxCoeff();
-  const double second = b.size() ? (Dx + e.cwiseProduct(lambda) - b).cwiseAbs().maxCoeff() : 0.0;
-  const double size = std::max({Mx.cwiseAbs().maxCoeff(), Dl.cwiseAbs().maxCoeff(), a.cwiseAbs().maxCoeff()});
-  return {first / size, second / std::max(b.size() ? b.cwiseAbs().maxCoeff() : 1.0, x.cwiseAbs().maxCoeff())};
-}
-
-void check_solves(SaddleSolver& solver, const System& system, Random& random, bool compliant) {
-  const Evaluation at = evaluate_initially(system);
-  const VectorXd e = compliant ? VectorXd(1e-3 * (random.vector(system.row_count()).array() + 1.5))
-                               : VectorXd(VectorXd::Zero(system.row_count()));
-  const VectorXd a = random.vector(system.v_size()), b = random.vector(system.row_count());
-  VectorXd x(a.size()), lambda(b.size()), x_again(a.size()), lambda_again(b.size());
-  solver.analyze(system, at);
-  solver.factorize_and_solve(at, e, a, b, x, lambda);
-  const auto [first, second] = residuals(system, at, e, a, b, x, lambda);
-  CHECK(first < 1e-11);
-  CHECK(second < 1e-11);
-  solver.solve(2.0 * a, 2.0 * b, x_again, lambda_again);  // the separate forward substitution
-  CHECK(relative_error(x_again, 2.0 * x) < 1e-10);
-  CHECK(relative_error(lambda_again, 2.0 * lambda) < 1e-9);
-  solver.factorize(at, e);
-  solver.solve(a, b, x_again, lambda_again);
-  CHECK(relative_error(x_again, x) < 1e-10);
 }
 
 }  // namespace
@@ -146,108 +102,6 @@ TEST_CASE("loops closed by every kind of joint, dependent rows included, are sol
     for (int trial = 0; trial < 20; ++trial) {
       const System system(loops(random, random.integer(3, 25)));
       check_solves(solver, system, random, true);
-    }
-  });
-}
-
-namespace {
-
-/// Bodies on hinges and sliders on the ground, some with branches; each is joined to the next by a body, or a rod.
-Model grounded_bodies(Random& random, int count, bool branches) {
-  Model model;
-  for (int k = 0; k < count; ++k) {
-    const std::string number = std::to_string(k);
-    const int body = model.add_body("body" + number, random_body(random));
-    const char* kind = k % 4 == 1 ? "translational" : "revolute";
-    if (k % 4 == 3) continue;
-    if (k % 3) add_joint(model, random, kind, "guide" + number, ground, body);
-    else add_joint(model, random, kind, "guide" + number, body, ground);
-  }
-  for (int k = 0; k < count; ++k) {
-    const std::string number = std::to_string(k);
-    const int next = (k + 1) % count;
-    if (k % 2 == 0) {
-      add_joint(model, random, "distance", "rod" + number, k, next);
-    } else {
-      const int coupler = model.add_body("coupler" + number, random_body(random));
-      add_joint(model, random, "universal", "left" + number, k, coupler);
-      add_joint(model, random, "distance", "right" + number, coupler, next);
-    }
-    if (!branches) continue;
-    const int branch = model.add_body("branch" + number, random_body(random));
-    add_joint(model, random, k % 3 ? "revolute" : "cylindrical", "branch" + number, k, branch);
-  }
-  return model;
-}
-
-int count_grounded(const System& system) {
-  const block::SymbolicFactorization symbolic(system);
-  int out = 0;
-  for (const block::CoreBody& body : symbolic.bodies) out += body.grounded();
-  return out;
-}
-
-}  // namespace
-
-TEST_CASE("grounded bodies of loops are solved, with branches and where their joints yield, too") {
-  for_every_instruction_set([](SaddleSolver& solver) {
-    Random random(16);
-    for (int trial = 0; trial < 40; ++trial) {
-      const int count = random.integer(4, 12);
-      const System system(grounded_bodies(random, count, trial % 2 == 1));
-      CHECK(count_grounded(system) == count - count / 4);
-      check_solves(solver, system, random, false);
-      check_solves(solver, system, random, true);
-      CHECK(solver.reordered());  // joints that yield are like others
-      check_solves(solver, system, random, false);
-      CHECK(!solver.reordered());
-    }
-  });
-}
-
-TEST_CASE("grounded bodies whose joints are violated by far are solved as others are") {
-  for_every_instruction_set([](SaddleSolver& solver) {
-    Random random(17);
-    int reordered = 0;
-    for (int trial = 0; trial < 20; ++trial) {
-      Model model;
-      for (int body = 0; body < 3; ++body) {
-        model.add_body("body" + std::to_string(body), random_body(random));
-        model.add_joint(body ? "revolute" : "translational", "guide" + std::to_string(body), ground, body,
-                        random_attachment(random));
-      }
-      for (int body = 0; body < 2; ++body)
-        add_joint(model, random, "distance", "rod" + std::to_string(body), body, body + 1);
-      const System system(model);
-      CHECK(count_grounded(system) == 3);
-      check_solves(solver, system, random, false);
-      reordered += solver.reordered();
-    }
-    CHECK(reordered > 1);
-    CHECK(reordered < 19);
-  });
-}
-
-TEST_CASE("a row that the joint of a grounded body nearly fulfils by itself is a small pivot") {
-  for_every_instruction_set([](SaddleSolver& solver) {
-    for (const double angle : {0.5, 1e-2, 1e-4, 1e-6}) {
-      INFO("at ", angle);
-      Model model;  // a crank, and a rod from its pin almost straight on to the ground
-      const Vec3<double> pin(0.4, 0.0, 0.0), far(0.4 + std::cos(angle), std::sin(angle), 0.0);
-      const int crank = model.add_body("crank", body_at({0.2, 0.0, 0.0}));
-      join(model, "revolute", "bearing", ground, crank, {0.0, 0.0, 0.0});
-      Attachment<double> at{far, pin - Vec3<double>(0.2, 0.0, 0.0), Mat3<double>::Identity(), Mat3<double>::Identity()};
-      model.add_joint("distance", "rod", ground, crank, at, {Parameter{1.0}});
-      const System system(model);
-      REQUIRE(count_grounded(system) == 1);
-      const Evaluation evaluation = evaluate_initially(system);
-      solver.analyze(system, evaluation);
-      solver.factorize(evaluation, VectorXd());
-      const MatrixXd M = dense_M(model), D = dense_D(system, evaluation), S = dense_delassus(M, D);
-      const MatrixXd first = S.topLeftCorner(5, 5);
-      const VectorXd s = S.col(5).head(5);
-      const double pivot = (S(5, 5) - s.dot(dense_solution(first, s))) / S(5, 5);
-      CHECK(solver.smallest_pivot() == doctest::Approx(pivot).epsilon(1e-3));
     }
   });
 }

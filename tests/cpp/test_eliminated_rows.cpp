@@ -108,7 +108,7 @@ TEST_CASE("in loops a joint and its inerters are eliminated as one, each row onc
   for (const block::Front& front : found.symbolic.fronts)
     for (int k = 0; k < front.width; ++k) unknowns.insert(found.symbolic.unknowns[front.unknown + k]);
   for (const block::CoreBody& body : found.symbolic.bodies)
-    for (int k = 0; body.grounded() && k < 5; ++k) unknowns.insert(body.ground_row + k);
+    for (int k = 0; body.grounded() && k < block::ground_rows; ++k) unknowns.insert(body.ground_row + k);
   for (int row = 0; row < 20; ++row)
     if (row < 12 || row > 14) expected.insert(row);
   CHECK(unknowns == expected);

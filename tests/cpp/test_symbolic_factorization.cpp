@@ -32,7 +32,7 @@ std::multiset<int> eliminated_rows(const SymbolicFactorization& symbolic) {
   for (const block::Front& front : symbolic.fronts)
     for (int k = 0; k < front.width; ++k) out.insert(symbolic.unknowns[front.unknown + k]);
   for (const block::CoreBody& body : symbolic.bodies)
-    for (int k = 0; body.grounded() && k < 5; ++k) out.insert(body.ground_row + k);
+    for (int k = 0; body.grounded() && k < block::ground_rows; ++k) out.insert(body.ground_row + k);
   return out;
 }
 

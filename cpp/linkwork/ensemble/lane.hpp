@@ -81,6 +81,7 @@ class Lane {
 
   Dynamics& dynamics() { return dynamics_; }
   bool alive() const { return alive_ && !moves_; }
+  /// Whether other rows are left out than by the pack, since the end of its last step.
   bool changed() const { return changed_; }
   /// Why it left, in words; empty where it did not, and when [s].
   const std::string& reason() const { return reason_; }
@@ -162,8 +163,8 @@ class Lane {
   bool alive_ = true, looked_ = false, stops_;
   bool leaping_ = false, leapt_ = false;  ///< as in Simulation
   bool recording_ = false;                ///< evaluated, with a frame that waits
-  bool changed_ = false;                  ///< other rows are left out than by the pack, since the last step
-  bool moves_ = false, waits_ = false;    ///< between two packs; in the next one
+  bool changed_ = false;
+  bool moves_ = false, waits_ = false;  ///< between two packs; in the next one
   std::int64_t joins_at_ = -1;
   VectorXd joining_state_;
   double left_at_ = NAN;

@@ -182,9 +182,9 @@ struct Heading {
   Real c, s;
 };
 
-// The row of the angle of x_j against x_i about z_i without the angle itself. In axes of i, where C = A_i^T A_j, b = C x_j
-// and w = C w_j - w_i: c = x_i . b, s = y_i . b, n = (c y_i - s x_i) / (c^2 + s^2), to which b is normal, d = b x n;
-// exact in every pose, whatever c^2 + s^2 is.
+// The row of the angle of x_j against x_i about z_i without the angle itself, exact in every pose, whatever c^2 + s^2 is.
+// In axes of i, where C = A_i^T A_j, b = C x_j and w = C w_j - w_i:
+// c = x_i . b, s = y_i . b, n = (c y_i - s x_i) / (c^2 + s^2), to which b is normal, d = b x n
 // Phi_dot = w . d,   D_i = [0, -d^T],   D_j = [0, (C^T d)^T]
 // gamma = (w_i x C w_j) . d - (w . n) (w . b) + 2 Phi_dot (c c_dot + s s_dot) / (c^2 + s^2),   b_dot = w x b
 template <class Real>

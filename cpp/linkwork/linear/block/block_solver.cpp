@@ -14,8 +14,7 @@ namespace {
 
 constexpr double singular_pivot = 1e-15;
 constexpr double far_apart = 1e6;
-constexpr std::size_t cached = 1 << 16;  // doubles, half of a cache of 1 MB: the rest is for D
-constexpr int ground_rows = 5;
+constexpr std::size_t cached = 1 << 16;   // doubles, half of a cache of 1 MB: the rest is for D
 constexpr std::size_t slack = 2 * lanes;  // vectors may reach past the last column
 
 class BlockSolver final : public SaddleSolver {

@@ -98,9 +98,8 @@ class CoreBuilder {
   }
 
   bool holds_on_ground(int joint) const {
-    constexpr int rows = 5;
     const BlockRange blocks = system_.joint_blocks(joint);
-    const bool whole = rows_.count(joint) == rows && first_row(joint + 1) - first_row(joint) == rows;
+    const bool whole = rows_.count(joint) == ground_rows && first_row(joint + 1) - first_row(joint) == ground_rows;
     return whole && rows_.next(joint) == none && blocks.end() - blocks.begin() == 1 &&
            (rows_.turning(joint) || rows_.slides(joint));
   }

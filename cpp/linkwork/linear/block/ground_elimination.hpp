@@ -6,12 +6,12 @@
 #include "linkwork/math/simd.hpp"
 
 /// Bodies on a joint on the ground that leaves them one motion, a hinge or a slider, number by number in one order of
-/// operations, for deterministic runs, for ensembles and in closed loops, where `Access` reads and writes numbers of all
-/// lanes.
+/// operations, for deterministic runs, for ensembles and in closed loops, where `Access` reads and writes numbers of
+/// all lanes.
 ///
-/// With the row of that motion behind its own, D of the joint is square, with the inverse (G_c, g): x = G_c b + g u, and
-/// lambda = G_c^T (M x - a - f), where f is what the loops exert on the body. For the loops it is a body with the mobility
-/// g g^T / n, n = g^T M g, and the acceleration `alone` without them.
+/// With the row of that motion behind its own, D of the joint is square, with the inverse (G_c, g): x = G_c b + g u,
+/// and lambda = G_c^T (M x - a - f), where f is what the loops exert on the body. For the loops it is a body with the
+/// mobility g g^T / n, n = g^T M g, and the acceleration `alone` without them.
 namespace linkwork::block {
 namespace {
 

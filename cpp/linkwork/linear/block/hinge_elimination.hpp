@@ -4,8 +4,9 @@
 
 #include "linkwork/linear/block/ground_elimination.hpp"
 
-/// Bodies on a hinge on another body, without an inerter, number by number: the equations of turning_kernels.hpp in one order of
-/// operations, for deterministic runs and for ensembles, where `Access` reads and writes numbers of all lanes.
+/// Bodies of open branches on a hinge on another body, without an inerter, number by number: the equations of
+/// turning_kernels.hpp in one order of operations, for deterministic runs and for ensembles, where `Access` reads and
+/// writes numbers of all lanes.
 ///
 /// Of X are kept the columns that are no constants: those of the parent's rotation, of the right-hand side, and g_f.
 /// The way back finds lambda from M_b x_b - a_b, which takes fewer operations than rows for it.
@@ -93,10 +94,9 @@ class HingeElimination {
 
   /// x of the body from that of its parent, and lambda.
   LINKWORK_INLINE void go_back(const double* x_parent, double* x, double* lambda) {
-    Number u = get(at_.factors, of_t + 6);
+    Number u = get(at_.factors, of_t + 6), moved[6], rest[6];
     LINKWORK_UNROLL for (int c = 0; c < 6; ++c)
       u -= get(at_.factors, of_t + c) * get(x_parent, c);
-    Number moved[6], rest[6];
     LINKWORK_UNROLL for (int r = 0; r < 6; ++r) {
       moved[r] = get(at_.factors, columns * r + right) + get(at_.factors, columns * r + free) * u;
       if (r < 3) moved[r] += get(x_parent, r);

@@ -10,6 +10,7 @@
 namespace linkwork::block {
 
 constexpr int lanes = 8;            ///< storage is padded to vectors of 8 doubles on every instruction set
+constexpr int ground_rows = 5;      ///< of the joint of a grounded body
 constexpr int right_hand_side = 6;  ///< lane that carries the right-hand side beside the 6 rows of a body
 
 /// A body at the end of an open branch and the joint that holds it, eliminated together.
