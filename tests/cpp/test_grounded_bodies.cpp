@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "linkwork/linear/block/symbolic_factorization.hpp"
 
 #include "block_solver_checks.hpp"
@@ -103,6 +105,42 @@ TEST_CASE("a row that the joint of a grounded body nearly fulfils by itself is a
       const VectorXd s = S.col(5).head(5);
       const double pivot = (S(5, 5) - s.dot(dense_solution(first, s))) / S(5, 5);
       CHECK(solver.smallest_pivot() == doctest::Approx(pivot).epsilon(1e-3));
+    }
+  });
+}
+
+TEST_CASE("grounded bodies of masses over twelve decades have the accelerations of an accurate solution") {
+  for_every_instruction_set([](SaddleSolver& solver) {
+    Random random(18);
+    for (int trial = 0; trial < 10; ++trial) {
+      Model model = grounded_bodies(random, 5, trial % 2 == 1), scaled;
+      for (std::size_t k = 0; k < model.bodies().size(); ++k) {
+        Body body = model.bodies()[k];
+        const double factor = std::pow(10.0, random.number(-6.0, 6.0));
+        body.mass *= factor;
+        body.inertia *= factor;
+        scaled.add_body(model.body_name(static_cast<int>(k)), body);
+      }
+      for (std::size_t k = 0; k < model.joints().size(); ++k) {
+        const Element& it = model.joints()[k];
+        const int first = it.first_parameter, count = static_cast<int>(joint_info(it.kind).parameters.size());
+        const auto begin = model.joint_parameters().begin() + first;
+        scaled.add_joint(joint_info(it.kind).name, "joint" + std::to_string(k), it.i, it.j, it.at,
+                         {begin, begin + count});
+      }
+      const System system(scaled);
+      REQUIRE(count_grounded(system) > 0);
+      const Evaluation at = evaluate_initially(system);
+      const MatrixXd M = dense_M(scaled), D = dense_D(system, at);
+      const Eigen::Index n = M.rows(), m = D.rows();
+      MatrixXd K = MatrixXd::Zero(n + m, n + m);
+      K << M, D.transpose(), D, MatrixXd::Zero(m, m);
+      VectorXd right(n + m), x(n), lambda(m);
+      const VectorXd a = M * random.vector(n), b = random.vector(m);
+      right << a, b;
+      solver.analyze(system, at);
+      solver.factorize_and_solve(at, VectorXd(), a, b, x, lambda);
+      CHECK(relative_error(x, accurate_solution(K, right).head(n)) < 1e-9);
     }
   });
 }
