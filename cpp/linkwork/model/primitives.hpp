@@ -46,40 +46,125 @@ LINKWORK_PRIMITIVE void coincident(const BodyState<Real>& i, const BodyState<Rea
   }
 }
 
+/// How j turns against i, in axes of j, where C = A_j^T A_i, w = w_j - C w_i: what directions that stay perpendicular have
+/// in common.
+// Phi = a . b = 0 with a = C a_i, b = b_j:   Phi_dot = w . d with d = b x a
+// D_i = [0, -(C^T d)^T],   D_j = [0, d^T]
+// gamma = (C w_i x w_j) . d - (w . a) (w . b) + w^2 Phi
+template <class Real>
+class RelativeRotation {
+ public:
+  /// A direction of i.
+  struct Direction {
+    Vec3<Real> a;
+    Real along;  ///< w . a
+  };
+
+  LINKWORK_PRIMITIVE RelativeRotation(const BodyState<Real>& i, const BodyState<Real>& j) : C_(j.A.transpose() * i.A) {
+    const Vec3<Real> omega_i = C_ * i.omega;
+    omega_ = j.omega - omega_i;
+    n_ = omega_i.cross(j.omega);
+    square_ = omega_.squaredNorm();
+  }
+
+  LINKWORK_PRIMITIVE Direction direction(const Vec3<Real>& a_i) const {
+    const Vec3<Real> a = C_ * a_i;
+    return {a, omega_.dot(a)};
+  }
+  LINKWORK_PRIMITIVE void perpendicular(const Direction& of_i, const Vec3<Real>& b, Rows<Real, 1> out) const {
+    const Vec3<Real> d = b.cross(of_i.a), d_in_i = C_.transpose() * d;
+    set_row<Real>(out.D_i, 0, Vec3<Real>::Zero(), -d_in_i);
+    set_row<Real>(out.D_j, 0, Vec3<Real>::Zero(), d);
+    out.Phi[0] = of_i.a.dot(b);
+    out.Phi_t[0] = Real(0);
+    out.gamma[0] = n_.dot(d) - of_i.along * omega_.dot(b) + square_ * out.Phi[0];
+  }
+
+ private:
+  Mat3<Real> C_;
+  Vec3<Real> omega_, n_;
+  Real square_;
+};
+
 // Phi = a . b = 0 with a = A_i a_i, b = A_j b_j: body-fixed directions stay perpendicular.
-// D_i = [0, (a_i x A_i^T b)^T],   D_j = [0, (b_j x A_j^T a)^T]
-// gamma = -(A_i w_i x (w_i x a_i)) . b - a . (A_j w_j x (w_j x b_j)) - 2 a_dot . b_dot
 template <class Real>
 LINKWORK_PRIMITIVE void perpendicular(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& a_i,
                                       const Vec3<Real>& b_j, Rows<Real, 1> out) {
-  const Vec3<Real> a = i.A * a_i, b = j.A * b_j;
-  const Vec3<Real> b_in_i = i.A.transpose() * b, a_in_j = j.A.transpose() * a;
-  const Vec3<Real> a_dot = i.A * i.omega.cross(a_i), b_dot = j.A * j.omega.cross(b_j);
-  set_row<Real>(out.D_i, 0, Vec3<Real>::Zero(), a_i.cross(b_in_i));
-  set_row<Real>(out.D_j, 0, Vec3<Real>::Zero(), b_j.cross(a_in_j));
-  out.Phi[0] = a.dot(b);
-  out.Phi_t[0] = Real(0);
-  out.gamma[0] =
-      -centripetal(i.omega, a_i).dot(b_in_i) - centripetal(j.omega, b_j).dot(a_in_j) - Real(2) * a_dot.dot(b_dot);
+  const RelativeRotation<Real> rotation(i, j);
+  rotation.perpendicular(rotation.direction(a_i), b_j, out);
 }
 
+// a = A_i a_i stays parallel to z of j: perpendicular to its x and y (2 equations).
+template <class Real>
+LINKWORK_PRIMITIVE void parallel(const RelativeRotation<Real>& rotation, const Vec3<Real>& a_i, const Vec3<Real>& x_j,
+                                 const Vec3<Real>& y_j, Rows<Real, 2> out) {
+  const auto a = rotation.direction(a_i);
+  rotation.perpendicular(a, x_j, out.template slice<0, 1>());
+  rotation.perpendicular(a, y_j, out.template slice<1, 1>());
+}
+template <class Real>
+LINKWORK_PRIMITIVE void parallel(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& a_i,
+                                 const Vec3<Real>& x_j, const Vec3<Real>& y_j, Rows<Real, 2> out) {
+  parallel<Real>(RelativeRotation<Real>(i, j), a_i, x_j, y_j, out);
+}
+
+// The axes of i and j stay parallel: x of i is perpendicular to y of j, y to z, z to x (3 equations).
+template <class Real>
+LINKWORK_PRIMITIVE void same_axes(const BodyState<Real>& i, const BodyState<Real>& j, const Attachment<Real>& at,
+                                  Rows<Real, 3> out) {
+  const RelativeRotation<Real> rotation(i, j);
+  rotation.perpendicular(rotation.direction(at.x_i()), at.y_j(), out.template slice<0, 1>());
+  rotation.perpendicular(rotation.direction(at.y_i()), at.z_j(), out.template slice<1, 1>());
+  rotation.perpendicular(rotation.direction(at.z_i()), at.x_j(), out.template slice<2, 1>());
+}
+
+/// Where the point of j is, in axes of i: u from the origin of i, d = u - s_i from the point of i.
+// Phi = a . d = 0 with a = a_i: the point of j stays in a plane of i. With V = A_i^T (r_j_dot + A_j w_j x s_j - r_i_dot)
+// D_i = [-(A_i a)^T, (a x u)^T],   D_j = [(A_i a)^T, (s_j x A_j^T A_i a)^T]
+// gamma = a . (w_i x (2 V - w_i x u)) - (A_j^T A_i a) . (w_j x (w_j x s_j))
+template <class Real>
+class RelativePoint {
+ public:
+  LINKWORK_PRIMITIVE RelativePoint(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& s_i,
+                                   const Vec3<Real>& s_j)
+      : i_(i), j_(j), s_j_(s_j) {
+    const Vec3<Real> across = j.omega.cross(s_j);
+    u_ = i.A.transpose() * (j.r + j.A * s_j - i.r);
+    d_ = u_ - s_i;
+    const Vec3<Real> V = i.A.transpose() * (j.r_dot + j.A * across - i.r_dot);
+    turned_ = i.omega.cross(Real(2) * V - i.omega.cross(u_));
+    centripetal_ = j.omega.cross(across);
+  }
+
+  LINKWORK_PRIMITIVE void in_plane(const Vec3<Real>& a_i, Rows<Real, 1> out) const {
+    const Vec3<Real> a = i_.A * a_i, a_in_j = j_.A.transpose() * a;
+    set_row<Real>(out.D_i, 0, -a, a_i.cross(u_));
+    set_row<Real>(out.D_j, 0, a, s_j_.cross(a_in_j));
+    out.Phi[0] = a_i.dot(d_);
+    out.Phi_t[0] = Real(0);
+    out.gamma[0] = a_i.dot(turned_) - a_in_j.dot(centripetal_);
+  }
+
+ private:
+  const BodyState<Real>&i_, &j_;
+  const Vec3<Real>& s_j_;
+  Vec3<Real> u_, d_, turned_, centripetal_;
+};
+
 // Phi = a . d = 0 with a = A_i a_i, d = r_j + A_j s_j - r_i - A_i s_i: the point of j stays in a plane of i.
-// D_i = [-a^T, (a_i x A_i^T d - s_i x a_i)^T],   D_j = [a^T, (s_j x A_j^T a)^T]
-// gamma = -(A_i w_i x (w_i x a_i)) . d - 2 a_dot . d_dot - a . (A_j w_j x (w_j x s_j) - A_i w_i x (w_i x s_i))
 template <class Real>
 LINKWORK_PRIMITIVE void in_plane(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& a_i,
                                  const Vec3<Real>& s_i, const Vec3<Real>& s_j, Rows<Real, 1> out) {
-  const Vec3<Real> a = i.A * a_i;
-  const Vec3<Real> d = j.r + j.A * s_j - i.r - i.A * s_i;
-  const Vec3<Real> d_in_i = i.A.transpose() * d, a_in_j = j.A.transpose() * a;
-  const Vec3<Real> a_dot = i.A * i.omega.cross(a_i);
-  const Vec3<Real> d_dot = j.r_dot + j.A * j.omega.cross(s_j) - i.r_dot - i.A * i.omega.cross(s_i);
-  set_row<Real>(out.D_i, 0, -a, a_i.cross(d_in_i) - s_i.cross(a_i));
-  set_row<Real>(out.D_j, 0, a, s_j.cross(a_in_j));
-  out.Phi[0] = a.dot(d);
-  out.Phi_t[0] = Real(0);
-  out.gamma[0] = -centripetal(i.omega, a_i).dot(d_in_i) - Real(2) * a_dot.dot(d_dot) -
-                 a_in_j.dot(centripetal(j.omega, s_j)) + a_i.dot(centripetal(i.omega, s_i));
+  RelativePoint<Real>(i, j, s_i, s_j).in_plane(a_i, out);
+}
+
+// The point of j stays on a line of i, in two planes (2 equations).
+template <class Real>
+LINKWORK_PRIMITIVE void on_line(const BodyState<Real>& i, const BodyState<Real>& j, const Attachment<Real>& at,
+                                Rows<Real, 2> out) {
+  const RelativePoint<Real> point(i, j, at.s_i, at.s_j);
+  point.in_plane(at.x_i(), out.template slice<0, 1>());
+  point.in_plane(at.y_i(), out.template slice<1, 1>());
 }
 
 // Phi = |d| - l(t) = 0 with d = r_j + A_j s_j - r_i - A_i s_i, u = d / |d|: two points keep a distance; the
@@ -102,28 +187,6 @@ LINKWORK_PRIMITIVE void separation(const BodyState<Real>& i, const BodyState<Rea
   out.Phi_t[0] = -length.rate;
   out.gamma[0] = length.acceleration - (d_dot.squaredNorm() - along * along) / distance -
                  u_in_j.dot(centripetal(j.omega, s_j)) + u_in_i.dot(centripetal(i.omega, s_i));
-}
-
-// a = A_i a_i stays parallel to z of j: perpendicular to its x and y (2 equations), as above, in axes of j, where
-// C = A_j^T A_i, w = w_j - C w_i: of each b
-// Phi_dot = w . d with d = b x a,   D_i = [0, -(C^T d)^T],   D_j = [0, d^T]
-// gamma = (C w_i x w_j) . d - (w . a) (w . b) + w^2 Phi
-template <class Real>
-LINKWORK_PRIMITIVE void parallel(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& a_i,
-                                 const Vec3<Real>& x_j, const Vec3<Real>& y_j, Rows<Real, 2> out) {
-  const Mat3<Real> C = j.A.transpose() * i.A;
-  const Vec3<Real> a = C * a_i, omega_i = C * i.omega, omega = j.omega - omega_i, n = omega_i.cross(j.omega);
-  const Real along_a = omega.dot(a), square = omega.squaredNorm();
-  const auto stay_perpendicular = [&](int k, const Vec3<Real>& b) {
-    const Vec3<Real> d = b.cross(a), d_in_i = C.transpose() * d;
-    set_row<Real>(out.D_i, k, Vec3<Real>::Zero(), -d_in_i);
-    set_row<Real>(out.D_j, k, Vec3<Real>::Zero(), d);
-    out.Phi[k] = a.dot(b);
-    out.Phi_t[k] = Real(0);
-    out.gamma[k] = n.dot(d) - along_a * omega.dot(b) + square * out.Phi[k];
-  };
-  stay_perpendicular(0, x_j);
-  stay_perpendicular(1, y_j);
 }
 
 /// One equation on its own, to be composed with others.
@@ -217,8 +280,9 @@ LINKWORK_PRIMITIVE void bearing(const BodyState<Real>& i, const BodyState<Real>&
                                 const Vec3<Real>& y_i, const Vec3<Real>& s_i, const Vec3<Real>& s_j,
                                 Rows<Real, 1> out) {
   Equation<Real> s, c;
-  in_plane<Real>(i, j, y_i, s_i, s_j, s.rows());
-  in_plane<Real>(i, j, x_i, s_i, s_j, c.rows());
+  const RelativePoint<Real> point(i, j, s_i, s_j);
+  point.in_plane(y_i, s.rows());
+  point.in_plane(x_i, c.rows());
   angle_of<Real>(i, j, s, c, out);
 }
 

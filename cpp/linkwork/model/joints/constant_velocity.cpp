@@ -23,9 +23,10 @@ struct ConstantVelocity {
   static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
                        const BodyState<Real>& j, Rows<Real, rows> out) {
     coincident<Real>(i, j, at.s_i, at.s_j, out.template slice<0, 3>());
+    const RelativeRotation<Real> rotation(i, j);
     Equation<Real> xy, yx;
-    perpendicular<Real>(i, j, at.x_i(), at.y_j(), xy.rows());
-    perpendicular<Real>(i, j, at.y_i(), at.x_j(), yx.rows());
+    rotation.perpendicular(rotation.direction(at.x_i()), at.y_j(), xy.rows());
+    rotation.perpendicular(rotation.direction(at.y_i()), at.x_j(), yx.rows());
     combine<Real, 2>({Real(0.5), Real(-0.5)}, {xy, yx}, out.template slice<3, 1>());
   }
 };

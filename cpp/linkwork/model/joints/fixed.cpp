@@ -21,9 +21,7 @@ struct Fixed {
   static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
                        const BodyState<Real>& j, Rows<Real, rows> out) {
     coincident<Real>(i, j, at.s_i, at.s_j, out.template slice<0, 3>());
-    perpendicular<Real>(i, j, at.x_i(), at.y_j(), out.template slice<3, 1>());
-    perpendicular<Real>(i, j, at.y_i(), at.z_j(), out.template slice<4, 1>());
-    perpendicular<Real>(i, j, at.z_i(), at.x_j(), out.template slice<5, 1>());
+    same_axes<Real>(i, j, at, out.template slice<3, 3>());
   }
 };
 

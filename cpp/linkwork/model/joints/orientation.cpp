@@ -18,9 +18,7 @@ struct Orientation {
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
                        const BodyState<Real>& j, Rows<Real, rows> out) {
-    perpendicular<Real>(i, j, at.x_i(), at.y_j(), out.template slice<0, 1>());
-    perpendicular<Real>(i, j, at.y_i(), at.z_j(), out.template slice<1, 1>());
-    perpendicular<Real>(i, j, at.z_i(), at.x_j(), out.template slice<2, 1>());
+    same_axes<Real>(i, j, at, out);
   }
 };
 

@@ -22,10 +22,10 @@ struct Translational {
   template <class Real>
   LINKWORK_PRIMITIVE static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
                                           const BodyState<Real>& j, Rows<Real, rows> out) {
-    in_plane<Real>(i, j, at.x_i(), at.s_i, at.s_j, out.template slice<0, 1>());
-    in_plane<Real>(i, j, at.y_i(), at.s_i, at.s_j, out.template slice<1, 1>());
-    parallel<Real>(i, j, at.z_i(), at.x_j(), at.y_j(), out.template slice<2, 2>());
-    perpendicular<Real>(i, j, at.x_i(), at.y_j(), out.template slice<4, 1>());
+    on_line<Real>(i, j, at, out.template slice<0, 2>());
+    const RelativeRotation<Real> rotation(i, j);
+    parallel<Real>(rotation, at.z_i(), at.x_j(), at.y_j(), out.template slice<2, 2>());
+    rotation.perpendicular(rotation.direction(at.x_i()), at.y_j(), out.template slice<4, 1>());
   }
 };
 
