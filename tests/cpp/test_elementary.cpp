@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <random>
 
@@ -44,6 +46,15 @@ TEST_CASE("sine and cosine are right to a unit in the last place, also of large 
   }
   CHECK(worst(sine, sin, -40, 1000, true) < 0.85);
   CHECK(worst(cosine, cos, -40, 1000, true) < 0.85);
+}
+
+TEST_CASE("sine and cosine together have the bits of each") {
+  for (const double x : {0.0, 1e-9, 0.5, -1.0, 1.6, 3.0, -4.5, 6.0, 1e3, -7e8, 1e300, infinity}) {
+    const auto [together_sine, together_cosine] = sine_and_cosine(x);
+    CAPTURE(x);
+    CHECK(std::bit_cast<std::uint64_t>(together_sine) == std::bit_cast<std::uint64_t>(sine(x)));
+    CHECK(std::bit_cast<std::uint64_t>(together_cosine) == std::bit_cast<std::uint64_t>(cosine(x)));
+  }
 }
 
 // The doubles next to multiples of pi / 2 (Muller, Elementary Functions, section 11.1, and one of 2^24), values by mpmath.

@@ -134,10 +134,10 @@ void System::evaluate_switches(double t, const ConstVector& q, const ConstVector
   if (has_elements_) evaluate_elements(q, v, history, out);
 }
 
-void System::evaluate_signals(double t, Evaluation& out) const {
-  for (std::size_t s = 0; s < out.signals.size(); ++s)
-    if (model_.signals()[s]->of_time()) out.signals[s] = model_.signals()[s]->evaluate(t);
-  if (!model_.limited().empty()) check_limits(t, out.signals);
+void System::evaluate_signals(double t, std::vector<Signal<double>>& out) const {
+  for (std::size_t s = 0; s < out.size(); ++s)
+    if (model_.signals()[s]->of_time()) out[s] = model_.signals()[s]->evaluate(t);
+  if (!model_.limited().empty()) check_limits(t, out);
 }
 
 void System::evaluate_constraints(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,

@@ -73,7 +73,7 @@ class System {
   int q_size() const { return position_size * body_count(); }
   int v_size() const { return velocity_size * body_count(); }
   const Model& model() const { return model_; }
-  bool time_dependent_constraints() const { return time_dependent_constraints_; }
+  bool time_dependent_constraints() const { return !driven_rows_.empty(); }
   bool has_special_joints() const { return !special_joints_.empty(); }
 
   /// Sums over bodies, joints and forces are made by its threads from here on. No bit depends on how many these are.
@@ -104,7 +104,8 @@ class System {
 
   // For ensembles, which evaluate bodies and joints of many mechanisms at once.
   /// Functions of time.
-  void evaluate_signals(double t, Evaluation& out) const;
+  void evaluate_signals(double t, Evaluation& out) const { evaluate_signals(t, out.signals); }
+  void evaluate_signals(double t, std::vector<Signal<double>>& out) const;
   void evaluate_special_joints(const ConstVector& q, const ConstVector& v, const ConstVector& history,
                                Evaluation& out) const;
   /// Force elements by their kinds, but inerters; bodies are places in Evaluation::bodies.
@@ -162,6 +163,9 @@ class System {
   BlockRange body_blocks(int body) const { return range(body_block_list_, body_block_begin_, body); }
   void multiply_D(const Evaluation& at, const ConstVector& x, MutableVector y) const;             ///< y = D x
   void add_D_transposed(const Evaluation& at, const ConstVector& lambda, MutableVector y) const;  ///< y += D^T lambda
+  /// What drivers take up, lambda . Phi_t [W].
+  double power_of_drivers(const Evaluation& at, const ConstVector& lambda) const;
+  const std::vector<int>& driven_rows() const { return driven_rows_; }  ///< no others have a Phi_t
   /// diag(D M^-1 D^T): how strongly each row accelerates under its own multiplier.
   VectorXd delassus_diagonal(const Evaluation& at) const;
 
@@ -194,6 +198,7 @@ class System {
   void append_kind(int kind, int count);
   void compile_joints();
   void compile_special_joint(int joint, const SpecialJoint& special);
+  void list_driven_rows();
   void compile_forces();
   void list_bodies_of_elements();
   void place_wrenches();
@@ -249,7 +254,7 @@ class System {
   std::vector<HistoryOwner> history_owners_;
   std::vector<int> switches_;
   VectorXd initial_history_;
-  bool time_dependent_constraints_ = false;
+  std::vector<int> driven_rows_;  ///< of joints with a parameter that is a function of time, ascending
   std::shared_ptr<ThreadPool> threads_ = std::make_shared<ThreadPool>();
   mutable Kept kept_;
 };

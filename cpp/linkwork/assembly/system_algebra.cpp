@@ -79,6 +79,12 @@ void System::add_D_transposed(const Evaluation& at, const ConstVector& lambda, M
   });
 }
 
+double System::power_of_drivers(const Evaluation& at, const ConstVector& lambda) const {
+  double power = 0.0;
+  for (const int row : driven_rows_) power += lambda[row] * at.Phi_t[row];
+  return power;
+}
+
 VectorXd System::delassus_diagonal(const Evaluation& at) const {
   VectorXd delassus = VectorXd::Zero(row_count());
   for (const ConstraintBlock& block : blocks_) {

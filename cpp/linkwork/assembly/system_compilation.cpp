@@ -144,8 +144,8 @@ void System::compile_joints() {
       joint_chunks_.push_back({kind, first, std::min(first + chunk, count)});
     batch.fill_up();
     batch.streamed = D_size_ > cached;
-    time_dependent_constraints_ = time_dependent_constraints_ || batch.time_dependent;
   }
+  list_driven_rows();
   group_blocks(
       blocks_, joint_count(), [](const ConstraintBlock& b) { return b.joint; }, joint_block_list_, joint_block_begin_);
   group_blocks(
@@ -165,9 +165,16 @@ void System::compile_special_joint(int joint, const SpecialJoint& special) {
       blocks_.push_back({.joint = joint, .body = body, .row = row, .rows = info.rows, .offset = D_size_});
     D_size_ += velocity_size * info.rows;
   }
-  for (std::size_t p = 0; p < info.parameters.size(); ++p)
-    time_dependent_constraints_ =
-        time_dependent_constraints_ || model_.joint_parameters()[element.first_parameter + p].signal >= 0;
+}
+
+void System::list_driven_rows() {
+  for (int joint = 0; joint < joint_count(); ++joint) {
+    const Element& element = model_.joints()[joint];
+    const auto first = model_.joint_parameters().begin() + static_cast<std::ptrdiff_t>(element.first_parameter);
+    const auto last = first + std::ssize(joint_info(element.kind).parameters);
+    if (std::none_of(first, last, [](const Parameter& it) { return it.signal >= 0; })) continue;
+    for (int row = model_.joint_rows()[joint]; row < model_.joint_rows()[joint + 1]; ++row) driven_rows_.push_back(row);
+  }
 }
 
 void System::compile_forces() {

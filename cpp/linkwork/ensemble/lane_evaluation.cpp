@@ -20,7 +20,8 @@ LaneEvaluation::LaneEvaluation(const LaneStructure& structure, const Instruction
       level_(instructions.level),
       mechanisms_(mechanisms),
       user_forces_(mechanisms),
-      driven_(layout_.width) {
+      driven_(layout_.width),
+      signals_(layout_.width) {
   list_posed_bodies();
   allocate();
   for (int l = 0; l < layout_.width; ++l) load(l, mechanism(l));
@@ -81,6 +82,7 @@ void LaneEvaluation::load(int l, const Dynamics& mechanism) {
   const System& system = mechanism.system();
   apart_ = apart_ || needs_lane_by_lane(system);
   driven_[l].clear();
+  signals_[l].resize(system.model().signals().size());
   layout_.give(system.model().gravity().data(), 3, l, gravity_, 0);
   for (int body = 0; body < structure_.bodies; ++body)
     layout_.give(&system.mass_blocks()[body].m, 10, l, mass_, 10l * body);
@@ -91,7 +93,7 @@ void LaneEvaluation::load(int l, const Dynamics& mechanism) {
 
 bool LaneEvaluation::needs_lane_by_lane(const System& system) const {
   const Model& model = system.model();
-  return !posed_.empty() || !structure_.special.empty() || structure_.history_size > 0 || !model.signals().empty() ||
+  return !posed_.empty() || !structure_.special.empty() || structure_.history_size > 0 ||
          !model.joint_forces().empty() || !model.user_forces().empty();
 }
 
@@ -162,6 +164,7 @@ void LaneEvaluation::evaluate(const Numbers& t, const Numbers& y, LaneGuard& gua
   kernels_.body_forces(structure_.bodies, mass_.data(), gravity_.data(), y.data(), at_.g.data(), at_.potential.data());
   layout_.clear(at_.g, std::ptrdiff_t{velocity_size} * structure_.bodies, velocity_size);
   layout_.clear(at_.power, 0, 1);
+  evaluate_signals(t, guard);
   if (apart_) begin_apart(t, y, guard);
   evaluate_rows();
   evaluate_forces(guard);
@@ -169,8 +172,18 @@ void LaneEvaluation::evaluate(const Numbers& t, const Numbers& y, LaneGuard& gua
 
 void LaneEvaluation::evaluate_constraints(const Numbers& t, const Numbers& y, LaneGuard& guard) {
   kernels_.states(structure_.bodies, y.data(), states_.data());
+  evaluate_signals(t, guard);
   if (apart_) begin_apart(t, y, guard);
   evaluate_rows();
+}
+
+void LaneEvaluation::evaluate_signals(const Numbers& t, LaneGuard& guard) {
+  each_lane(guard, [&](int l) {
+    if (signals_[l].empty()) return;
+    do_apart([&] { mechanisms_[l]->system().evaluate_signals(t[l], signals_[l]); },
+             [&](std::string why) { guard.leave(l, t[l], std::move(why)); });
+    give_signals(l, signals_[l]);
+  });
 }
 
 void LaneEvaluation::begin_apart(const Numbers& t, const Numbers& y, LaneGuard& guard) {
@@ -181,20 +194,19 @@ void LaneEvaluation::begin_apart(const Numbers& t, const Numbers& y, LaneGuard& 
     layout_.take(y, l, 0, here.y);
     here.at = &mechanisms_[l]->begin_elsewhere(here.t, here.y);
     apart(l, guard, [&](const System& system, auto q, auto v, const VectorXd& history, Evaluation& at) {
-      system.evaluate_signals(here.t, at);
+      at.signals = signals_[l];
       system.evaluate_special_joints(q, v, history, at);
     });
     if (!guard.steps(l)) return;
-    give_signals(l, *here.at);
     give_special_joints(l, *here.at);
     layout_.give(mechanisms_[l]->history().data(), structure_.history_size, l, last_, 0);
   });
 }
 
 /// Functions of time among the parameters.
-void LaneEvaluation::give_signals(int l, const Evaluation& at) {
+void LaneEvaluation::give_signals(int l, const std::vector<Signal<double>>& signals) {
   for (const Driven& it : driven_[l]) {
-    const Signal<double>& signal = at.signals[it.signal];
+    const Signal<double>& signal = signals[it.signal];
     it.to[0] = signal.value;
     it.to[layout_.width] = signal.rate;
     it.to[2l * layout_.width] = signal.acceleration;

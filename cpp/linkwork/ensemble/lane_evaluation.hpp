@@ -74,7 +74,8 @@ class LaneEvaluation {
   void apart(int l, LaneGuard& guard, Action action);
 
   void begin_apart(const Numbers& t, const Numbers& y, LaneGuard& guard);
-  void give_signals(int l, const Evaluation& at);
+  void evaluate_signals(const Numbers& t, LaneGuard& guard);
+  void give_signals(int l, const std::vector<Signal<double>>& signals);
   void give_special_joints(int l, const Evaluation& at);
   void pose_bodies(int l, Evaluation& at) const;
   void evaluate_rows();
@@ -94,7 +95,7 @@ class LaneEvaluation {
   int level_;
   std::vector<Dynamics*> mechanisms_;
   LaneUserForces user_forces_;  ///< with the state and the evaluation of each lane
-  bool apart_ = false;          ///< there is something that is done lane by lane
+  bool apart_ = false;          ///< there is something that is done lane by lane, at its state
   std::vector<int> posed_;      ///< bodies of force elements that are evaluated so
 
   LaneValues at_;
@@ -106,6 +107,7 @@ class LaneEvaluation {
   VectorXd switches_of_lane_;
   Numbers last_, next_, rate_;               ///< history variables
   std::vector<std::vector<Driven>> driven_;  ///< of each lane
+  std::vector<std::vector<Signal<double>>> signals_;
 };
 
 }  // namespace linkwork

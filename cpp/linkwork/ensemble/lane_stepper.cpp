@@ -36,8 +36,6 @@ void LaneStepper::allocate() {
   k_.assign(tableau_.b.size(), y_);
   layout_.size(weights_, tableau_.b.size());
   for (Eigen::Index i = 0; i < tableau_.A.rows(); ++i) stage_weights_.emplace_back(tableau_.A.row(i));
-  rows_.resize(m);
-  rates_.resize(m);
 }
 
 const Dynamics& LaneStepper::mechanism(int l) const { return *mechanisms_[std::min(l, count() - 1)]; }
@@ -256,13 +254,10 @@ void LaneStepper::find_rates(const Numbers& y, Numbers& y_dot, const LaneGuard& 
   if (!evaluation_.has_power()) return;
   const LaneValues& at = evaluation_.at();
   each_lane(guard, [&](int l) {
-    double power = at.power[l];
-    if (structure_.time_dependent) {
-      layout_.take(lambda_, l, 0, rows_);
-      layout_.take(at.Phi_t, l, 0, rates_);
-      power -= rows_.dot(rates_);
-    }
-    *layout_.place(y_dot, structure_.y_size() - 1, l) = power;
+    double drivers = 0.0;
+    for (const int row : mechanism(l).system().driven_rows())
+      drivers += lambda_[layout_.index(row, l)] * at.Phi_t[layout_.index(row, l)];
+    *layout_.place(y_dot, structure_.y_size() - 1, l) = at.power[l] - drivers;
   });
 }
 

@@ -142,7 +142,6 @@ class LaneStepper {
   std::vector<Numbers> k_;
   std::vector<const double*> terms_;
   std::vector<VectorXd> stage_weights_;  ///< the rows of A
-  VectorXd rows_, rates_;
 };
 
 }  // namespace linkwork

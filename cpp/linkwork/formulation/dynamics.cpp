@@ -422,7 +422,7 @@ void Dynamics::rates(const ConstVector& v_dot, const ConstVector& lambda, Mutabl
 void Dynamics::add_rates_of_position(const ConstVector& lambda, MutableVector y_dot) const {
   const int nq = system_.q_size(), nv = system_.v_size();
   system_.position_rates(now_.y.head(nq), now_.y.segment(nq, nv), y_dot.head(nq));
-  y_dot[nq + nv] = at_.power - (system_.time_dependent_constraints() ? lambda.dot(at_.Phi_t) : 0.0);
+  y_dot[nq + nv] = at_.power - system_.power_of_drivers(at_, lambda);
 }
 
 Busy::Busy(const Dynamics& dynamics) : dynamics_(dynamics), path_(dynamics.options().deterministic) {

@@ -296,7 +296,7 @@ bool DrivenMotion::add_frame(DrivenFrames& out) {
   append(out.lambda, lambda);
   append(out.history, now_.history);
   out.potential.push_back(here_.potential);
-  out.power.push_back(here_.power - lambda.dot(here_.Phi_t));
+  out.power.push_back(here_.power - system_.power_of_drivers(here_, lambda));
   for (const double violation : {largest(here_.Phi), largest(here_.Phi_dot), largest(residual)})
     out.violation.push_back(violation);
   return true;

@@ -245,6 +245,12 @@ double sine(double x) {
 
 double cosine(double x) { return std::isfinite(x) ? sine_from(reduce(x), 1) : x - x; }
 
+SineAndCosine sine_and_cosine(double x) {
+  if (std::abs(x) < 0x1p-27 || !std::isfinite(x)) return {sine(x), cosine(x)};
+  const Reduced reduced = reduce(x);
+  return {sine_from(reduced, 0), sine_from(reduced, 1)};
+}
+
 double arc_tangent(double y, double x) {
   if (!ordinary(x) || !ordinary(y)) return std::atan2(y, x);  // multiples of pi / 4, and what is no number
   double a = std::abs(y), b = std::abs(x);

@@ -7,7 +7,11 @@ namespace linkwork::elementary {
 
 [[gnu::const]] double sine(double x);
 [[gnu::const]] double cosine(double x);
-[[gnu::const]] double arc_tangent(double y, double x);  ///< as std::atan2
+struct SineAndCosine {
+  double sine, cosine;
+};
+[[gnu::const]] SineAndCosine sine_and_cosine(double x);  ///< the same bits, sooner than one after the other
+[[gnu::const]] double arc_tangent(double y, double x);   ///< as std::atan2
 [[gnu::const]] double exponential(double x);
 [[gnu::const]] double logarithm(double x);
 [[gnu::const]] double power(double x, double y);

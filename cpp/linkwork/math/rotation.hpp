@@ -55,8 +55,9 @@ constexpr double second_order_angle = 1e-4, first_order_angle = 1e-8;
 /// Euler parameters of the rotation by |phi| about phi [rad].
 inline Vec4<double> exponential(const Vec3<double>& phi) {
   const double angle = phi.norm();
-  const double factor = angle < second_order_angle ? 0.5 - angle * angle / 48.0 : elementary::sine(0.5 * angle) / angle;
-  return {elementary::cosine(0.5 * angle), factor * phi[0], factor * phi[1], factor * phi[2]};
+  const auto [sine, cosine] = elementary::sine_and_cosine(0.5 * angle);
+  const double factor = angle < second_order_angle ? 0.5 - angle * angle / 48.0 : sine / angle;
+  return {cosine, factor * phi[0], factor * phi[1], factor * phi[2]};
 }
 
 /// The rotation vector phi [rad], |phi| <= pi, of unit p: the inverse of `exponential` up to the sign of p.

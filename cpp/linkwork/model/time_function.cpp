@@ -40,9 +40,9 @@ class Harmonic final : public TimeFunction {
       : amplitude_(amplitude), frequency_(frequency), phase_(phase), offset_(offset) {}
 
   Signal<double> evaluate(double t) const override {
-    const double angle = frequency_ * t + phase_;
-    const double sine = amplitude_ * elementary::sine(angle), cosine = amplitude_ * elementary::cosine(angle);
-    return {offset_ + sine, frequency_ * cosine, -frequency_ * frequency_ * sine};
+    const elementary::SineAndCosine of_angle = elementary::sine_and_cosine(frequency_ * t + phase_);
+    const double sine = amplitude_ * of_angle.sine;
+    return {offset_ + sine, frequency_ * (amplitude_ * of_angle.cosine), -frequency_ * frequency_ * sine};
   }
 
  private:
@@ -159,8 +159,9 @@ class Cycloidal final : public TimeFunction {
     const double s = (t - start_) / duration_;
     if (s <= 0.0) return {0.0, 0.0, 0.0};
     if (s >= 1.0) return {rise_, 0.0, 0.0};
-    return {rise_ * (s - elementary::sine(turn * s) / turn), rise_ / duration_ * (1.0 - elementary::cosine(turn * s)),
-            rise_ / (duration_ * duration_) * turn * elementary::sine(turn * s)};
+    const auto [sine, cosine] = elementary::sine_and_cosine(turn * s);
+    return {rise_ * (s - sine / turn), rise_ / duration_ * (1.0 - cosine),
+            rise_ / (duration_ * duration_) * turn * sine};
   }
   void add_breaks(std::vector<Break>& out) const override {
     out.push_back({start_});
