@@ -85,7 +85,7 @@ TEST_CASE("of all ways to cut an order in supernodes, that of the fewest operati
       double w = 0.0, r = 0.0;
       for (int k = first; k <= last; ++k) w += weight_at(k);
       for (int k = last + 1; k < nodes; ++k) r += fill(k, last) * weight_at(k);
-      return 1000.0 + 400.0 * std::floor((w - 1.0) / 8.0) + w * w * w / 3.0 + w * r * (w + r) + 0.5 * r * r;
+      return 1000.0 + 400.0 * std::floor((w - 1.0) / 8.0) + w * w * w / 3.0 + w * r * (w + r) + 4.0 * r * r;
     };
     double least = INFINITY;
     for (unsigned cuts = 0; cuts < 1u << (nodes - 1); ++cuts) {

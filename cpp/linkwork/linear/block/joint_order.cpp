@@ -12,7 +12,8 @@ namespace linkwork::block {
 namespace {
 
 constexpr int none = -1;
-constexpr double most_lost = 2000.0;  // operations by a merger that another one may win back
+constexpr double most_lost = 2000.0;      // operations by a merger that another one may win back
+constexpr double entry_of_a_front = 8.0;  // operations in whose time it is cleared and added to that of the parent
 
 /// Neighbors of the nodes, ascending, without the nodes themselves. `name` maps them to those of a graph of n nodes, in
 /// which several may be one.
@@ -96,7 +97,7 @@ std::vector<Supernode> amalgamate(std::vector<Supernode> nodes, const Rows& rows
   std::vector<double> least(n + 1, 0.0);  // cost of the nodes before each
   std::vector<std::size_t> begin(n);      // of the group that ends with each
   for (std::size_t end = 0; end < n; ++end) {
-    const double below = rows.of(nodes[end].below), assembly = 0.5 * below * below;
+    const double below = rows.of(nodes[end].below), assembly = entry_of_a_front * 0.5 * below * below;
     least[end + 1] = INFINITY;
     for (std::size_t first = end + 1; first-- > 0;) {
       const bool leads_out =
