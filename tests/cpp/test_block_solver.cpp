@@ -73,12 +73,6 @@ TEST_CASE("open branches of every kind of joint are solved on every instruction 
   });
 }
 
-TEST_CASE("trees whose factors are larger than caches, and written past them, are solved") {
-  Random random(12);
-  const System system(random_tree(random, 120000));
-  for_every_instruction_set([&](SaddleSolver& solver) { check_solves(solver, system, random, false); });
-}
-
 TEST_CASE("hinges, welds and sliders on the ground that are violated by far are solved, too") {
   for_every_instruction_set([](SaddleSolver& solver) {
     Random random(13);

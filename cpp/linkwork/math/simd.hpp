@@ -220,33 +220,6 @@ LINKWORK_INLINE void copy(double* to, const double* from, int count) {
 #endif
 }
 
-/// To the start of a line of memory, past the caches.
-LINKWORK_INLINE void stream_native(double* to, Native v) {
-#if defined(__AVX512F__)
-  _mm512_stream_pd(to, (__m512d)v);
-#elif defined(__AVX__)
-  _mm256_stream_pd(to, (__m256d)v);
-#else
-  store_native(to, v);
-#endif
-}
-
-/// Before others read what was streamed.
-LINKWORK_INLINE void end_stream() {
-#if defined(__AVX__)
-  _mm_sfence();
-#endif
-}
-
-/// Numbers of which most are whole lines, which need not be read before they are written.
-inline void stream_lines(double* to, const double* from, int count) {
-  constexpr int line = 8;
-  int k = static_cast<int>(-(reinterpret_cast<unsigned long>(to) / sizeof(double)) % line);  // to the first line
-  copy(to, from, k);
-  for (; k + width <= count; k += width) stream_native(to + k, load_native(from + k));
-  copy(to + k, from + k, count - k);
-}
-
 /// Transposes a square of eight vectors.
 LINKWORK_INLINE void transpose(Vector* v) {
   LINKWORK_UNROLL for (int p = 0; p < Vector::parts; ++p) LINKWORK_UNROLL

@@ -14,9 +14,8 @@ namespace {
 
 constexpr double singular_pivot = 1e-15;
 constexpr double far_apart = 1e6;
-constexpr std::size_t cached = 1 << 16;             // doubles, half of a cache of 1 MB: the rest is for D
-constexpr std::ptrdiff_t left_in_caches = 1 << 21;  // doubles that are, when the way back begins; 16 MB
-constexpr std::size_t slack = 2 * lanes;            // vectors may reach past the last column
+constexpr std::size_t cached = 1 << 16;   // doubles, half of a cache of 1 MB: the rest is for D
+constexpr std::size_t slack = 2 * lanes;  // vectors may reach past the last column
 
 class BlockSolver final : public SaddleSolver {
  public:
@@ -321,16 +320,9 @@ class BlockSolver final : public SaddleSolver {
              .scratch = scratch_.data(),
              .pivots = pivots_.data(),
              .large = factors_.size() + panels_.size() > cached,
-             .streamed = streamed(),
              .breakdown = s.breakdown(),
              .helpers = {}};
     if (split_) data_.helpers = {.pool = &system_->threads(), .run = &help, .scratch = scratch_places_.data()};
-  }
-
-  /// The last factors are the first to be read again.
-  std::ptrdiff_t streamed() const {
-    const std::ptrdiff_t size = symbolic_->factor_size - left_in_caches;
-    return size > left_in_caches ? size : 0;
   }
 
   /// Whether rows that are not dropped have a compliance.

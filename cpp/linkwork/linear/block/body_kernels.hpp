@@ -45,7 +45,7 @@ LINKWORK_INLINE Vector solve_lower(const MassFactor& factor, Vector a) {
 }
 
 LINKWORK_INLINE GroundPlaces ground_places(const CoreBody& body, const Data& data, const double* a) {
-  return ground_places(body, body.ground_D, data.factors + body.ground_factors, data, a);
+  return ground_places(body, body.ground_D, body.ground_factors, data, a);
 }
 
 Grounded<double> eliminate_ground_joint(const CoreBody& body, const Data& data, const double* a, const double* b,

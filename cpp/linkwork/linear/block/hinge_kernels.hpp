@@ -26,13 +26,13 @@ LINKWORK_INLINE const double* articulated_inertia_at(int slot, const Data& data)
 
 /// Of a body or a step, its joint on the ground at D.
 template <class Body>
-LINKWORK_INLINE GroundPlaces ground_places(const Body& body, std::ptrdiff_t D, double* factors, const Data& data,
+LINKWORK_INLINE GroundPlaces ground_places(const Body& body, std::ptrdiff_t D, std::ptrdiff_t factors, const Data& data,
                                            const double* a) {
   return {.D = data.D + D,
           .articulated_inertia = articulated_inertia_at(body.slot, data),
           .mass = &data.mass[body.body].m,
           .a = a + 6 * body.body,
-          .factors = factors};
+          .factors = data.factors + factors};
 }
 
 /// Calls f with the elimination on a hinge or on a slider.
@@ -42,14 +42,13 @@ LINKWORK_INLINE auto with_ground_joint(bool slides, const GroundPlaces& places, 
   return f(GroundElimination<Doubles, HingeOnGround>(places));
 }
 
-LINKWORK_INLINE HingeElimination<Doubles> hinge_of(const TreeStep& step, const Data& data, const double* a,
-                                                   double* factors) {
+LINKWORK_INLINE HingeElimination<Doubles> hinge_of(const TreeStep& step, const Data& data, const double* a) {
   return HingeElimination<Doubles>({.D_body = data.D + step.D_body,
                                     .D_parent = data.D + step.D_parent,
                                     .articulated_inertia = articulated_inertia_at(step.slot, data),
                                     .mass = &data.mass[step.body].m,
                                     .a = a + 6 * step.body,
-                                    .factors = factors});
+                                    .factors = data.factors + step.storage});
 }
 
 /// Both triangles, as other kernels have them.
@@ -77,17 +76,17 @@ LINKWORK_INLINE bool eliminate_joint(Elimination& joint, const TreeStep& step, c
 }
 
 LINKWORK_INLINE bool factor_on_body(const TreeStep& step, const Data& data, const double* a, const double* b,
-                                    double* factors, SmallestPivot& smallest) {
-  auto hinge = hinge_of(step, data, a, factors);
+                                    SmallestPivot& smallest) {
+  auto hinge = hinge_of(step, data, a);
   if (!eliminate_joint(hinge, step, b, smallest)) return false;
   add_to_parent(step, data, a, hinge);
   hinge.store_way_back();
   return true;
 }
 
-bool factor_on_ground(const TreeStep& step, const Data& data, const double* a, const double* b, double* factors,
+bool factor_on_ground(const TreeStep& step, const Data& data, const double* a, const double* b,
                       SmallestPivot& smallest) {
-  return with_ground_joint(step.slides, ground_places(step, step.D_body, factors, data, a), [&](auto joint) {
+  return with_ground_joint(step.slides, ground_places(step, step.D_body, step.storage, data, a), [&](auto joint) {
     if (!eliminate_joint(joint, step, b, smallest)) return false;
     joint.store_way_back();
     return true;
@@ -99,28 +98,27 @@ LINKWORK_INLINE bool goes_by_numbers(const TreeStep& step) { return step.slides 
 
 /// False where the joint is of another kind, or yields; then nothing is done.
 LINKWORK_INLINE bool factor_by_numbers(const TreeStep& step, const Data& data, const double* a, const double* b,
-                                       double* factors, SmallestPivot& smallest) {
+                                       SmallestPivot& smallest) {
   bool done = goes_by_numbers(step);
   for (int k = 0; data.e && k < step.rows; ++k) done = done && data.e[step.row + k] == 0.0;
   if (done) {
-    if (step.parent < 0) done = factor_on_ground(step, data, a, b, factors, smallest);
-    else if constexpr (width == 2) done = factor_on_body(step, data, a, b, factors, smallest);
+    if (step.parent < 0) done = factor_on_ground(step, data, a, b, smallest);
+    else if constexpr (width == 2) done = factor_on_body(step, data, a, b, smallest);
   }
-  factors[by_numbers_mark] = done ? 1.0 : 0.0;
+  data.factors[step.storage + by_numbers_mark] = done ? 1.0 : 0.0;
   return done;
 }
 
 /// False where the factors are those of another kind.
 LINKWORK_INLINE bool back_by_numbers(const TreeStep& step, const Data& data, double* x, double* lambda) {
-  double* factors = data.factors + step.storage;
-  if (factors[by_numbers_mark] == 0.0) return false;
+  if (data.factors[step.storage + by_numbers_mark] == 0.0) return false;
   double* x_body = x + 6 * step.body;
   if (step.parent < 0) {
     const double none[6]{};
-    with_ground_joint(step.slides, ground_places(step, step.D_body, factors, data, x),
+    with_ground_joint(step.slides, ground_places(step, step.D_body, step.storage, data, x),
                       [&](auto joint) { joint.go_back(none, x_body, lambda + step.row); });
   } else if constexpr (width == 2) {
-    hinge_of(step, data, x, factors).go_back(x + 6 * step.parent, x_body, lambda + step.row);
+    hinge_of(step, data, x).go_back(x + 6 * step.parent, x_body, lambda + step.row);
   }
   if (step.slot >= 0) leave_for_children(load_first<6>(x_body), step.slot, data);
   return true;

@@ -184,11 +184,10 @@ struct Data {
   double* articulated_inertias;
   double* panels;
   double* contributions;
-  double* scratch;          ///< `scratch_columns` of the highest front
-  double* pivots;           ///< of the widest front
-  bool large;               ///< more than a core's own cache holds: worth to be prefetched
-  std::ptrdiff_t streamed;  ///< factors of steps before this place are written past the caches
-  double breakdown;         ///< relative pivot from which no elimination should go on
+  double* scratch;   ///< `scratch_columns` of the highest front
+  double* pivots;    ///< of the widest front
+  bool large;        ///< more than a core's own cache holds: worth to be prefetched
+  double breakdown;  ///< relative pivot from which no elimination should go on
   Helpers helpers;
 };
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "linkwork/linear/block/hinge_kernels.hpp"
-#include "linkwork/linear/block/streamed_factors.hpp"
 #include "linkwork/linear/block/turning_kernels.hpp"
 
 /// Open branches, leaf to root and back.
@@ -79,7 +78,7 @@ LINKWORK_INLINE void prefetch_step(const TreeStep& step, const Data& data) {
     prefetch<false>(data.D + step.D_body, 6 * step.rows);
     prefetch<false>(data.D + step.D_parent, 6 * step.rows);
   }
-  if (step.storage >= data.streamed) prefetch<true>(data.factors + step.storage, step_storage(step.rows));
+  prefetch<true>(data.factors + step.storage, step_storage(step.rows));
   __builtin_prefetch(&data.mass[step.body]);
 }
 
@@ -140,7 +139,7 @@ LINKWORK_INLINE void add_to_parent(const TreeStep& step, const Data& data, const
 
 template <int rows, bool scattered>
 LINKWORK_INLINE void factor_row_by_row(const TreeStep& step, const Data& data, const double* a, const double* b,
-                                       double* factors, SmallestPivot& smallest) {
+                                       SmallestPivot& smallest) {
   const RowsOfStep<scattered> of{step, data};
   Vector M[6], W[6], L[6], G[6];
   load_columns<rows>([&](int k) { return of.D_body(k); }, W);
@@ -150,6 +149,7 @@ LINKWORK_INLINE void factor_row_by_row(const TreeStep& step, const Data& data, c
     W[c] += M[c] * unit(right_hand_side);
   }
   factor_body_of<rows>(step, M, W, L, G, smallest);
+  double* factors = data.factors + step.storage;
   if constexpr (rows > 0) {
     Vector S[rows], V[rows], T[rows];
     LINKWORK_UNROLL for (int c = 0; c < rows; ++c) {
@@ -176,14 +176,14 @@ LINKWORK_INLINE void factor_row_by_row(const TreeStep& step, const Data& data, c
 
 template <int rows, bool scattered>
 LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const double* a, const double* b,
-                                 const TurningJoint& joint, double* factors, SmallestPivot& smallest) {
+                                 const TurningJoint& joint, SmallestPivot& smallest) {
   if constexpr (turns<rows, scattered>) {
-    if (joint.turns) return factor_turning_step<rows, scattered>(step, data, a, joint, factors, smallest);
-    factors[TurningFactors<rows>::sign] = 0.0;
+    if (joint.turns) return factor_turning_step<rows, scattered>(step, data, a, joint, smallest);
+    data.factors[step.storage + TurningFactors<rows>::sign] = 0.0;
   }
   if constexpr (by_numbers<rows, scattered>)
-    if (factor_by_numbers(step, data, a, b, factors, smallest)) return;
-  factor_row_by_row<rows, scattered>(step, data, a, b, factors, smallest);
+    if (factor_by_numbers(step, data, a, b, smallest)) return;
+  factor_row_by_row<rows, scattered>(step, data, a, b, smallest);
 }
 
 template <int rows, bool scattered>
@@ -230,20 +230,17 @@ LINKWORK_INLINE void read_turning_joint(const TreeStep& step, const Data& data, 
 SmallestPivot factor_branches(const Data& data, const NodeRange* ranges, int count, const double* a, const double* b) {
   SmallestPivot smallest;
   TurningJoint joints[2];
-  StreamedFactors streamed(data);
   for (const NodeRange* range = ranges; range < ranges + count; ++range) {
     if (range->first < range->last) read_turning_joint(data.steps[range->first], data, b, joints[range->first % 2]);
     for (std::ptrdiff_t s = range->first; s < range->last; ++s) {
       const TreeStep& step = data.steps[s];
       if (data.large && s + steps_ahead < range->last) prefetch_step(data.steps[s + steps_ahead], data);
       if (s + 1 < range->last) read_turning_joint(data.steps[s + 1], data, b, joints[(s + 1) % 2]);
-      double* const factors = streamed.begin(step);
       with_rows(step, [&](auto rows, auto scattered) {
-        factor_step<rows, scattered>(step, data, a, b, joints[s % 2], factors, smallest);
+        factor_step<rows, scattered>(step, data, a, b, joints[s % 2], smallest);
       });
     }
   }
-  streamed.end();
   return smallest;
 }
 

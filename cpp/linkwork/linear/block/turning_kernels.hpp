@@ -276,7 +276,7 @@ LINKWORK_INLINE void store_way_back(const TurningJoint& joint, const double* D, 
 
 template <int rows, bool with_inerter>
 LINKWORK_INLINE void factor_turning_step(const TreeStep& step, const Data& data, const double* a,
-                                         const TurningJoint& joint, double* factors, SmallestPivot& smallest) {
+                                         const TurningJoint& joint, SmallestPivot& smallest) {
   using Kind = TurningKind<rows, with_inerter>;
   alignas(64) double own[articulated_inertia_size];
   const double* M = own;
@@ -291,7 +291,7 @@ LINKWORK_INLINE void factor_turning_step(const TreeStep& step, const Data& data,
   const Release free = release<Kind>(joint, W);
   if (!(free.d > 0.0)) smallest = {free.d == free.d ? 0.0 : not_a_number, step.row};
   if (step.parent >= 0) add_to_parent_of<Kind>(step, data, a, joint, W, free);
-  store_way_back<Kind>(joint, data.D + step.D_body, W, free, factors);
+  store_way_back<Kind>(joint, data.D + step.D_body, W, free, data.factors + step.storage);
 }
 
 /// False where the factors are those of another kind.
