@@ -40,27 +40,19 @@ LINKWORK_INLINE std::ptrdiff_t column_stride(const Front& front, int position) {
 
 LINKWORK_INLINE int depth_at(const Front& front, int k0) { return front.width - k0 < lanes ? front.width - k0 : lanes; }
 
-/// Zeros of which compilers do not know: they would call a function for each of many short columns.
-LINKWORK_INLINE Vector zeros() {
-  Vector out = splat(0.0);
-  LINKWORK_EACH_PART asm("" : "+x"(out.part[p]));
-  return out;
-}
-
 /// Zeros where children and bodies add: the lower triangle, from the vector on that holds the diagonal.
 void clear(const Front& front, const Data& data) {
   const std::ptrdiff_t end = front.stride();
-  const Vector none = zeros();
   const auto clear_columns = [&](int first, int last) {
     const std::ptrdiff_t stride = column_stride(front, first);
     double* column = column_of(front, data, first);
     for (std::ptrdiff_t c = first; c < last; ++c, column += stride)
-      for (std::ptrdiff_t p = c / lanes * lanes; p < end; p += lanes) store(column + p, none);
+      for (std::ptrdiff_t p = c / lanes * lanes; p < end; p += lanes) store(column + p, splat(0.0));
   };
   clear_columns(0, front.width);
   clear_columns(front.top, front.top + front.size - front.width);
   double* right = right_hand_side_of(front, data);
-  for (std::ptrdiff_t p = 0; p < 2 * end; p += lanes) store(right + p, none);
+  for (std::ptrdiff_t p = 0; p < 2 * end; p += lanes) store(right + p, splat(0.0));
 }
 
 /// C(:, w) = C(:, w) +- sum_k A(:, k) B(k, w) for `columns` columns, `vectors` vectors of rows at the places `at`.
