@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -21,6 +22,26 @@ void for_every_instruction_set(Check check) {
     const auto solver = block::make_block_solver(instruction_set(level));
     check(*solver);
   }
+}
+
+/// The same mechanism with masses spread over so many decades.
+inline Model spread(const Model& model, Random& random, double decades) {
+  Model out;
+  for (std::size_t k = 0; k < model.bodies().size(); ++k) {
+    Body body = model.bodies()[k];
+    const double factor = std::pow(10.0, random.number(-0.5 * decades, 0.5 * decades));
+    body.mass *= factor;
+    body.inertia *= factor;
+    out.add_body(model.body_name(static_cast<int>(k)), body);
+  }
+  for (std::size_t k = 0; k < model.joints().size(); ++k) {
+    const Element& joint = model.joints()[k];
+    const auto first = model.joint_parameters().begin() + static_cast<std::ptrdiff_t>(joint.first_parameter);
+    const KindInfo& info = joint_kinds()[joint.kind].info;
+    out.add_joint(info.name, model.joint_name(static_cast<int>(k)), joint.i, joint.j, joint.at,
+                  {first, first + static_cast<std::ptrdiff_t>(info.parameters.size())});
+  }
+  return out;
 }
 
 /// Largest residuals of the two block rows, each relative to its largest term.

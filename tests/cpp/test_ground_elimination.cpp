@@ -113,21 +113,7 @@ TEST_CASE("grounded bodies of masses over twelve decades have the accelerations 
   for_every_instruction_set([](SaddleSolver& solver) {
     Random random(18);
     for (int trial = 0; trial < 10; ++trial) {
-      Model model = grounded_bodies(random, 5, trial % 2 == 1), scaled;
-      for (std::size_t k = 0; k < model.bodies().size(); ++k) {
-        Body body = model.bodies()[k];
-        const double factor = std::pow(10.0, random.number(-6.0, 6.0));
-        body.mass *= factor;
-        body.inertia *= factor;
-        scaled.add_body(model.body_name(static_cast<int>(k)), body);
-      }
-      for (std::size_t k = 0; k < model.joints().size(); ++k) {
-        const Element& it = model.joints()[k];
-        const int first = it.first_parameter, count = static_cast<int>(joint_info(it.kind).parameters.size());
-        const auto begin = model.joint_parameters().begin() + first;
-        scaled.add_joint(joint_info(it.kind).name, "joint" + std::to_string(k), it.i, it.j, it.at,
-                         {begin, begin + count});
-      }
+      const Model scaled = spread(grounded_bodies(random, 5, trial % 2 == 1), random, 12.0);
       const System system(scaled);
       REQUIRE(count_grounded(system) > 0);
       const Evaluation at = evaluate_initially(system);

@@ -105,8 +105,9 @@ class LaneEvaluation {
   Numbers inerter_gamma_, inerter_values_;
   Numbers switches_;  ///< see Wrenches
   VectorXd switches_of_lane_;
-  Numbers last_, next_, rate_;               ///< history variables
-  std::vector<std::vector<Driven>> driven_;  ///< of each lane
+  Numbers last_, next_, rate_;  ///< history variables
+  // Of each lane.
+  std::vector<std::vector<Driven>> driven_;
   std::vector<std::vector<Signal<double>>> signals_;
 };
 

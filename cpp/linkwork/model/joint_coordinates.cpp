@@ -19,16 +19,19 @@ void shift(const Place& at, const State& i, const State& j, Equation<double>& ou
 
 // Of a Cardan joint, x = z_a x z_b: about z_a turns z_b, which was -y_a; about z_b turns y_b, which was z_a.
 void turn_about_a(const Place& at, const State& i, const State& j, Equation<double>& out) {
+  const RelativeRotation<double> rotation(i, j);
   Equation<double> s, c;
-  perpendicular<double>(i, j, at.x_i(), at.z_j(), s.rows());
-  perpendicular<double>(i, j, -at.y_i(), at.z_j(), c.rows());
+  rotation.perpendicular(rotation.direction(at.x_i()), at.z_j(), s.rows());
+  rotation.perpendicular(rotation.direction(-at.y_i()), at.z_j(), c.rows());
   angle_of<double>(i, j, s, c, out.rows());
 }
 
 void turn_about_b(const Place& at, const State& i, const State& j, Equation<double>& out) {
+  const RelativeRotation<double> rotation(i, j);
+  const auto axis = rotation.direction(at.z_i());
   Equation<double> s, c;
-  perpendicular<double>(i, j, at.z_i(), at.x_j(), s.rows());
-  perpendicular<double>(i, j, at.z_i(), at.y_j(), c.rows());
+  rotation.perpendicular(axis, at.x_j(), s.rows());
+  rotation.perpendicular(axis, at.y_j(), c.rows());
   angle_of<double>(i, j, s, c, out.rows());
 }
 

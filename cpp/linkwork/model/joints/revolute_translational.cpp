@@ -23,7 +23,10 @@ struct RevoluteTranslational {
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
                        const BodyState<Real>& j, Rows<Real, rows> out) {
-    parallel<Real>(RelativeRotation<Real>(i, j), at.z_i(), at.z_j(), at.x_j(), out.template slice<0, 2>());
+    const RelativeRotation<Real> rotation(i, j);
+    const auto pin = rotation.direction(at.z_i());
+    rotation.perpendicular(pin, at.z_j(), out.template slice<0, 1>());
+    rotation.perpendicular(pin, at.x_j(), out.template slice<1, 1>());
     in_plane<Real>(i, j, at.z_i(), at.s_i, at.s_j, out.template slice<2, 1>());
     const Rows<Real, 1> across = out.template slice<3, 1>();
     in_plane<Real>(j, i, at.x_j(), at.s_j, at.s_i, {across.Phi, across.Phi_t, across.gamma, across.D_j, across.D_i});
