@@ -85,14 +85,21 @@ def _prepared(
 
 
 def move(
-    model: Model, t_end: float, step: float, method: str, *, limit: float = np.inf, **options: Any
+    model: Model,
+    t_end: float,
+    step: float,
+    method: str,
+    *,
+    limit: float = np.inf,
+    looks: int = LOOKS,
+    **options: Any,
 ) -> Motion:
     """Steps of a method to the end. LinkworkError: it cannot, fails, or takes longer than the limit [CPU s].
 
-    Beside the steps nothing is computed: no verdict, and few frames.
+    Beside the steps nothing is computed: no verdict, and so many frames after the first.
     """
     steps = max(1, round(t_end / step))
-    ready, setup = _prepared(model, t_end, step, method, max(1, -(-steps // LOOKS)), options)
+    ready, setup = _prepared(model, t_end, step, method, max(1, -(-steps // looks)), options)
     run = ready.run
     start = np.array(run.last_state[: 7 * model.body_count]).reshape(-1, 7)[:, :3]
     energies, violation = [], 0.0

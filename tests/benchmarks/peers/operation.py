@@ -5,7 +5,6 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import partial
 from statistics import median
 
 from mechanism import Mechanism
@@ -17,7 +16,7 @@ BATCHES = 10
 #: Tolerance of first-order methods: twice the h / (2 SPAN) that velocities half a step late make.
 FIRST_ORDER = 0.1
 
-#: Runs so many calls and returns the seconds that they took.
+#: Runs so many calls, or steps, and returns the seconds that they took.
 Batch = Callable[[int], float]
 
 
@@ -69,14 +68,12 @@ def typical(batch: Batch, seconds: float, least: int = 1, most: int = 1_000_000)
     return median(repeats)
 
 
-def beyond_first(run: Callable[[int], object], seconds: float) -> float:
+def beyond_first(run: Batch, seconds: float) -> float:
     """Seconds of one step of many, from `run`, which makes so many from the start."""
 
-    def batch(
-        count: int,
-    ) -> float:  # both in turn: setting up takes longer than the steps of small mechanisms
-        first = calls(partial(run, 1))(1)
-        return calls(partial(run, 1 + count))(1) - first
+    def batch(count: int) -> float:  # both in turn: a start may take longer than the steps
+        first = run(1)
+        return run(1 + count) - first
 
     return typical(batch, seconds, LEAST_STEPS, MOST_STEPS)
 
