@@ -103,14 +103,13 @@ TEST_CASE("a part that all attachments have in common is held once, the others f
   JointBatch batch;
   batch.reserve(joints, 0, width);
   for (int k = 0; k < joints; ++k) {
-    batch.body_i.push_back(k - 1);
-    batch.body_j.push_back(k);
-    batch.attach(batch.row.size(), all[k]);
+    batch.append(k, k - 1, k, nullptr, 0);
+    batch.attach(all[k]);
     batch.row.push_back(5 * k);
     batch.D.push_back(60 * k);
   }
   batch.fill_up();
-  const AttachmentPart* parts = batch.arrays().attachment;
+  const AttachmentPart* parts = batch.joints().attachment;
   for (int k = 0; k < padded; ++k) {
     const Attachment<double>& at = all[std::min(k, joints - 1)];
     const double* numbers[] = {at.s_i.data(), at.s_j.data(), at.C_i.data(), at.C_j.data()};

@@ -26,68 +26,85 @@ Model sprung() {
 /// Elements of one kind between random bodies, and what they give, one after the other or several at a time.
 class Elements {
  public:
-  Elements(const ForceKind& kind, int count, int seed) : kind_(kind) {
+  Elements(const ForceKind& kind, int count, int seed, bool constant) : kind_(kind), q_(28), v_(24) {
     Random random(seed);
     for (int body = 0; body < 4; ++body) {
       const Body it = random_body(random);
-      bodies_.push_back({it.position, rotation_matrix<double>(it.orientation), it.velocity, it.omega});
+      q_.segment<7>(7 * body) << it.position, it.orientation;
+      v_.segment<6>(6 * body) << it.velocity, it.omega;
     }
-    bodies_.push_back(BodyState<double>::ground());
     for (int k = 0; k < count; ++k) {
-      const int i = random.integer(0, 4);
-      batch_.body_i.push_back(i);
-      batch_.body_j.push_back((i + random.integer(1, 4)) % 5);
-      batch_.attachment.push_back(random_attachment(random));
-      if (k % 3 == 1) coincide(k);
+      const int i = random.integer(-1, 3);
+      elements_.push_back({.i = i, .j = (i + 1 + random.integer(1, 4)) % 5 - 1, .at = random_attachment(random)});
+      if (k % 3 == 1) coincide(elements_.back(), k % 2);
       for (const ParameterInfo& it : kind.info.parameters) {
         signals_.push_back({random.number(), random.number(), random.number()});
         if (it.name == "lower") signals_.back().value = -0.1;
         if (it.name == "upper") signals_.back().value = 0.2;
-        const bool constant = it.constant() || k % 2;
-        batch_.parameters.push_back({constant ? random.number(0, 2) : 0.0, constant ? -1 : int(signals_.size()) - 1});
+        if (constant || it.constant() || k % 2) parameters_.push_back({random.number(0, 2), -1});
+        else parameters_.push_back({0.0, static_cast<int>(signals_.size()) - 1});
       }
-      batch_.history.push_back(k);
-      batch_.switches.push_back(2 * k);
       last_.push_back(random.number(-20, 20));
     }
   }
 
-  /// g, potential, power, history and switches; `from`, `to`: wrenches of those alone.
-  std::vector<double> evaluate(int level, int from = -1, int to = -1) {
-    const std::size_t count = batch_.size();
-    std::vector<double> g(30, 0.1), next(count), rate(count), switches(2 * count), wrenches(wrench_size * count);
+  /// g, potential, power, history, switches; `left`: wrenches instead of sums. Level -1: each element by itself.
+  std::vector<double> evaluate(int level, bool left) const {
+    const int count = static_cast<int>(elements_.size());
+    std::vector<double> g(24, 0.1), next(count), rate(count), switches(2 * count), wrenches(wrench_size * count);
     double potential = 0.3, power = 0.7;
-    ForceArrays out{g.data(), last_.data(), next.data(), rate.data(), switches.data(), &potential, &power};
-    if (from >= 0) {
-      out.wrenches = wrenches.data();
-      out.begin = static_cast<std::size_t>(from);
-      out.end = static_cast<std::size_t>(to);
-    }
-    if (level >= 0) kind_.packs[level](batch_.elements(), bodies_.data(), signals_.data(), out);
-    for (std::size_t k = 0; k < count && level < 0; ++k) {  // each by itself
-      ForceElements one = batch_.elements();
-      one.count = k + 1;
-      ForceArrays its = out;
-      its.begin = std::max(out.begin, k);
-      if (k < out.end) kind_.packs[0](one, bodies_.data(), signals_.data(), its);
-    }
+    const auto add = [&](int first, int last, int by) {
+      const ForceBatch batch = batch_of(first, last, instruction_set(by).width);
+      ForceArrays out{g.data(), last_.data(), next.data(), rate.data(), switches.data(), &potential, &power};
+      if (left) out.wrenches = wrenches.data() + wrench_size * first;
+      kind_.packs[by](batch.elements(0, last - first), q_.data(), v_.data(), signals_.data(), out);
+    };
+    if (level >= 0) add(0, count, level);
+    for (int k = 0; k < count && level < 0; ++k) add(k, k + 1, 0);
     for (const auto* more : {&next, &rate, &switches, &wrenches}) g.insert(g.end(), more->begin(), more->end());
     g.insert(g.end(), {potential, power});
     return g;
   }
 
  private:
+  struct Placed {
+    int i, j;
+    Attachment<double> at;
+  };
+
+  ForceBatch batch_of(int first, int last, int width) const {
+    const std::size_t each = kind_.info.parameters.size();
+    ForceBatch batch;
+    batch.reserve(last - first, each, width);
+    for (int k = first; k < last; ++k) {
+      batch.append(k, elements_[k].i, elements_[k].j, parameters_.data() + each * k, each);
+      batch.attach(elements_[k].at);
+      batch.history.push_back(k);
+      batch.switches.push_back(2 * k);
+    }
+    batch.fill_up();
+    return batch;
+  }
+
+  BodyState<double> pose(int body) const {
+    BodyState<double> out = BodyState<double>::ground();
+    if (body == ground) return out;
+    out.r = q_.segment<3>(7 * body);
+    out.A = rotation_matrix<double>(q_.segment<4>(7 * body + 3));
+    return out;
+  }
+
   /// Points, and axes: where a law has no direction to act in.
-  void coincide(int k) {
-    const BodyState<double>&i = bodies_[batch_.body_i[k]], &j = bodies_[batch_.body_j[k]];
-    Attachment<double>& at = batch_.attachment[k];
-    at.s_j = j.A.transpose() * (i.r + i.A * at.s_i - j.r);
-    if (k % 2) at.C_j = j.A.transpose() * (i.A * at.C_i);
+  void coincide(Placed& it, bool axes) const {
+    const BodyState<double> i = pose(it.i), j = pose(it.j);
+    it.at.s_j = j.A.transpose() * (i.r + i.A * it.at.s_i - j.r);
+    if (axes) it.at.C_j = j.A.transpose() * (i.A * it.at.C_i);
   }
 
   const ForceKind& kind_;
-  std::vector<BodyState<double>> bodies_;
-  Batch batch_;
+  VectorXd q_, v_;
+  std::vector<Placed> elements_;
+  std::vector<Parameter> parameters_;
   std::vector<Signal<double>> signals_;
   std::vector<double> last_;
 };
@@ -104,9 +121,10 @@ TEST_CASE("elements that are evaluated several at a time give what each gives, t
       for (int level = 0; level < instruction_set_count(); ++level) {
         CAPTURE(count);
         CAPTURE(level);
-        Elements elements(kind, count, 3 * count);
-        CHECK(elements.evaluate(level) == elements.evaluate(-1));
-        CHECK(elements.evaluate(level, 1, count - 1) == elements.evaluate(-1, 1, count - 1));
+        for (const bool constant : {false, true}) {
+          const Elements elements(kind, count, 3 * count, constant);
+          for (const bool left : {false, true}) CHECK(elements.evaluate(level, left) == elements.evaluate(-1, left));
+        }
       }
   }
   CHECK(kinds >= 10);

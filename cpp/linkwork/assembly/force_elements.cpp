@@ -6,13 +6,38 @@
 #include "linkwork/model/force_kind.hpp"
 
 namespace linkwork {
+namespace {
+
+using Position = Eigen::Matrix<double, position_size, 1>;
+using Velocity = Eigen::Matrix<double, velocity_size, 1>;
+
+Position position_of(int body, const ConstVector& q) {
+  if (body == ground) return Position::Unit(3);
+  return q.segment<position_size>(position_size * body);
+}
+
+Velocity velocity_of(int body, const ConstVector& v) {
+  if (body == ground) return Velocity::Zero();
+  return v.segment<velocity_size>(velocity_size * body);
+}
+
+BodyState<double> state_of(int body, const ConstVector& q, const ConstVector& v) {
+  return {q.segment<3>(7 * body), rotation_matrix<double>(q.segment<4>(7 * body + 3)), v.segment<3>(6 * body),
+          v.segment<3>(6 * body + 3)};
+}
+
+}  // namespace
 
 ForceElement::ForceElement(const System& system, int element)
     : system_(system), element_(system.model().forces()[element]), signals_(system.model().signals().size()) {
   const Model& model = system.model();
-  const auto first = model.force_parameters().begin() + static_cast<std::ptrdiff_t>(element_.first_parameter);
-  const auto count = static_cast<std::ptrdiff_t>(force_kinds()[element_.kind].info.parameters.size());
-  batch_ = {{0}, {1}, {element_.at}, {first, first + count}, {0}, {0}};
+  const std::size_t count = force_kinds()[element_.kind].info.parameters.size();
+  batch_.reserve(1, count, instruction_set(0).width);
+  batch_.append(element, 0, 1, model.force_parameters().data() + element_.first_parameter, count);
+  batch_.attach(element_.at);
+  batch_.fill_up();
+  batch_.attachment = {element_.at};
+  batch_.history = batch_.switches = {0};
   for (int k = 0; k < system.history_size(); ++k)
     if (const HistoryOwner& owner = system.history_owners()[k]; !owner.joint && owner.element == element) history_ = k;
 }
@@ -22,13 +47,18 @@ ForceOnBody ForceElement::evaluate(double t, const ConstVector& q, const ConstVe
   const auto& functions = system_.model().signals();
   for (std::size_t s = 0; s < signals_.size(); ++s)
     if (functions[s]->of_time()) signals_[s] = functions[s]->evaluate(t);
-  const std::array<BodyState<double>, 2> bodies = {state_of(element_.i, q, v), state_of(element_.j, q, v)};
+  Eigen::Matrix<double, 2 * position_size, 1> its_q;
+  Eigen::Matrix<double, 2 * velocity_size, 1> its_v;
+  its_q << position_of(element_.i, q), position_of(element_.j, q);
+  its_v << velocity_of(element_.i, v), velocity_of(element_.j, v);
+  const std::array<BodyState<double>, 2> bodies = {state_of(0, its_q, its_v), state_of(1, its_q, its_v)};
   std::array<double, 2 * velocity_size> g{};
   const double last = history_ < 0 ? 0.0 : history[history_];
   double next = 0.0, rate = 0.0, dissipated = 0.0;
   std::array<double, 2> switches{};
   ForceOnBody out;
-  force_kinds()[element_.kind].evaluate(0, batch_, bodies.data(), signals_.data(), functions.data(),
+  force_kinds()[element_.kind].evaluate(0, batch_, 0, 1,
+                                        {its_q.data(), its_v.data(), bodies.data(), signals_.data(), functions.data()},
                                         {g.data(), &last, &next, &rate, switches.data(), &out.potential, &dissipated});
   if (force_kinds()[element_.kind].inertia) add_inertia(bodies.data(), v_dot, g.data());
   for (std::size_t k = 0; k < bodies.size(); ++k) {
@@ -54,12 +84,6 @@ void ForceElement::add_inertia(const BodyState<double>* bodies, const ConstVecto
   Eigen::Map<Eigen::Matrix<double, velocity_size, 1>> on_i(g), on_j(g + velocity_size);
   on_i += force * D_i;
   on_j += force * D_j;
-}
-
-BodyState<double> ForceElement::state_of(int body, const ConstVector& q, const ConstVector& v) const {
-  if (body == ground) return BodyState<double>::ground();
-  return {q.segment<3>(7 * body), rotation_matrix<double>(q.segment<4>(7 * body + 3)), v.segment<3>(6 * body),
-          v.segment<3>(6 * body + 3)};
 }
 
 }  // namespace linkwork

@@ -22,11 +22,10 @@ class ForceElement {
 
  private:
   void add_inertia(const BodyState<double>* bodies, const ConstVector& v_dot, double* g) const;
-  BodyState<double> state_of(int body, const ConstVector& q, const ConstVector& v) const;
 
   const System& system_;
   Element element_;
-  Batch batch_;
+  ForceBatch batch_;
   int history_ = -1;  ///< place of its variable
   std::vector<Signal<double>> signals_;
 };

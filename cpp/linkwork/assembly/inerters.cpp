@@ -50,9 +50,8 @@ void Inerters::compile(const Model& model, int kind, int count, const Instructio
   for (const Element& it : model.forces()) {
     if (inertance_of(model, it) == 0.0) continue;
     if (it.kind == kind) {
-      rows.batch.body_i.push_back(it.i);
-      rows.batch.body_j.push_back(it.j);
-      rows.batch.attach(rows.batch.row.size(), it.at);
+      rows.batch.append(row, it.i, it.j, nullptr, 0);
+      rows.batch.attach(it.at);
       rows.batch.row.push_back(row);
       rows.batch.D.push_back(place(static_cast<std::size_t>(row)));
     }
@@ -67,8 +66,8 @@ void Inerters::evaluate(const double* q, const double* v, double* D, double* gam
   constexpr int chunk = 4096;  // a multiple of any width
   const ConstraintArrays out{.Phi = values, .Phi_t = values, .Phi_dot = values, .gamma = gamma, .D = D};
   for (const Rows& rows : rows_)
-    threads.in_chunks(static_cast<int>(rows.batch.row.size()), chunk,
-                      [&](int first, int last) { rows.evaluate(rows.batch.arrays(first, last), q, v, nullptr, out); });
+    threads.in_chunks(static_cast<int>(rows.batch.size()), chunk,
+                      [&](int first, int last) { rows.evaluate(rows.batch.joints(first, last), q, v, nullptr, out); });
 }
 
 double Inerters::rate(std::size_t k, const double* D, const double* x) const {

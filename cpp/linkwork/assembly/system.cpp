@@ -73,7 +73,7 @@ void System::evaluate_chunks(const ConstVector& q, const ConstVector& v, bool wi
 
 void System::evaluate_joints(const JointChunk& of, const ConstVector& q, const ConstVector& v, Evaluation& out) const {
   const CompiledJoints& joints = joints_[of.kind];
-  joints.evaluate(joints.batch.arrays(of.first, of.last), q.data(), v.data(), out.signals.data(),
+  joints.evaluate(joints.batch.joints(of.first, of.last), q.data(), v.data(), out.signals.data(),
                   {out.Phi.data(), out.Phi_t.data(), out.Phi_dot.data(), out.gamma.data(), out.D.data()});
 }
 
@@ -201,42 +201,41 @@ void System::evaluate_special_joint(const CompiledSpecialJoint& it, const ConstV
 
 void System::evaluate_elements(const ConstVector& q, const ConstVector& v, const ConstVector& history,
                                Evaluation& out) const {
-  threads_->in_chunks(static_cast<int>(bodies_of_elements_.size()), chunk, [&](int first, int last) {
+  threads_->in_chunks(static_cast<int>(posed_bodies_.size()), chunk, [&](int first, int last) {
     for (int k = first; k < last; ++k) {
-      const int body = bodies_of_elements_[k];
+      const int body = posed_bodies_[k];
       out.bodies[body] = moving(body, q, v);
     }
   });
-  out.g.tail<velocity_size>().setZero();
   const ForceArrays arrays{out.g.data(),        history.data(), out.history.data(), out.history_rate.data(),
                            out.switches.data(), &out.potential, &out.power};
-  if (threads_->threads() > 1 && !out.wrenches.empty()) return evaluate_many_elements(arrays, out);
+  if (threads_->threads() > 1 && !out.wrenches.empty()) return evaluate_many_elements(q, v, arrays, out);
   for (std::size_t kind = 0; kind < force_batches_.size(); ++kind)
-    if (force_batches_[kind].size() > 0) evaluate_elements_of(kind, arrays, out);
+    if (const auto count = static_cast<int>(force_batches_[kind].size()); count > 0)
+      evaluate_elements_of(kind, 0, count, q, v, out, arrays);
 }
 
-void System::evaluate_elements_of(std::size_t kind, const ForceArrays& arrays, Evaluation& out) const {
-  force_kinds()[kind].evaluate(force_levels_[kind], force_batches_[kind], out.bodies.data(), out.signals.data(),
-                               model_.signals().data(), arrays);
+void System::evaluate_elements_of(std::size_t kind, int first, int last, const ConstVector& q, const ConstVector& v,
+                                  const Evaluation& at, const ForceArrays& out) const {
+  force_kinds()[kind].evaluate(force_levels_[kind], force_batches_[kind], first, last,
+                               {q.data(), v.data(), at.bodies.data(), at.signals.data(), model_.signals().data()}, out);
 }
 
-/// Element by element, and then body by body.
-void System::evaluate_many_elements(const ForceArrays& arrays, Evaluation& out) const {
-  ForceArrays parts = arrays;
-  parts.wrenches = out.wrenches.data();
+/// Each leaves what it does, for the sums of all to be made in the order that one thread makes them in.
+void System::evaluate_many_elements(const ConstVector& q, const ConstVector& v, const ForceArrays& arrays,
+                                    Evaluation& out) const {
+  double* wrenches = out.wrenches.data();
   for (std::size_t kind = 0; kind < force_batches_.size(); ++kind) {
-    const Batch& batch = force_batches_[kind];
-    if (batch.size() == 0) continue;
+    const auto count = static_cast<int>(force_batches_[kind].size());
+    if (count == 0) continue;
     const auto evaluate = [&](int first, int last) {
-      ForceArrays own = parts;
-      own.begin = first;
-      own.end = last;
-      evaluate_elements_of(kind, own, out);
+      ForceArrays own = arrays;
+      own.wrenches = wrenches + wrench_size * static_cast<std::size_t>(first);
+      evaluate_elements_of(kind, first, last, q, v, out, own);
     };
-    const int count = static_cast<int>(batch.size());
     if (called_alone_[kind]) evaluate(0, count);
     else threads_->in_chunks(count, chunk_of_forces, evaluate);
-    parts.wrenches += wrench_size * batch.size();
+    wrenches += wrench_size * static_cast<std::size_t>(count);
   }
   add_wrenches(arrays, out);
 }

@@ -34,7 +34,7 @@ struct BlockRange {
 
 /// What an evaluation fills, allocated once by System::make_evaluation.
 struct Evaluation {
-  std::vector<BodyState<double>> bodies;   ///< for force elements but inerters, if there are any; last is the ground
+  std::vector<BodyState<double>> bodies;   ///< for force elements that are evaluated one by one, if there are any
   std::vector<BodyState<double>> special;  ///< scratch: the bodies of a special joint
   std::vector<Signal<double>> signals;
   AlignedDoubles D;       ///< blocks of D, see ConstraintBlock
@@ -108,10 +108,11 @@ class System {
   void evaluate_signals(double t, std::vector<Signal<double>>& out) const;
   void evaluate_special_joints(const ConstVector& q, const ConstVector& v, const ConstVector& history,
                                Evaluation& out) const;
-  /// Force elements by their kinds, but inerters; bodies are places in Evaluation::bodies.
-  const std::vector<Batch>& force_batches() const { return force_batches_; }
-  /// Those of one kind, of which there is one, at the signals and bodies of `out`.
-  void evaluate_elements_of(std::size_t kind, const ForceArrays& arrays, Evaluation& out) const;
+  /// Force elements by their kinds, but inerters.
+  const std::vector<ForceBatch>& force_batches() const { return force_batches_; }
+  /// Those of one kind, at the signals and bodies of `at`, from a multiple of their width on.
+  void evaluate_elements_of(std::size_t kind, int first, int last, const ConstVector& q, const ConstVector& v,
+                            const Evaluation& at, const ForceArrays& out) const;
   /// The user's own laws along coordinates, added to `out.g` and `out.power`.
   void evaluate_joint_forces(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                              Evaluation& out) const;
@@ -200,7 +201,10 @@ class System {
   void compile_special_joint(int joint, const SpecialJoint& special);
   void list_driven_rows();
   void compile_forces();
-  void list_bodies_of_elements();
+  void begin_force_batches();
+  void append_force(int force);
+  bool evaluated_one_by_one(std::size_t kind) const;
+  void list_posed_bodies();
   void place_wrenches();
   void begin_history();
   VectorXd blank_history() const;
@@ -222,7 +226,8 @@ class System {
   void evaluate_other_constraints(const ConstVector& q, const ConstVector& v, const ConstVector& history,
                                   Evaluation& out) const;
   void evaluate_elements(const ConstVector& q, const ConstVector& v, const ConstVector& history, Evaluation& out) const;
-  void evaluate_many_elements(const ForceArrays& arrays, Evaluation& out) const;
+  void evaluate_many_elements(const ConstVector& q, const ConstVector& v, const ForceArrays& arrays,
+                              Evaluation& out) const;
   void add_wrenches(const ForceArrays& arrays, Evaluation& out) const;
 
   static BlockRange range(const std::vector<int>& list, const std::vector<int>& begin, int k) {
@@ -237,10 +242,10 @@ class System {
   std::vector<Mat3<double>> massless_inverses_;            ///< of their inertias
   std::vector<CompiledJoints> joints_;                     ///< one per kind in use
   std::vector<JointChunk> joint_chunks_;                   ///< of all of them
-  std::vector<Batch> force_batches_;                       ///< one per registered kind, none of inerters
+  std::vector<ForceBatch> force_batches_;                  ///< one per registered kind, none of inerters
   bool has_elements_ = false;                              ///< in these batches
   std::vector<int> force_levels_;                          ///< instruction sets by which they are evaluated
-  std::vector<int> bodies_of_elements_;                    ///< ascending
+  std::vector<int> posed_bodies_;                          ///< of elements that are evaluated one by one, ascending
   std::vector<int> body_wrench_list_, body_wrench_begin_;  ///< of many elements: 2 x element + which body
   std::vector<char> called_alone_;                         ///< per kind: some call functions of the user's
   std::vector<int> joint_force_history_;                   ///< places, -1 where there is none

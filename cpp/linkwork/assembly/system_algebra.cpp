@@ -108,7 +108,7 @@ void System::reactions(const Evaluation& at, const ConstVector& q, const ConstVe
   threads_->run(static_cast<int>(joint_chunks_.size()), [&](int part, int) {
     const JointChunk& of = joint_chunks_[part];
     const CompiledJoints& joints = joints_[of.kind];
-    joints.reactions(joints.batch.arrays(of.first, of.last), joints.rows, at.D.data(), q.data(), lambda.data(),
+    joints.reactions(joints.batch.joints(of.first, of.last), joints.rows, at.D.data(), q.data(), lambda.data(),
                      force.data(), torque.data());
   });
   for (const CompiledSpecialJoint& it : special_joints_) {

@@ -43,23 +43,18 @@ Mat3<double> pseudo_inverse(const Mat3<double>& J, bool& singular) {
   return eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
 }
 
-std::size_t count_elements(const std::vector<Batch>& batches) {
+std::size_t count_elements(const std::vector<ForceBatch>& batches) {
   return std::accumulate(batches.begin(), batches.end(), std::size_t{0},
-                         [](std::size_t sum, const Batch& batch) { return sum + batch.size(); });
+                         [](std::size_t sum, const ForceBatch& batch) { return sum + batch.size(); });
 }
 
 void append_joint(const Model& model, int joint, int row, std::ptrdiff_t D, JointBatch& batch) {
   const Element& element = model.joints()[joint];
-  batch.number.push_back(joint);
-  batch.body_i.push_back(element.i);
-  batch.body_j.push_back(element.j);
-  batch.attach(batch.row.size(), element.at);
+  batch.append(joint, element.i, element.j, model.joint_parameters().data() + element.first_parameter,
+               joint_info(element.kind).parameters.size());
+  batch.attach(element.at);
   batch.row.push_back(row);
   batch.D.push_back(D);
-  for (std::size_t p = 0; p < joint_info(element.kind).parameters.size(); ++p) {
-    batch.parameters.push_back(model.joint_parameters()[element.first_parameter + p]);
-    batch.time_dependent = batch.time_dependent || batch.parameters.back().signal >= 0;
-  }
 }
 
 void append_block(const ConstraintBlock& block, std::vector<ConstraintBlock>& blocks) {
@@ -111,7 +106,10 @@ void System::append_kind(int kind, int count) {
                      .rows = it.info.rows,
                      .width = instructions.width,
                      .batch = {}});
-  joints_.back().batch.reserve(count, it.info.parameters.size(), instructions.width);
+  JointBatch& batch = joints_.back().batch;
+  batch.reserve(count, it.info.parameters.size(), instructions.width);
+  batch.row.reserve(count);
+  batch.D.reserve(count);
 }
 
 void System::compile_joints() {
@@ -140,7 +138,7 @@ void System::compile_joints() {
   }
   for (std::size_t kind = 0; kind < joints_.size(); ++kind) {
     JointBatch& batch = joints_[kind].batch;
-    for (int first = 0, count = static_cast<int>(batch.row.size()); first < count; first += chunk)
+    for (int first = 0, count = static_cast<int>(batch.size()); first < count; first += chunk)
       joint_chunks_.push_back({kind, first, std::min(first + chunk, count)});
     batch.fill_up();
     batch.streamed = D_size_ > cached;
@@ -178,55 +176,69 @@ void System::list_driven_rows() {
 }
 
 void System::compile_forces() {
-  force_batches_.resize(force_kinds().size());
-  const int n = body_count();
-  for (std::size_t k = 0; k < model_.forces().size(); ++k) {
-    const Element& element = model_.forces()[k];
-    const ForceKind& kind = force_kinds()[element.kind];
-    if (kind.inertia) continue;
-    Batch& batch = force_batches_[element.kind];
-    batch.body_i.push_back(element.i == ground ? n : element.i);
-    batch.body_j.push_back(element.j == ground ? n : element.j);
-    batch.attachment.push_back(element.at);
-    batch.history.push_back(history_size());
-    batch.switches.push_back(static_cast<std::ptrdiff_t>(switches_.size()));
-    const int contact = kind.history == HistoryKind::onset ? history_size() : -1;
-    switches_.insert(switches_.end(), kind.switches, contact);
-    const auto first = model_.force_parameters().begin() + static_cast<std::ptrdiff_t>(element.first_parameter);
-    batch.parameters.insert(batch.parameters.end(), first,
-                            first + static_cast<std::ptrdiff_t>(kind.info.parameters.size()));
-    add_history(kind.history, false, static_cast<int>(k), kind.history == HistoryKind::none ? 0 : 1);
-  }
+  begin_force_batches();
+  for (std::size_t k = 0; k < model_.forces().size(); ++k) append_force(static_cast<int>(k));
   for (std::size_t k = 0; k < model_.joint_forces().size(); ++k) {
     const HistoryKind kind = model_.joint_forces()[k].history_kind();
     joint_force_history_.push_back(kind == HistoryKind::none ? -1 : history_size());
     add_history(kind, false, static_cast<int>(model_.forces().size() + k), kind == HistoryKind::none ? 0 : 1);
   }
+  for (ForceBatch& batch : force_batches_) batch.fill_up();
   has_elements_ = count_elements(force_batches_) > 0;
-  list_bodies_of_elements();
-  for (const Batch& batch : force_batches_)
-    force_levels_.push_back(instruction_set_for(static_cast<int>(batch.size()), instructions_).level);
+  list_posed_bodies();
   if (count_elements(force_batches_) >= many_forces) place_wrenches();
 }
 
-void System::list_bodies_of_elements() {
-  std::vector<char> acted_on(body_count() + 1, 0);
-  for (const Batch& batch : force_batches_)
-    for (const std::vector<int>* bodies : {&batch.body_i, &batch.body_j})
-      for (const int body : *bodies) acted_on[body] = 1;
+void System::begin_force_batches() {
+  std::vector<int> count(force_kinds().size(), 0);
+  for (const Element& element : model_.forces()) count[element.kind] += 1;
+  force_batches_.resize(count.size());
+  for (std::size_t kind = 0; kind < count.size(); ++kind) {
+    const InstructionSet instructions = instruction_set_for(count[kind], instructions_);
+    force_levels_.push_back(instructions.level);
+    force_batches_[kind].reserve(count[kind], force_kinds()[kind].info.parameters.size(),
+                                 evaluated_one_by_one(kind) ? 1 : instructions.width);
+  }
+}
+
+bool System::evaluated_one_by_one(std::size_t kind) const { return !force_kinds()[kind].packs[force_levels_[kind]]; }
+
+void System::append_force(int force) {
+  const Element& element = model_.forces()[force];
+  const ForceKind& kind = force_kinds()[element.kind];
+  if (kind.inertia) return;
+  ForceBatch& batch = force_batches_[element.kind];
+  batch.append(force, element.i, element.j, model_.force_parameters().data() + element.first_parameter,
+               kind.info.parameters.size());
+  if (evaluated_one_by_one(element.kind)) batch.attachment.push_back(element.at);
+  else batch.attach(element.at);
+  batch.history.push_back(history_size());
+  batch.switches.push_back(static_cast<std::ptrdiff_t>(switches_.size()));
+  const int contact = kind.history == HistoryKind::onset ? history_size() : -1;
+  switches_.insert(switches_.end(), kind.switches, contact);
+  add_history(kind.history, false, force, kind.history == HistoryKind::none ? 0 : 1);
+}
+
+void System::list_posed_bodies() {
+  std::vector<char> acted_on(body_count(), 0);
+  for (std::size_t kind = 0; kind < force_batches_.size(); ++kind)
+    if (evaluated_one_by_one(kind))
+      for (const std::vector<int>* bodies : {&force_batches_[kind].body_i, &force_batches_[kind].body_j})
+        for (const int body : *bodies)
+          if (body != ground) acted_on[body] = 1;
   for (int body = 0; body < body_count(); ++body)
-    if (acted_on[body]) bodies_of_elements_.push_back(body);
+    if (acted_on[body]) posed_bodies_.push_back(body);
 }
 
 /// Of each body the wrenches that elements apply to it, in the order in which one thread adds them up.
 void System::place_wrenches() {
-  body_wrench_begin_.assign(body_count() + 2, 0);
+  body_wrench_begin_.assign(body_count() + 1, 0);
   const auto visit = [&](const auto& see) {
     int element = 0;
-    for (const Batch& batch : force_batches_)
+    for (const ForceBatch& batch : force_batches_)
       for (std::size_t k = 0; k < batch.size(); ++k, ++element) {
-        see(batch.body_i[k], 2 * element);
-        see(batch.body_j[k], 2 * element + 1);
+        if (batch.body_i[k] != ground) see(batch.body_i[k], 2 * element);
+        if (batch.body_j[k] != ground) see(batch.body_j[k], 2 * element + 1);
       }
   };
   visit([&](int body, int) { body_wrench_begin_[body + 1] += 1; });
@@ -234,7 +246,7 @@ void System::place_wrenches() {
   body_wrench_list_.resize(body_wrench_begin_.back());
   std::vector<int> next(body_wrench_begin_.begin(), body_wrench_begin_.end() - 1);
   visit([&](int body, int wrench) { body_wrench_list_[next[body]++] = wrench; });
-  for (const Batch& batch : force_batches_)
+  for (const ForceBatch& batch : force_batches_)
     called_alone_.push_back(std::any_of(batch.parameters.begin(), batch.parameters.end(), [&](const Parameter& it) {
       return it.signal >= 0 && !model_.signals()[it.signal]->of_time();
     }));
@@ -280,7 +292,7 @@ VectorXd System::blank_history() const {
 Evaluation System::make_evaluation() const {
   Evaluation out;
   InterruptionMeter meter;  // it is memory that is touched first here, which takes as long as an evaluation
-  if (has_elements_) out.bodies.assign(body_count() + 1, BodyState<double>::ground());
+  if (!posed_bodies_.empty()) out.bodies.assign(body_count(), BodyState<double>::ground());
   out.signals.resize(model_.signals().size());
   out.D.assign(D_size_ + velocity_size, 0.0);
   meter.add(body_count());

@@ -43,7 +43,8 @@ void LaneEvaluation::list_posed_bodies() {
   for (const LaneStructure::Forces& it : structure_.forces) {
     if (lanes_of(it.kind, level_)) continue;
     for (const std::vector<int>* bodies : {&it.body_i, &it.body_j})
-      posed_.insert(posed_.end(), bodies->begin(), bodies->end());
+      std::copy_if(bodies->begin(), bodies->end(), std::back_inserter(posed_),
+                   [&](int body) { return body != structure_.bodies; });
   }
   std::sort(posed_.begin(), posed_.end());
   posed_.erase(std::unique(posed_.begin(), posed_.end()), posed_.end());
@@ -125,10 +126,13 @@ void LaneEvaluation::load_inerters(int l, const System& system) {
 void LaneEvaluation::load_forces(int l, const System& system) {
   for (std::size_t kind = 0; kind < forces_.size(); ++kind) {
     Elements& to = forces_[kind];
-    const Batch& batch = system.force_batches()[structure_.forces[kind].kind];
-    for (std::ptrdiff_t k = 0; k < std::ssize(batch.attachment); ++k)
-      layout_.give(batch.attachment[k].s_i.data(), attachment_size, l, to.attachments, attachment_size * k);
-    for (std::ptrdiff_t p = 0; p < std::ssize(batch.parameters); ++p) load_parameter(l, batch.parameters[p], to, p);
+    const ForceBatch& batch = system.force_batches()[structure_.forces[kind].kind];
+    for (std::ptrdiff_t k = 0; k < std::ssize(batch.number); ++k) {
+      const Element& force = system.model().forces()[batch.number[k]];
+      layout_.give(force.at.s_i.data(), attachment_size, l, to.attachments, attachment_size * k);
+      for (std::ptrdiff_t p = k * to.parameter_count; p < (k + 1) * to.parameter_count; ++p)
+        load_parameter(l, batch.parameters[p], to, p);
+    }
   }
 }
 
@@ -287,12 +291,12 @@ void LaneEvaluation::pose_bodies(int l, Evaluation& at) const {
 
 void LaneEvaluation::evaluate_lane_by_lane(int kind, LaneGuard& guard) {
   each_lane(guard, [&](int l) {
-    apart(l, guard, [&](const System& system, auto, auto, const VectorXd& history, Evaluation& at) {
+    apart(l, guard, [&](const System& system, auto q, auto v, const VectorXd& history, Evaluation& at) {
       take_forces(l, at);
-      system.evaluate_elements_of(static_cast<std::size_t>(kind),
+      const auto all = static_cast<std::size_t>(kind);
+      system.evaluate_elements_of(all, 0, static_cast<int>(system.force_batches()[all].size()), q, v, at,
                                   {at.g.data(), history.data(), at.history.data(), at.history_rate.data(),
-                                   at.switches.data(), &at.potential, &at.power},
-                                  at);
+                                   at.switches.data(), &at.potential, &at.power});
       give_forces(l, at);
     });
   });

@@ -136,20 +136,29 @@ void LaneStructure::list_inerters(const System& system) {
   }
 }
 
+/// Of the first `count` bodies, the ground behind the others.
+std::vector<int> LaneStructure::places_of(const std::vector<int>& list, std::size_t count) const {
+  std::vector<int> out(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(count));
+  std::replace(out.begin(), out.end(), ground, bodies);
+  return out;
+}
+
 void LaneStructure::list_forces(const System& system) {
   for (std::size_t kind = 0; kind < system.force_batches().size(); ++kind)
-    if (const Batch& batch = system.force_batches()[kind]; batch.size() > 0)
-      forces.push_back({static_cast<int>(kind), batch.body_i, batch.body_j, batch.history, batch.switches});
+    if (const ForceBatch& batch = system.force_batches()[kind]; batch.size() > 0)
+      forces.push_back({static_cast<int>(kind), places_of(batch.body_i, batch.size()),
+                        places_of(batch.body_j, batch.size()), batch.history, batch.switches});
 }
 
 bool LaneStructure::same_forces(const System& system) const {
   if (system.history_size() != history_size) return false;
   auto next = forces.begin();
   for (std::size_t kind = 0; kind < system.force_batches().size(); ++kind) {
-    const Batch& batch = system.force_batches()[kind];
+    const ForceBatch& batch = system.force_batches()[kind];
     if (batch.size() == 0) continue;
-    if (next == forces.end() || next->kind != static_cast<int>(kind) || next->body_i != batch.body_i ||
-        next->body_j != batch.body_j || next->history != batch.history)
+    if (next == forces.end() || next->kind != static_cast<int>(kind) ||
+        next->body_i != places_of(batch.body_i, batch.size()) ||
+        next->body_j != places_of(batch.body_j, batch.size()) || next->history != batch.history)
       return false;
     ++next;
   }

@@ -72,6 +72,7 @@ class LaneStructure {
   void list_joints(const System& system);
   void find_forms();
   void list_inerters(const System& system);
+  std::vector<int> places_of(const std::vector<int>& list, std::size_t count) const;
   void list_forces(const System& system);
   bool same_forces(const System& system) const;
 

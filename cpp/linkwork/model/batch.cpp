@@ -10,26 +10,35 @@ std::size_t padded_size(std::size_t count, std::size_t width) { return (count + 
 
 }  // namespace
 
-void JointBatch::reserve(std::size_t count, std::size_t parameters_each, int width) {
+void ElementBatch::reserve(std::size_t count, std::size_t parameters_each, int width) {
   width_ = static_cast<std::size_t>(width);
   padded_ = padded_size(count, width_);
-  for (std::vector<int>* list : {&body_i, &body_j, &row}) list->reserve(padded_);
-  D.reserve(count);
+  for (std::vector<int>* list : {&body_i, &body_j}) list->reserve(padded_);
+  number.reserve(count);
   parameters.reserve(parameters_each * padded_);
 }
 
-void JointBatch::attach(std::size_t joint, const Attachment<double>& at) {
-  const double* numbers[] = {at.s_i.data(), at.s_j.data(), at.C_i.data(), at.C_j.data()};
-  for (std::size_t p = 0; p < parts_.size(); ++p) attach(joint, numbers[p], attachment_parts[p], parts_[p]);
+void ElementBatch::append(int of_model, int i, int j, const Parameter* first_parameter, std::size_t parameter_count) {
+  number.push_back(of_model);
+  body_i.push_back(i);
+  body_j.push_back(j);
+  parameters.insert(parameters.end(), first_parameter, first_parameter + parameter_count);
+  time_dependent = time_dependent || std::any_of(first_parameter, first_parameter + parameter_count,
+                                                 [](const Parameter& it) { return it.signal >= 0; });
 }
 
-void JointBatch::attach(std::size_t joint, const double* numbers, int count, Part& part) const {
+void ElementBatch::attach(const Attachment<double>& at) {
+  const double* numbers[] = {at.s_i.data(), at.s_j.data(), at.C_i.data(), at.C_j.data()};
+  for (std::size_t p = 0; p < parts_.size(); ++p) attach(size() - 1, numbers[p], attachment_parts[p], parts_[p]);
+}
+
+void ElementBatch::attach(std::size_t element, const double* numbers, int count, Part& part) const {
   const std::size_t group = width_ * static_cast<std::size_t>(count);
   const auto put = [&](std::size_t first, std::size_t lanes) {
     for (int c = 0; c < count; ++c)
       std::fill_n(part.numbers.begin() + std::ptrdiff_t(first + c * width_), lanes, numbers[c]);
   };
-  if (joint == 0) {
+  if (element == 0) {
     part.numbers.resize(group);
     put(0, width_);
   }
@@ -44,39 +53,43 @@ void JointBatch::attach(std::size_t joint, const double* numbers, int count, Par
     for (std::size_t k = 0; k < padded_; k += width_)
       part.numbers.insert(part.numbers.end(), common.begin(), common.end());
   }
-  put(group * (joint / width_) + joint % width_, 1);
+  put(group * (element / width_) + element % width_, 1);
 }
 
-void JointBatch::fill_up() {
-  if (row.empty()) return;
-  const std::size_t per_joint = parameters.size() / row.size();
-  const std::size_t last = (row.size() - 1) % width_;
+void ElementBatch::fill_up() {
+  if (number.empty()) return;
+  const std::size_t each = parameters.size() / size(), last = (size() - 1) % width_;
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     auto& [numbers, varies] = parts_[p];
+    if (numbers.empty()) continue;  // nothing was attached
     attachments_[p] = {numbers.data(), varies ? attachment_parts[p] : 0};
-    double* end = numbers.data() + numbers.size();  // with the group of the last joint before it
+    double* end = numbers.data() + numbers.size();  // with the group of the last element before it
     for (double* lanes = end - width_ * attachment_parts[p]; lanes != end; lanes += width_)
       std::fill(lanes + last + 1, lanes + width_, double{lanes[last]});
   }
   body_i.resize(padded_, body_i.back());
   body_j.resize(padded_, body_j.back());
-  while (parameters.size() < per_joint * padded_) parameters.push_back(parameters[parameters.size() - per_joint]);
+  while (parameters.size() < each * padded_) parameters.push_back(parameters[parameters.size() - each]);
 }
 
-JointArrays JointBatch::arrays(int first, int last) const {
-  const int per_joint = body_i.empty() ? 0 : static_cast<int>(parameters.size() / body_i.size());
+ElementArrays ElementBatch::arrays(int first, int last) const {
+  const int each = body_i.empty() ? 0 : static_cast<int>(parameters.size() / body_i.size());
   return {.count = last - first,
           .body_i = body_i.data() + first,
           .body_j = body_j.data() + first,
           .attachment = attachments_.data(),
           .first = first,
-          .parameters = parameters.data() + std::ptrdiff_t{per_joint} * first,
-          .parameter_count = per_joint,
-          .streamed = streamed,
-          .time_dependent = time_dependent,
-          .number = number.data() + first,
-          .row = row.data() + first,
-          .D = D.data() + first};
+          .parameters = parameters.data() + std::ptrdiff_t{each} * first,
+          .parameter_count = each,
+          .time_dependent = time_dependent};
+}
+
+JointArrays JointBatch::joints(int first, int last) const {
+  return {arrays(first, last), streamed, number.data() + first, row.data() + first, D.data() + first};
+}
+
+ForceElements ForceBatch::elements(int first, int last) const {
+  return {arrays(first, last), history.data() + first, switches.data() + first};
 }
 
 }  // namespace linkwork

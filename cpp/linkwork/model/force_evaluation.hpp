@@ -1,58 +1,11 @@
 #pragma once
 
+#include "linkwork/model/element_loads.hpp"
 #include "linkwork/model/force_kind.hpp"
-#include "linkwork/model/lane_loads.hpp"
 
 /// The loop over the force elements of one kind, `width` at a time. Compiled once per instruction set, without
 /// contraction: all of them give the same numbers to the last bit, whatever is beside an element.
 namespace linkwork::simd::LINKWORK_ISA {
-
-static_assert(sizeof(BodyState<double>) == 18 * sizeof(double) && sizeof(Attachment<double>) == 24 * sizeof(double));
-
-LINKWORK_INLINE BodyState<Pack> gather_body(const int* body, const BodyState<double>* bodies, const long* element) {
-  const double* from[width];
-  for (int l = 0; l < width; ++l) from[l] = reinterpret_cast<const double*>(bodies + body[element[l]]);
-  Pack numbers[18];
-  gather<18>(from, numbers);
-  BodyState<Pack> out;
-  for (int k = 0; k < 3; ++k) {
-    out.r[k] = numbers[k];
-    out.r_dot[k] = numbers[12 + k];
-    out.omega[k] = numbers[15 + k];
-  }
-  for (int k = 0; k < 9; ++k) out.A.data()[k] = numbers[3 + k];
-  return out;
-}
-
-LINKWORK_INLINE Attachment<Pack> gather_attachment(const double* attachments, const long* element) {
-  const double* from[width];
-  for (int l = 0; l < width; ++l) from[l] = attachments + attachment_size * element[l];
-  Pack numbers[attachment_size];
-  gather<attachment_size>(from, numbers);
-  Attachment<Pack> out;
-  for (int k = 0; k < 3; ++k) {
-    out.s_i[k] = numbers[k];
-    out.s_j[k] = numbers[3 + k];
-  }
-  for (int k = 0; k < 9; ++k) {
-    out.C_i.data()[k] = numbers[6 + k];
-    out.C_j.data()[k] = numbers[15 + k];
-  }
-  return out;
-}
-
-LINKWORK_INLINE Signal<Pack> gather_parameter(const ForceElements& elements, int p, const Signal<double>* signals,
-                                              const long* element) {
-  Signal<Pack> out;
-  for (int l = 0; l < width; ++l) {
-    const Parameter& parameter = elements.parameters[element[l] * elements.parameter_count + p];
-    const bool constant = parameter.signal < 0;
-    out.value.v[l] = constant ? parameter.constant : signals[parameter.signal].value;
-    out.rate.v[l] = constant ? 0.0 : signals[parameter.signal].rate;
-    out.acceleration.v[l] = constant ? 0.0 : signals[parameter.signal].acceleration;
-  }
-  return out;
-}
 
 /// In the order of Wrenches, potential and power behind.
 LINKWORK_INLINE void scatter_wrenches(const Wrenches<Pack>& wrenches, double (*to)[wrench_size]) {
@@ -71,34 +24,32 @@ LINKWORK_INLINE void scatter_wrenches(const Wrenches<Pack>& wrenches, double (*t
 }
 
 LINKWORK_INLINE void add_wrench(const double* wrench, int i, int j, const ForceArrays& out) {
-  for (int k = 0; k < 6; ++k) out.g[6l * i + k] += wrench[k];
-  for (int k = 0; k < 6; ++k) out.g[6l * j + k] += wrench[6 + k];
+  for (int k = 0; k < 6 && i >= 0; ++k) out.g[6l * i + k] += wrench[k];
+  for (int k = 0; k < 6 && j >= 0; ++k) out.g[6l * j + k] += wrench[6 + k];
   *out.potential += wrench[12];
   *out.power += wrench[13];
 }
 
 template <class Force>
-LINKWORK_INLINE void evaluate_force_packs(const ForceElements& elements, const BodyState<double>* bodies,
+LINKWORK_INLINE void evaluate_force_packs(const ForceElements& elements, const double* q, const double* v,
                                           const Signal<double>* signals, const ForceArrays& out) {
   Signal<Pack> parameters[max_force_parameters];
-  const auto end = static_cast<long>(out.end < elements.count ? out.end : elements.count);
-  for (long first = static_cast<long>(out.begin); first < end; first += width) {
-    const int used = end - first < width ? static_cast<int>(end - first) : width;
-    long element[width];
-    for (int l = 0; l < width; ++l) element[l] = first + (l < used ? l : used - 1);
-    for (int p = 0; p < elements.parameter_count; ++p) parameters[p] = gather_parameter(elements, p, signals, element);
-    const BodyState<Pack> i = gather_body(elements.body_i, bodies, element);
-    const BodyState<Pack> j = gather_body(elements.body_j, bodies, element);
+  for (int first = 0; first < elements.count; first += width) {
+    const int used = elements.count - first < width ? elements.count - first : width;
+    load_parameters_of(elements, first, signals, parameters);
+    Pack velocity[6];
+    const BodyState<Pack> i = gather_state(elements.body_i + first, q, v, velocity);
+    const BodyState<Pack> j = gather_state(elements.body_j + first, q, v, velocity);
     HistoryVariable<Pack> history;
     if constexpr (Force::history != HistoryKind::none)
-      for (int l = 0; l < width; ++l) history.last.v[l] = out.last[elements.history[element[l]]];
+      for (int l = 0; l < width; ++l) history.last.v[l] = out.last[elements.history[first + (l < used ? l : used - 1)]];
     Wrenches<Pack> wrenches;
-    Force::template evaluate<Pack>(gather_attachment(elements.attachments, element), ForceParameters<Pack>(parameters),
-                                   i, j, history, wrenches);
+    Force::template evaluate<Pack>(attachment_of(elements, first), ForceParameters<Pack>(parameters), i, j, history,
+                                   wrenches);
     double found[width][wrench_size];
     scatter_wrenches(wrenches, found);
     for (int l = 0; l < used; ++l) {
-      const long k = element[l];
+      const int k = first + l;
       if constexpr (Force::history != HistoryKind::none) {
         out.next[elements.history[k]] = history.next.v[l];
         out.rate[elements.history[k]] = history.rate.v[l];

@@ -72,18 +72,17 @@ class ForceParameters<double> {
   const TimeFunctionPtr* functions_;
 };
 
-/// Where the forces go: g (6 per body, ground included as the last), the sums of potential and power; the history
-/// variables, see HistoryVariable, and the switches, see Wrenches.
+/// Where the forces go: g (6 per body, in lanes the ground included as the last), the sums of potential and power; the
+/// history variables, see HistoryVariable, and the switches, see Wrenches.
 struct ForceArrays {
   double* g;
   const double* last;
   double *next, *rate, *switches;
   double* potential;
   double* power;
-  /// Of a part of the batch [begin, end) only, and not added up but left here, where it is not null: of each element of
-  /// the batch the four vectors of Wrenches in their order, potential and power.
+  /// Not added up but left here, where it is not null: of each element the four vectors of Wrenches in their order,
+  /// potential and power.
   double* wrenches = nullptr;
-  std::size_t begin = 0, end = static_cast<std::size_t>(-1);
 };
 constexpr std::size_t wrench_size = 14;  ///< numbers of an element in ForceArrays::wrenches
 
@@ -96,10 +95,18 @@ using CoordinateRow = void (*)(const Attachment<double>&, const BodyState<double
 
 struct JointKind;  // joint_kind.hpp
 
-/// Elements of one kind, several at a time; see Wrenches and ForceArrays.
-using EvaluateForces = void (*)(const Batch&, const BodyState<double>* bodies, const Signal<double>* signals,
-                                const TimeFunctionPtr* functions, const ForceArrays&);
-using EvaluateForcePacks = void (*)(const ForceElements&, const BodyState<double>* bodies,
+/// The state that forces are evaluated at. Bodies of elements that are evaluated one by one are looked up in `bodies`.
+struct ForceState {
+  const double *q, *v;  ///< 7 and 6 per body
+  const BodyState<double>* bodies;
+  const Signal<double>* signals;
+  const TimeFunctionPtr* functions;
+};
+
+/// Elements [first, last) of one kind, one by one, or several at a time from a multiple of their width on; see Wrenches
+/// and ForceArrays.
+using EvaluateForces = void (*)(const ForceBatch&, int first, int last, const ForceState&, const ForceArrays&);
+using EvaluateForcePacks = void (*)(const ForceElements&, const double* q, const double* v,
                                     const Signal<double>* signals, const ForceArrays&);
 /// Elements of mechanisms in lanes. Of the arrays there are `width` numbers, one of each, where it says one; wrenches
 /// are not written.
@@ -120,11 +127,10 @@ struct ForceKind {
   CoordinateRow inertia = nullptr;
   JointKind (*inertia_rows)() = nullptr;  ///< the same of many
 
-  /// All elements of a batch that is not empty.
-  void evaluate(int level, const Batch& batch, const BodyState<double>* bodies, const Signal<double>* signals,
-                const TimeFunctionPtr* functions, const ForceArrays& out) const {
-    if (packs[level]) packs[level](batch.elements(), bodies, signals, out);
-    else one_by_one(batch, bodies, signals, functions, out);
+  void evaluate(int level, const ForceBatch& batch, int first, int last, const ForceState& at,
+                const ForceArrays& out) const {
+    if (packs[level]) packs[level](batch.elements(first, last), at.q, at.v, at.signals, out);
+    else one_by_one(batch, first, last, at, out);
   }
 };
 
@@ -138,30 +144,35 @@ inline void leave(const Wrenches<double>& it, double* to) {
   to[1] = it.power;
 }
 
+inline void add_to_body(double* g, int body, const Vec3<double>& force, const Vec3<double>& torque) {
+  if (body < 0) return;
+  Eigen::Map<Vec3<double>>(g + 6 * std::ptrdiff_t{body}) += force;
+  Eigen::Map<Vec3<double>>(g + 6 * std::ptrdiff_t{body} + 3) += torque;
+}
+
 template <class Force>
-void evaluate_forces(const Batch& batch, const BodyState<double>* bodies, const Signal<double>* signals,
-                     const TimeFunctionPtr* functions, const ForceArrays& out) {
-  const std::size_t count = batch.parameters.size() / (batch.size() ? batch.size() : 1);
-  for (std::size_t k = out.begin; k < std::min(batch.size(), out.end); ++k) {
-    const ForceParameters<double> parameters(batch.parameters.data() + k * count, signals, functions);
+void evaluate_forces(const ForceBatch& batch, int first, int last, const ForceState& at, const ForceArrays& out) {
+  const std::size_t count = batch.parameters.size() / batch.size();
+  const BodyState<double> ground = BodyState<double>::ground();
+  const auto state_of = [&](int body) -> const BodyState<double>& { return body < 0 ? ground : at.bodies[body]; };
+  for (int k = first; k < last; ++k) {
+    const ForceParameters<double> parameters(batch.parameters.data() + k * count, at.signals, at.functions);
     const int i = batch.body_i[k], j = batch.body_j[k];
     Wrenches<double> wrenches;
     HistoryVariable<double> history;
     if constexpr (Force::history != HistoryKind::none) history.last = out.last[batch.history[k]];
-    Force::template evaluate<double>(batch.attachment[k], parameters, bodies[i], bodies[j], history, wrenches);
+    Force::template evaluate<double>(batch.attachment[k], parameters, state_of(i), state_of(j), history, wrenches);
     if constexpr (Force::history != HistoryKind::none) {
       out.next[batch.history[k]] = history.next;
       out.rate[batch.history[k]] = history.rate;
     }
     for (int s = 0; s < switches_of<Force>(); ++s) out.switches[batch.switches[k] + s] = wrenches.switches[s];
     if (out.wrenches) {
-      leave(wrenches, out.wrenches + wrench_size * k);
+      leave(wrenches, out.wrenches + wrench_size * static_cast<std::size_t>(k - first));
       continue;
     }
-    Eigen::Map<Vec3<double>>(out.g + 6 * i) += wrenches.force_i;
-    Eigen::Map<Vec3<double>>(out.g + 6 * i + 3) += wrenches.torque_i;
-    Eigen::Map<Vec3<double>>(out.g + 6 * j) += wrenches.force_j;
-    Eigen::Map<Vec3<double>>(out.g + 6 * j + 3) += wrenches.torque_j;
+    add_to_body(out.g, i, wrenches.force_i, wrenches.torque_i);
+    add_to_body(out.g, j, wrenches.force_j, wrenches.torque_j);
     *out.potential += wrenches.potential;
     *out.power += wrenches.power;
   }
@@ -200,8 +211,8 @@ const std::vector<ForceKind>& force_kinds();
 int force_kind_index(const std::string& name);
 
 // A force's file is compiled once for its description and for one element, and once per instruction set for many.
-#define LINKWORK_EVALUATE_PACKS(NAME)                                                          \
-  void evaluate_##NAME##_packs(const ForceElements& elements, const BodyState<double>* bodies, \
+#define LINKWORK_EVALUATE_PACKS(NAME)                                                           \
+  void evaluate_##NAME##_packs(const ForceElements& elements, const double* q, const double* v, \
                                const Signal<double>* signals, const ForceArrays& out)
 #define LINKWORK_EVALUATE_FORCE_LANES(NAME) \
   void evaluate_##NAME##_lanes(const ForceLanes& elements, const ForceArrays& out)
@@ -214,14 +225,14 @@ int force_kind_index(const std::string& name);
   ForceEvaluation { &ISA::evaluate_##NAME##_packs, &ISA::evaluate_##NAME##_lanes }
 #if defined(LINKWORK_ISA)
 #define LINKWORK_DEFINE_FORCE(NAME, STRUCT)
-#define LINKWORK_DEFINE_FORCE_PACKS(NAME, STRUCT)                                     \
-  namespace LINKWORK_ISA {                                                            \
-  __attribute__((flatten)) LINKWORK_EVALUATE_PACKS(NAME) {                            \
-    simd::LINKWORK_ISA::evaluate_force_packs<STRUCT>(elements, bodies, signals, out); \
-  }                                                                                   \
-  __attribute__((flatten)) LINKWORK_EVALUATE_FORCE_LANES(NAME) {                      \
-    simd::LINKWORK_ISA::evaluate_force_lanes<STRUCT>(elements, out);                  \
-  }                                                                                   \
+#define LINKWORK_DEFINE_FORCE_PACKS(NAME, STRUCT)                                   \
+  namespace LINKWORK_ISA {                                                          \
+  __attribute__((flatten)) LINKWORK_EVALUATE_PACKS(NAME) {                          \
+    simd::LINKWORK_ISA::evaluate_force_packs<STRUCT>(elements, q, v, signals, out); \
+  }                                                                                 \
+  __attribute__((flatten)) LINKWORK_EVALUATE_FORCE_LANES(NAME) {                    \
+    simd::LINKWORK_ISA::evaluate_force_lanes<STRUCT>(elements, out);                \
+  }                                                                                 \
   }
 #else
 #define LINKWORK_DEFINE_FORCE(NAME, STRUCT) \

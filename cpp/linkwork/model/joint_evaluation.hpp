@@ -1,31 +1,11 @@
 #pragma once
 
-#include "linkwork/math/rotation.hpp"
+#include "linkwork/model/element_loads.hpp"
 #include "linkwork/model/joint_kind.hpp"
-#include "linkwork/model/lane_loads.hpp"
 
 /// The loop over the joints of one kind, `width` at a time. Compiled once per instruction set; without contraction to
 /// fused operations, so that all of them give the same numbers to the last bit.
 namespace linkwork::simd::LINKWORK_ISA {
-
-constexpr double ground_q[7] = {0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0};
-constexpr double ground_v[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-
-LINKWORK_INLINE BodyState<Pack> gather_state(const int* body, const double* q, const double* v, Pack* velocity) {
-  const double *positions[width], *velocities[width];
-  for (int l = 0; l < width; ++l) {
-    positions[l] = body[l] < 0 ? ground_q : q + 7 * static_cast<long>(body[l]);
-    velocities[l] = body[l] < 0 ? ground_v : v + 6 * static_cast<long>(body[l]);
-  }
-  Pack position[7];
-  gather<7>(positions, position);
-  gather<6>(velocities, velocity);
-  return {Vec3<Pack>(position[0], position[1], position[2]),
-          rotation_matrix<Pack>(Vec4<Pack>(position[3], position[4], position[5], position[6])),
-          Vec3<Pack>(velocity[0], velocity[1], velocity[2]), Vec3<Pack>(velocity[3], velocity[4], velocity[5])};
-}
-
-LINKWORK_INLINE const double* place_of(const AttachmentPart& part, long joint) { return part.from + part.step * joint; }
 
 /// To the start of a line of memory, past the caches.
 LINKWORK_INLINE void stream_native(double* to, Native v) {
@@ -68,18 +48,6 @@ LINKWORK_INLINE void scatter_D(const Pack* D, bool streamed, double** place) {
     for (int l = 0; l < width; ++l) place[l] = together + count * l;
   scatter<count>(D, place);
   if (lines) stream_lines(lines, together, count * width);
-}
-
-LINKWORK_INLINE Signal<Pack> load_parameter(const Parameter* parameters, int stride, const Signal<double>* signals) {
-  Signal<Pack> out;
-  for (int l = 0; l < width; ++l) {
-    const Parameter& parameter = parameters[l * stride];
-    const bool constant = parameter.signal < 0;
-    out.value.v[l] = constant ? parameter.constant : signals[parameter.signal].value;
-    out.rate.v[l] = constant ? 0.0 : signals[parameter.signal].rate;
-    out.acceleration.v[l] = constant ? 0.0 : signals[parameter.signal].acceleration;
-  }
-  return out;
 }
 
 /// Phi_dot = D v + Phi_t.
@@ -125,15 +93,11 @@ LINKWORK_INLINE void evaluate_joints(const JointArrays& joints, const double* q,
   for (int first = 0; first < joints.count; first += width) {
     if (joints.count > many && first + ahead + width <= joints.count)
       prefetch_joints<rows>(joints, first + ahead, q, v, out);
-    for (int p = 0; p < joints.parameter_count; ++p)
-      parameters[p] =
-          load_parameter(joints.parameters + first * joints.parameter_count + p, joints.parameter_count, signals);
+    load_parameters_of(joints, first, signals, parameters);
     Pack v_i[6], v_j[6], Phi[rows], Phi_t[rows], Phi_dot[rows], gamma[rows], D[12 * rows];
     const BodyState<Pack> i = gather_state(joints.body_i + first, q, v, v_i);
     const BodyState<Pack> j = gather_state(joints.body_j + first, q, v, v_j);
-    const double* attachment[4];
-    for (int part = 0; part < 4; ++part) attachment[part] = place_of(joints.attachment[part], joints.first + first);
-    Joint::template evaluate<Pack>(load_attachment(attachment), parameters, i, j,
+    Joint::template evaluate<Pack>(attachment_of(joints, first), parameters, i, j,
                                    Rows<Pack, rows>{Phi, Phi_t, gamma, D, D + 6 * rows});
     multiply<Joint>(D, D + 6 * rows, v_i, v_j, Phi_t, Phi_dot);
 

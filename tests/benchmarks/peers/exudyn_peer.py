@@ -235,7 +235,7 @@ def first_step(build: Build, scheme: exu.DynamicSolverType, mechanism: Mechanism
 def step(
     build: Build, scheme: exu.DynamicSolverType, tolerance: float, mechanism: Mechanism
 ) -> Operation | None:
-    """A step of many: what more steps take beyond the first."""
+    """A step of many: what more steps take beyond the first few."""
     system = build(mechanism)
     if system is None:
         return None
@@ -252,7 +252,7 @@ def step(
         "rk4 step",
         deviation(found, mechanism.mean_acceleration),
         tolerance,
-        "beyond the first step",
+        "beyond the first steps",
     )
 
 

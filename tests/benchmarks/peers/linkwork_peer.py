@@ -115,7 +115,7 @@ def right_hand_side(mechanism: Mechanism) -> Operation:
 
 
 def step(integrator: str, tolerance: float, mechanism: Mechanism) -> Operation:
-    """A step of many: what more steps take beyond the first, without a verdict, which others have not."""
+    """A step of many: what more steps take beyond the first few, without a verdict, which others have not."""
     model = build(mechanism)
     found = _simulate(model, mechanism.formulation, 1, round(SPAN / STEP), integrator)
     return Operation(
@@ -123,7 +123,7 @@ def step(integrator: str, tolerance: float, mechanism: Mechanism) -> Operation:
         f"{integrator} step",
         deviation(_mean_acceleration(found, 0), mechanism.mean_acceleration),
         tolerance,
-        "beyond the first step",
+        "beyond the first steps",
     )
 
 

@@ -11,6 +11,7 @@ from mechanism import Mechanism
 
 STEP = 1e-3  #: of all integrators [s]
 LEAST_STEPS, MOST_STEPS = 5, 100  #: from one state: every batch is about the same stretch of the motion
+FIRST_STEPS = 3  #: some codes look closely at how a motion begins
 BATCHES = 10
 
 #: Tolerance of first-order methods: twice the h / (2 SPAN) that velocities half a step late make.
@@ -72,8 +73,8 @@ def beyond_first(run: Batch, seconds: float) -> float:
     """Seconds of one step of many, from `run`, which makes so many from the start."""
 
     def batch(count: int) -> float:  # both in turn: a start may take longer than the steps
-        first = run(1)
-        return run(1 + count) - first
+        first = run(FIRST_STEPS)
+        return run(FIRST_STEPS + count) - first
 
     return typical(batch, seconds, LEAST_STEPS, MOST_STEPS)
 

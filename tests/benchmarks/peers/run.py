@@ -11,7 +11,7 @@ them.
 Then it is timed, in processor time. In each round every peer runs in turn, in a process of its own with one
 thread; the table has medians over the rounds, and the ratio to linkwork's counterpart in the same round:
 above 1, linkwork is faster. Evaluations of the others are called from Python, less what a call takes that
-has nothing to do; those of linkwork, and all steps beyond the first, are looped in compiled code.
+has nothing to do; those of linkwork, and all steps beyond the first few, are looped in compiled code.
 
   linkwork   rhs: accelerations and reactions, as in a stage of its integrators; steps of its driver
   pinocchio  aba, without reactions; constraintDynamics and lcaba, proximal
