@@ -1,5 +1,8 @@
 #include "linkwork/assembly/force_elements.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "mechanisms.hpp"
 
 using namespace support;
@@ -109,6 +112,44 @@ class Elements {
   std::vector<double> last_;
 };
 
+/// Elements of one kind about z, each from the ground to a body that has turned by an angle and turns at a rate.
+struct Turned {
+  VectorXd q, v;
+  std::vector<double> g, angles;
+
+  Turned(const char* name, const std::vector<double>& constants, const std::vector<double>& turned,
+         const std::vector<double>& rates, int level)
+      : q(7 * turned.size()), v(VectorXd::Zero(6 * turned.size())), g(6 * turned.size()), angles(turned.size()) {
+    const int count = static_cast<int>(turned.size());
+    const ForceKind& kind = force_kinds()[force_kind_index(name)];
+    std::vector<Parameter> parameters;
+    for (const double constant : constants) parameters.push_back({constant, -1});
+    ForceBatch batch;
+    batch.reserve(turned.size(), parameters.size(), instruction_set(level).width);
+    for (int k = 0; k < count; ++k) {
+      q.segment<7>(7 * k) << 0, 0, 0, std::cos(turned[k] / 2), 0, 0, std::sin(turned[k] / 2);
+      v[6 * k + 5] = rates[k];
+      batch.append(k, ground, k, parameters.data(), parameters.size());
+      batch.attach(Attachment<double>{Vec3<double>::Zero(), Vec3<double>::Zero(), Mat3<double>::Identity(),
+                                      Mat3<double>::Identity()});
+      batch.history.push_back(k);
+      batch.switches.push_back(0);
+    }
+    batch.fill_up();
+    const std::vector<double> last(count, 0.0);
+    std::vector<double> rate(count);
+    double potential = 0.0, power = 0.0;
+    kind.packs[level](batch.elements(0, count), q.data(), v.data(), nullptr,
+                      {g.data(), last.data(), angles.data(), rate.data(), nullptr, &potential, &power});
+  }
+
+  double torque(std::size_t k) const { return g[6 * k + 5]; }
+  double angle_of_one(std::size_t k) const {
+    const Mat3<double> A = rotation_matrix<double>(q.segment<4>(7 * static_cast<Eigen::Index>(k) + 3));
+    return continued(elementary::arc_tangent(A(1, 0), A(0, 0)), 0.0);
+  }
+};
+
 }  // namespace
 
 TEST_CASE("elements that are evaluated several at a time give what each gives, to the last bit") {
@@ -128,6 +169,25 @@ TEST_CASE("elements that are evaluated several at a time give what each gives, t
       }
   }
   CHECK(kinds >= 10);
+}
+
+// Zero, right angles and rates that are zero or large are where their series are not used.
+TEST_CASE("angles and friction of many elements have the bits of the functions of one number") {
+  using std::numbers::pi;
+  const std::vector<double> angles = {0.0, 1e-12, 0.3, pi / 4, 1.1, pi / 2, 2.9, pi, -pi, -2.0, -pi / 2, -1e-7, -0.5};
+  const std::vector<double> rates = {0.0, 1e-300, 1e-3, 0.1, -0.4, 3.0, -21.9, 22.1, -1e3, 1e300, 0.2, -0.1, 1.0};
+  for (int level = 0; level < instruction_set_count(); ++level) {
+    CAPTURE(level);
+    const Turned springs("rotational_spring_damper", {1.0, 0.0, 0.0, 0.0}, angles, rates, level);
+    const Turned rubbing("rotational_friction", {1.0, 0.0, 1.0}, angles, rates, level);
+    for (std::size_t k = 0; k < angles.size(); ++k) {
+      CAPTURE(k);
+      CHECK(springs.angles[k] == springs.angle_of_one(k));
+      CHECK(std::signbit(springs.angles[k]) == std::signbit(springs.angle_of_one(k)));
+      const double grip = elementary::hyperbolic_tangent(rates[k]);
+      CHECK(std::abs(rubbing.torque(k) + grip) <= 4e-16 * std::abs(grip));
+    }
+  }
 }
 
 TEST_CASE("a spring with damper pulls along its line, stores and gives what its law says") {

@@ -6,45 +6,13 @@
 #include <cstdint>
 #include <limits>
 
-// Arguments are reduced to where few terms of a Taylor series are enough, with what roundoff takes away kept in a second
-// number. Compiled without contraction to a b + c in one rounding, and of <cmath> only what is exact is used: sqrt, rint,
-// frexp, ldexp, abs, copysign, and the cases that have exact results.
+#include "linkwork/math/elementary_series.hpp"
+
+// Of <cmath> only what is exact is used: sqrt, rint, frexp, ldexp, abs, copysign, and the cases that have exact results.
 namespace linkwork::elementary {
 namespace {
 
-/// hi + lo, |lo| at most half a unit of hi.
-struct Pair {
-  double hi, lo;
-};
-
-/// Knuth (1969).
-Pair sum(double a, double b) {
-  const double s = a + b, part = s - a;
-  return {s, (a - (s - part)) + (b - part)};
-}
-
-/// Dekker (1971); not for numbers beyond 1e290.
-Pair product(double a, double b) {
-  constexpr double split = 134217729.0;  // 2^27 + 1
-  const double pa = split * a, pb = split * b;
-  const double a1 = pa - (pa - a), b1 = pb - (pb - b), a2 = a - a1, b2 = b - b1;
-  const double p = a * b;
-  return {p, ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2};
-}
-
-Pair quotient(double a, double b) {
-  const double q = a / b;
-  const Pair p = product(q, b);
-  return {q, ((a - p.hi) - p.lo) / b};
-}
-
-/// c[0] + c[1] x + ...
-template <int count>
-double polynomial(const double (&c)[count], double x) {
-  double y = c[count - 1];
-  for (int k = count - 2; k >= 0; --k) y = y * x + c[k];
-  return y;
-}
+using Number = Pair<double>;
 
 // --- sine and cosine ---------------------------------------------------------------------------------------------------
 
@@ -63,7 +31,7 @@ constexpr std::uint64_t bits_of_two_over_pi[] = {
 /// x = quadrant pi / 2 + rest, |rest| <= pi / 4 but for roundoff; the quadrant modulo 4.
 struct Reduced {
   int quadrant;
-  Pair rest;
+  Number rest;
 };
 
 /// 64 bits of 2 / pi from this one on; those before the first are zero.
@@ -95,8 +63,8 @@ Reduced reduce_large(double x) {
   const double hi = std::ldexp(static_cast<double>(static_cast<std::uint64_t>(part >> 75)), -51 - zeros);
   const auto left = static_cast<std::uint64_t>((part & ((Wide{1} << 75) - 1)) >> 22);
   const double lo = std::ldexp(static_cast<double>(left), -104 - zeros);
-  const Pair q = product(hi, half_pi[0] + half_pi[1]);
-  const Pair turned = sum(q.hi, q.lo + hi * 0x1.1a62633145c07p-54 + lo * (half_pi[0] + half_pi[1]));
+  const Number q = product(hi, half_pi[0] + half_pi[1]);
+  const Number turned = sum(q.hi, q.lo + hi * 0x1.1a62633145c07p-54 + lo * (half_pi[0] + half_pi[1]));
   const double sign = (over ? -1.0 : 1.0) * (x < 0.0 ? -1.0 : 1.0);
   return {x < 0.0 ? -quadrant & 3 : quadrant & 3, {sign * turned.hi, sign * turned.lo}};
 }
@@ -104,16 +72,16 @@ Reduced reduce_large(double x) {
 Reduced reduce(double x) {
   const double n = std::rint(x * two_over_pi);
   if (!(std::abs(n) < most_multiples)) return reduce_large(x);
-  Pair rest = sum(x, -n * half_pi[0]);
+  Number rest = sum(x, -n * half_pi[0]);
   for (int k = 1; k < 4; ++k) {
-    const Pair less = sum(rest.hi, -n * half_pi[k]);
+    const Number less = sum(rest.hi, -n * half_pi[k]);
     rest = sum(less.hi, less.lo + rest.lo);
   }
   return {static_cast<int>(n) & 3, rest};
 }
 
 /// x - x^3 / 3! + ...
-double sine_of(const Pair& x) {
+double sine_of(const Number& x) {
   constexpr double c[] = {-1.0 / 6,        1.0 / 120,        -1.0 / 5040,          1.0 / 362880,
                           -1.0 / 39916800, 1.0 / 6227020800, -1.0 / 1307674368000, 1.0 / 355687428096000};
   const double z = x.hi * x.hi;
@@ -121,11 +89,11 @@ double sine_of(const Pair& x) {
 }
 
 /// 1 - x^2 / 2 + ...
-double cosine_of(const Pair& x) {
+double cosine_of(const Number& x) {
   constexpr double c[] = {1.0 / 24,        -1.0 / 720,         1.0 / 40320,         -1.0 / 3628800,
                           1.0 / 479001600, -1.0 / 87178291200, 1.0 / 20922789888000};
   const double z = x.hi * x.hi, half = 0.5 * z;
-  const Pair first = sum(1.0, -half);
+  const Number first = sum(1.0, -half);
   return first.hi + (first.lo + (z * z * polynomial(c, z) - x.hi * x.lo));
 }
 
@@ -135,101 +103,42 @@ double sine_from(const Reduced& x, int shift) {
   return quadrant & 2 ? -y : y;
 }
 
-// --- arc tangent -------------------------------------------------------------------------------------------------------
-
-/// Of k / 16.
-constexpr Pair arc_tangents[] = {{0.0, 0.0},
-                                 {0x1.ff55bb72cfdeap-5, -0x1.c934d86d23f1dp-60},
-                                 {0x1.fd5ba9aac2f6ep-4, -0x1.cd37686760c17p-59},
-                                 {0x1.7b97b4bce5b02p-3, 0x1.347b0b4f881cap-58},
-                                 {0x1.f5b75f92c80ddp-3, 0x1.8ab6e3cf7afbdp-57},
-                                 {0x1.362773707ebccp-2, -0x1.963a544b672d8p-57},
-                                 {0x1.6f61941e4def1p-2, -0x1.c63aae6f6e918p-56},
-                                 {0x1.a64eec3cc23fdp-2, -0x1.24dec1b50b7ffp-56},
-                                 {0x1.dac670561bb4fp-2, 0x1.a2b7f222f65e2p-56},
-                                 {0x1.0657e94db30d0p-1, -0x1.d5b495f6349e6p-56},
-                                 {0x1.1e00babdefeb4p-1, -0x1.928df287a668fp-58},
-                                 {0x1.345f01cce37bbp-1, 0x1.1021137c71102p-55},
-                                 {0x1.4978fa3269ee1p-1, 0x1.2419a87f2a458p-56},
-                                 {0x1.5d58987169b18p-1, 0x1.0028e4bc5e7cap-57},
-                                 {0x1.700a7c5784634p-1, -0x1.8c34d25aadef6p-56},
-                                 {0x1.819d0b7158a4dp-1, -0x1.bf76229d3b917p-56},
-                                 {0x1.921fb54442d18p-1, 0x1.1a62633145c07p-55}};
-constexpr Pair quarter_turn = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
-constexpr Pair half_turn = {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
-
-/// Of 0 <= a / b <= 1: with c = k / 16 near a / b it is atan(c) + atan(t), t = (a / b - c) / (1 + c a / b).
-Pair arc_tangent_of(double a, double b) {
-  constexpr double c[] = {-1.0 / 3, 1.0 / 5, -1.0 / 7, 1.0 / 9, -1.0 / 11, 1.0 / 13};
-  const Pair q = quotient(a, b);
-  const int k = static_cast<int>(std::rint(16.0 * q.hi));
-  Pair t = q;
-  if (k > 0) {
-    const double near = k / 16.0;
-    const Pair above = sum(q.hi - near, q.lo), less = product(q.hi, near), below = sum(1.0, less.hi);
-    const double rest = below.lo + less.lo + q.lo * near, ratio = above.hi / below.hi;
-    const Pair back = product(ratio, below.hi);
-    t = {ratio, (((above.hi - back.hi) - back.lo) + above.lo - ratio * rest) / below.hi};
-  }
-  const double z = t.hi * t.hi;
-  const Pair found = sum(arc_tangents[k].hi, t.hi);
-  return sum(found.hi, found.lo + (arc_tangents[k].lo + t.lo + t.hi * z * polynomial(c, z)));
-}
-
-Pair less(const Pair& a, const Pair& b) {
-  const Pair s = sum(a.hi, -b.hi);
-  return sum(s.hi, s.lo + (a.lo - b.lo));
-}
-
 /// The larger of the two becomes about 1, so that no product of parts is too large or too small.
 void scale(double& a, double& b) {
   int exponent;
-  std::frexp(std::max(a, b), &exponent);
+  std::frexp(std::max(std::abs(a), std::abs(b)), &exponent);
   a = std::ldexp(a, -exponent);
   b = std::ldexp(b, -exponent);
 }
 
 // --- exponential and logarithm -----------------------------------------------------------------------------------------
 
-constexpr double ln2_hi = 0x1.62e42feep-1, ln2_lo = 0x1.a39ef35793c76p-33;  // of 32 bits, and the rest
-constexpr double one_over_ln2 = 0x1.71547652b82fep+0;
 constexpr double largest_exponent = 745.2;  // beyond, an exponential is zero or infinite
 
-/// exp(r) - 1 - r, |r| <= ln 2 / 2
-double exponential_tail(double r) {
-  constexpr double c[] = {1.0 / 2,         1.0 / 6,          1.0 / 24,         1.0 / 120,     1.0 / 720,
-                          1.0 / 5040,      1.0 / 40320,      1.0 / 362880,     1.0 / 3628800, 1.0 / 39916800,
-                          1.0 / 479001600, 1.0 / 6227020800, 1.0 / 87178291200};
-  return r * r * polynomial(c, r);
-}
-
-double exponential_of(const Pair& x) {
+double exponential_of(const Number& x) {
   if (!(std::abs(x.hi) < largest_exponent)) return x.hi < 0.0 ? 0.0 : x.hi + std::numeric_limits<double>::infinity();
-  const double k = std::rint(x.hi * one_over_ln2);
-  const Pair first = sum(x.hi, -k * ln2_hi), rest = sum(first.hi, -k * ln2_lo);
-  const double lo = first.lo + rest.lo + x.lo;
-  const Pair y = sum(1.0, rest.hi);
-  const double tail = exponential_tail(rest.hi);
-  return std::ldexp(y.hi + (y.lo + (tail + lo * (y.hi + tail))), static_cast<int>(k));
+  const Scaled<double> found = scaled_exponential(x);
+  return std::ldexp(found.m, static_cast<int>(found.k));
 }
 
 /// Of x > 0: with x = 2^k m and s = (m - 1) / (m + 1) it is k ln 2 + 2 (s + s^3 / 3 + ...), m from sqrt(1/2) to sqrt(2).
-Pair logarithm_of(double x) {
+Number logarithm_of(double x) {
   constexpr double c[] = {1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11, 1.0 / 13,
                           1.0 / 15, 1.0 / 17, 1.0 / 19, 1.0 / 21, 1.0 / 23};
-  constexpr Pair third = {0x1.5555555555555p-2, 0x1.5555555555555p-56};
+  constexpr Number third = {0x1.5555555555555p-2, 0x1.5555555555555p-56};
   int k;
   double m = std::frexp(x, &k);
   if (m < 0x1.6a09e667f3bcdp-1) m *= 2.0, k -= 1;
-  const Pair below = sum(m, 1.0);
+  const Number below = sum(m, 1.0);
   const double above = m - 1.0, s = above / below.hi;
-  const Pair back = product(s, below.hi);
+  const Number back = product(s, below.hi);
   const double s_lo = (((above - back.hi) - back.lo) - s * below.lo) / below.hi;
-  const Pair z = product(s, s), cubic = product(z.hi, third.hi);  // of s (1 + z / 3 + ...)
+  const Number z = product(s, s), cubic = product(z.hi, third.hi);  // of s (1 + z / 3 + ...)
   const double cubic_lo = cubic.lo + z.hi * third.lo + (z.lo + 2.0 * s * s_lo) * third.hi;
-  const Pair more = product(s, cubic.hi);
+  const Number more = product(s, cubic.hi);
   const double more_lo = more.lo + s * (cubic_lo + z.hi * z.hi * polynomial(c, z.hi)) + s_lo * cubic.hi;
-  const Pair first = sum(k * ln2_hi, 2.0 * s), second = sum(first.hi, k * ln2_lo), last = sum(second.hi, 2.0 * more.hi);
+  const Number first = sum(k * ln2_hi, 2.0 * s), second = sum(first.hi, k * ln2_lo),
+               last = sum(second.hi, 2.0 * more.hi);
   return sum(last.hi, last.lo + second.lo + (first.lo + 2.0 * (s_lo + more_lo)));
 }
 
@@ -252,15 +161,12 @@ SineAndCosine sine_and_cosine(double x) {
 }
 
 double arc_tangent(double y, double x) {
+  if (usual_for_arc_tangent(y, x)) return arc_tangent_of_usual(y, x);
   if (!ordinary(x) || !ordinary(y)) return std::atan2(y, x);  // multiples of pi / 4, and what is no number
-  double a = std::abs(y), b = std::abs(x);
-  if (x > 0.0 && a < 0x1p-28 * b) return y / x;
-  scale(a, b);
-  const bool steep = a > b;
-  Pair angle = steep ? arc_tangent_of(b, a) : arc_tangent_of(a, b);
-  if (steep) angle = less(quarter_turn, angle);
-  if (x < 0.0) angle = less(half_turn, angle);
-  return std::copysign(angle.hi, y);
+  if (x > 0.0 && std::abs(y) < 0x1p-28 * x) return y / x;
+  double a = y, b = x;
+  scale(a, b);  // which may leave nothing of y but its sign
+  return std::copysign(arc_tangent_of_usual(a, b), y);
 }
 
 double exponential(double x) { return std::isnan(x) ? x : exponential_of({x, 0.0}); }
@@ -274,17 +180,15 @@ double power(double x, double y) {
     if (std::rint(y) != y) return std::numeric_limits<double>::quiet_NaN();
     return std::rint(0.5 * y) == 0.5 * y ? power(-x, y) : -power(-x, y);
   }
-  const Pair log = logarithm_of(x);
+  const Number log = logarithm_of(x);
   if (!(std::abs(y * log.hi) < largest_exponent)) return exponential_of({y * log.hi, 0.0});
-  const Pair e = product(y, log.hi);
+  const Number e = product(y, log.hi);
   return exponential_of({e.hi, e.lo + y * log.lo});
 }
 
 double hyperbolic_tangent(double x) {
-  const double twice = 2.0 * std::abs(x);
-  if (!(twice < 44.0)) return std::isnan(x) ? x : std::copysign(1.0, x);
-  const double less_one = twice < 0.34 ? twice + exponential_tail(twice) : exponential_of({twice, 0.0}) - 1.0;
-  return std::copysign(less_one / (less_one + 2.0), x);
+  if (usual_for_hyperbolic_tangent(x)) return hyperbolic_tangent_of_usual(x);
+  return x == 0.0 || std::isnan(x) ? x : std::copysign(1.0, x);
 }
 
 }  // namespace linkwork::elementary

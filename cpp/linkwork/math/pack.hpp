@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "linkwork/math/elementary.hpp"
+#include "linkwork/math/elementary_series.hpp"
 #include "linkwork/math/simd.hpp"
 
 /// A number for as many joints or bodies as a register has lanes: the `Real` of templates over the scalar. For files
@@ -15,6 +16,7 @@ struct Mask {
 
   friend LINKWORK_INLINE Mask operator|(const Mask& a, const Mask& b) { return {a.v | b.v}; }
   friend LINKWORK_INLINE Mask operator&(const Mask& a, const Mask& b) { return {a.v & b.v}; }
+  friend LINKWORK_INLINE Mask operator!(const Mask& a) { return {~a.v}; }
   friend LINKWORK_INLINE bool any(const Mask& a) { return simd::LINKWORK_ISA::any(a.v); }
 };
 
@@ -59,14 +61,33 @@ struct Pack {
     for (int k = 0; k < width; ++k) out.v[k] = __builtin_fabs(a.v[k]);
     return out;
   }
-  friend LINKWORK_INLINE Pack hyperbolic_tangent(const Pack& a) {
-    Pack out;
-    for (int k = 0; k < width; ++k) out.v[k] = elementary::hyperbolic_tangent(a.v[k]);
+  friend LINKWORK_INLINE Pack power_of_two(const Pack& k) {  // the sum has the exponent in its last bits
+    return Pack((Native)((NativeIndex)(k.v + splat_native(0x1p52 + 1023.0)) << 52));
+  }
+  template <std::size_t count>
+  friend LINKWORK_INLINE elementary::Pair<Pack> entry(const elementary::Pair<double> (&table)[count], const Pack& k) {
+    elementary::Pair<Pack> out;
+    for (int l = 0; l < width; ++l) {
+      const auto& it = table[static_cast<int>(k.v[l])];
+      out.hi.v[l] = it.hi;
+      out.lo.v[l] = it.lo;
+    }
     return out;
   }
-  friend LINKWORK_INLINE Pack arc_tangent(const Pack& a, const Pack& b) {
-    Pack out;
-    for (int k = 0; k < width; ++k) out.v[k] = elementary::arc_tangent(a.v[k], b.v[k]);
+  friend LINKWORK_INLINE Pack hyperbolic_tangent(const Pack& x) {
+    const Mask unusual = !elementary::usual_for_hyperbolic_tangent(x);
+    Pack out = elementary::hyperbolic_tangent_of_usual(select(unusual, Pack(1.0), x));
+    if (!any(unusual)) return out;
+    for (int l = 0; l < width; ++l)
+      if (unusual.v[l]) out.v[l] = elementary::hyperbolic_tangent(x.v[l]);
+    return out;
+  }
+  friend LINKWORK_INLINE Pack arc_tangent(const Pack& y, const Pack& x) {
+    const Mask unusual = !elementary::usual_for_arc_tangent(y, x);
+    Pack out = elementary::arc_tangent_of_usual(select(unusual, Pack(1.0), y), select(unusual, Pack(1.0), x));
+    if (!any(unusual)) return out;
+    for (int l = 0; l < width; ++l)
+      if (unusual.v[l]) out.v[l] = elementary::arc_tangent(y.v[l], x.v[l]);
     return out;
   }
 };

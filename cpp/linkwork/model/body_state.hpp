@@ -1,12 +1,9 @@
 #pragma once
 
+#include "linkwork/math/elementary_series.hpp"
 #include "linkwork/math/types.hpp"
 
 namespace linkwork {
-
-// What laws ask of one number, as of one in each lane of a register (pack.hpp).
-inline double select(bool condition, double a, double b) { return condition ? a : b; }
-inline bool any(bool condition) { return condition; }
 
 /// Where a body is and how it moves: what every joint and force reads.
 template <class Real>
