@@ -21,7 +21,7 @@ VectorXd System::beginning_history(double t, const ConstVector& q, const ConstVe
   Evaluation at = make_evaluation();
   const VectorXd blank = blank_history();
   evaluate_constraints(t, q, v, blank, at);
-  if (has_elements_) evaluate_elements(q, v, blank, at);
+  if (!force_kinds_in_use_.empty()) evaluate_elements(q, v, blank, at);
   for (std::size_t k = 0; k < model_.joint_forces().size(); ++k)
     if (const int place = joint_force_history_[k]; place >= 0) {
       const JointForce& force = model_.joint_forces()[k];
@@ -50,7 +50,7 @@ void System::evaluate(double t, const ConstVector& q, const ConstVector& v, cons
 
 void System::evaluate_forces(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                              Evaluation& out) const {
-  if (has_elements_) evaluate_elements(q, v, history, out);
+  if (!force_kinds_in_use_.empty()) evaluate_elements(q, v, history, out);
   inerters_.add(
       out.D.data(),
       [&](std::size_t k) { return inerters_.inertance(k) * out.inerter_gamma[static_cast<Eigen::Index>(k)]; },
@@ -131,7 +131,7 @@ void System::add_user_force(const VectorXd& force, const ConstVector& v, Evaluat
 void System::evaluate_switches(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                                Evaluation& out) const {
   evaluate_signals(t, out);
-  if (has_elements_) evaluate_elements(q, v, history, out);
+  if (!force_kinds_in_use_.empty()) evaluate_elements(q, v, history, out);
 }
 
 void System::evaluate_signals(double t, std::vector<Signal<double>>& out) const {
@@ -199,20 +199,23 @@ void System::evaluate_special_joint(const CompiledSpecialJoint& it, const ConstV
   }
 }
 
-void System::evaluate_elements(const ConstVector& q, const ConstVector& v, const ConstVector& history,
-                               Evaluation& out) const {
+void System::pose_bodies(const ConstVector& q, const ConstVector& v, Evaluation& out) const {
   threads_->in_chunks(static_cast<int>(posed_bodies_.size()), chunk, [&](int first, int last) {
     for (int k = first; k < last; ++k) {
       const int body = posed_bodies_[k];
       out.bodies[body] = moving(body, q, v);
     }
   });
+}
+
+void System::evaluate_elements(const ConstVector& q, const ConstVector& v, const ConstVector& history,
+                               Evaluation& out) const {
+  if (!posed_bodies_.empty()) pose_bodies(q, v, out);
   const ForceArrays arrays{out.g.data(),        history.data(), out.history.data(), out.history_rate.data(),
                            out.switches.data(), &out.potential, &out.power};
   if (threads_->threads() > 1 && !out.wrenches.empty()) return evaluate_many_elements(q, v, arrays, out);
-  for (std::size_t kind = 0; kind < force_batches_.size(); ++kind)
-    if (const auto count = static_cast<int>(force_batches_[kind].size()); count > 0)
-      evaluate_elements_of(kind, 0, count, q, v, out, arrays);
+  for (const std::size_t kind : force_kinds_in_use_)
+    evaluate_elements_of(kind, 0, static_cast<int>(force_batches_[kind].size()), q, v, out, arrays);
 }
 
 void System::evaluate_elements_of(std::size_t kind, int first, int last, const ConstVector& q, const ConstVector& v,
@@ -225,9 +228,8 @@ void System::evaluate_elements_of(std::size_t kind, int first, int last, const C
 void System::evaluate_many_elements(const ConstVector& q, const ConstVector& v, const ForceArrays& arrays,
                                     Evaluation& out) const {
   double* wrenches = out.wrenches.data();
-  for (std::size_t kind = 0; kind < force_batches_.size(); ++kind) {
+  for (const std::size_t kind : force_kinds_in_use_) {
     const auto count = static_cast<int>(force_batches_[kind].size());
-    if (count == 0) continue;
     const auto evaluate = [&](int first, int last) {
       ForceArrays own = arrays;
       own.wrenches = wrenches + wrench_size * static_cast<std::size_t>(first);

@@ -225,6 +225,7 @@ class System {
   void evaluate_bodies(int part, const ConstVector& q, const ConstVector& v, Evaluation& out) const;
   void evaluate_other_constraints(const ConstVector& q, const ConstVector& v, const ConstVector& history,
                                   Evaluation& out) const;
+  void pose_bodies(const ConstVector& q, const ConstVector& v, Evaluation& out) const;
   void evaluate_elements(const ConstVector& q, const ConstVector& v, const ConstVector& history, Evaluation& out) const;
   void evaluate_many_elements(const ConstVector& q, const ConstVector& v, const ForceArrays& arrays,
                               Evaluation& out) const;
@@ -243,7 +244,7 @@ class System {
   std::vector<CompiledJoints> joints_;                     ///< one per kind in use
   std::vector<JointChunk> joint_chunks_;                   ///< of all of them
   std::vector<ForceBatch> force_batches_;                  ///< one per registered kind, none of inerters
-  bool has_elements_ = false;                              ///< in these batches
+  std::vector<std::size_t> force_kinds_in_use_;            ///< of which there are elements in these batches
   std::vector<int> force_levels_;                          ///< instruction sets by which they are evaluated
   std::vector<int> posed_bodies_;                          ///< of elements that are evaluated one by one, ascending
   std::vector<int> body_wrench_list_, body_wrench_begin_;  ///< of many elements: 2 x element + which body

@@ -184,7 +184,8 @@ void System::compile_forces() {
     add_history(kind, false, static_cast<int>(model_.forces().size() + k), kind == HistoryKind::none ? 0 : 1);
   }
   for (ForceBatch& batch : force_batches_) batch.fill_up();
-  has_elements_ = count_elements(force_batches_) > 0;
+  for (std::size_t kind = 0; kind < force_batches_.size(); ++kind)
+    if (force_batches_[kind].size() > 0) force_kinds_in_use_.push_back(kind);
   list_posed_bodies();
   if (count_elements(force_batches_) >= many_forces) place_wrenches();
 }

@@ -29,6 +29,12 @@ struct Angle {
   static constexpr const char* placement = "axis";
   static constexpr HistoryKind history = HistoryKind::angle;
 
+  /// The row without the angle itself.
+  template <class Real>
+  LINKWORK_PRIMITIVE static void direct(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j,
+                                        Equation<Real>& row) {
+    turning<Real>(i, j, at.x_i(), at.y_i(), at.x_j(), row.rows());
+  }
   template <class Real>
   LINKWORK_PRIMITIVE static Real evaluate(const Attachment<Real>& at, const BodyState<Real>& i,
                                           const BodyState<Real>& j, HistoryVariable<Real>& history,
@@ -46,9 +52,14 @@ struct Displacement {
   static constexpr HistoryKind history = HistoryKind::none;
 
   template <class Real>
-  static Real evaluate(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j,
-                       HistoryVariable<Real>&, Equation<Real>& row) {
+  LINKWORK_PRIMITIVE static void direct(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j,
+                                        Equation<Real>& row) {
     in_plane<Real>(i, j, at.z_i(), at.s_i, at.s_j, row.rows());
+  }
+  template <class Real>
+  LINKWORK_PRIMITIVE static Real evaluate(const Attachment<Real>& at, const BodyState<Real>& i,
+                                          const BodyState<Real>& j, HistoryVariable<Real>&, Equation<Real>& row) {
+    direct<Real>(at, i, j, row);
     return row.Phi;
   }
 };
@@ -79,13 +90,12 @@ void characteristic_spring(const Attachment<Real>& at, const ForceParameters<Rea
 
 /// Coulomb friction, regularized below a speed, and viscous friction: parameters coulomb, viscous, transition.
 template <class Coordinate, class Real>
-void friction(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-              const BodyState<Real>& j, Wrenches<Real>& out) {
+LINKWORK_PRIMITIVE void friction(const Attachment<Real>& at, const ForceParameters<Real>& parameters,
+                                 const BodyState<Real>& i, const BodyState<Real>& j, Wrenches<Real>& out) {
   using elementary::hyperbolic_tangent;
   using std::abs;
   Equation<Real> along;
-  HistoryVariable<Real> unused;  // full turns do not matter
-  Coordinate::evaluate(at, i, j, unused, along);
+  Coordinate::direct(at, i, j, along);
   const Real rate = along.rate(i, j), coulomb = parameters[0].value;
   const auto grips = abs(coulomb) > Real(0);
   Real grip(0);  // of an element without, whatever those beside it have
@@ -97,8 +107,9 @@ void friction(const Attachment<Real>& at, const ForceParameters<Real>& parameter
 
 /// End stops: parameters lower, upper, stiffness, damping. They never pull back.
 template <class Coordinate, class Real>
-void stop(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-          const BodyState<Real>& j, HistoryVariable<Real>& history, Wrenches<Real>& out) {
+LINKWORK_PRIMITIVE void stop(const Attachment<Real>& at, const ForceParameters<Real>& parameters,
+                             const BodyState<Real>& i, const BodyState<Real>& j, HistoryVariable<Real>& history,
+                             Wrenches<Real>& out) {
   using std::abs;
   Equation<Real> along;
   const Real x = Coordinate::evaluate(at, i, j, history, along), rate = along.rate(i, j);
