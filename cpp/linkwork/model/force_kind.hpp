@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "linkwork/math/inline.hpp"
 #include "linkwork/math/instruction_set.hpp"
 #include "linkwork/model/batch.hpp"
 #include "linkwork/model/history.hpp"

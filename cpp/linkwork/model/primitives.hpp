@@ -12,14 +12,6 @@
 /// v = (r_dot inertial, omega body-fixed). References: Nikravesh (1988), chapter 7; Flores (2015), chapter 7.
 namespace linkwork {
 
-// Wide registers are for many joints, where calls cost more than code. Of few joints the code itself is what costs: it
-// must find room in the cache beside that of other kinds.
-#if defined(__AVX__)
-#define LINKWORK_PRIMITIVE LINKWORK_INLINE
-#else
-#define LINKWORK_PRIMITIVE inline
-#endif
-
 /// omega x (omega x s): the centripetal acceleration of a body-fixed vector, in body axes.
 template <class Real>
 LINKWORK_PRIMITIVE Vec3<Real> centripetal(const Vec3<Real>& omega, const Vec3<Real>& s) {

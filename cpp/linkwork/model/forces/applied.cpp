@@ -24,8 +24,9 @@ struct Applied {
   // force: F = A_i C_i f;   torque about the centre of mass, body axes: s_j x A_j^T F + A_j^T A_i C_i n
   // power: F . (r_dot + A_j w x s_j) + n . w
   template <class Real>
-  static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, HistoryVariable<Real>&, Wrenches<Real>& out) {
+  LINKWORK_PRIMITIVE static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters,
+                                          const BodyState<Real>& i, const BodyState<Real>& j, HistoryVariable<Real>&,
+                                          Wrenches<Real>& out) {
     const Vec3<Real> f(parameters[0].value, parameters[1].value, parameters[2].value);
     const Vec3<Real> n(parameters[3].value, parameters[4].value, parameters[5].value);
     const Vec3<Real> F = i.A * (at.C_i * f);

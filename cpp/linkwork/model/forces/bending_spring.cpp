@@ -28,8 +28,9 @@ struct BendingSpring {
   }
 
   template <class Real>
-  static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, HistoryVariable<Real>&, Wrenches<Real>& out) {
+  LINKWORK_PRIMITIVE static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters,
+                                          const BodyState<Real>& i, const BodyState<Real>& j, HistoryVariable<Real>&,
+                                          Wrenches<Real>& out) {
     // V = k beta^2 / 2;  torque on j: -k beta n - c w, n = z_i x z_j / sin(beta), w the relative rotation across z_i
     using elementary::arc_tangent;
     using std::sqrt;

@@ -19,8 +19,9 @@ struct Drag {
   }
 
   template <class Real>
-  static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, HistoryVariable<Real>&, Wrenches<Real>& out) {
+  LINKWORK_PRIMITIVE static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters,
+                                          const BodyState<Real>& i, const BodyState<Real>& j, HistoryVariable<Real>&,
+                                          Wrenches<Real>& out) {
     using std::sqrt;
     const Vec3<Real> arm = j.A * at.s_j, point = j.r + arm;
     const Vec3<Real> point_dot = j.r_dot + j.A * j.omega.cross(at.s_j);

@@ -20,8 +20,9 @@ struct RotationalSpringDamper {
   }
 
   template <class Real>
-  static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, HistoryVariable<Real>& history, Wrenches<Real>& out) {
+  LINKWORK_PRIMITIVE static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters,
+                                          const BodyState<Real>& i, const BodyState<Real>& j,
+                                          HistoryVariable<Real>& history, Wrenches<Real>& out) {
     Equation<Real> turn;
     const Real theta = Angle::evaluate(at, i, j, history, turn), rate = turn.rate(i, j);
     const Real stiffness = parameters[0].value, damping = parameters[1].value;

@@ -27,8 +27,9 @@ struct RotationalStop {
   }
 
   template <class Real>
-  static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, HistoryVariable<Real>& history, Wrenches<Real>& out) {
+  LINKWORK_PRIMITIVE static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters,
+                                          const BodyState<Real>& i, const BodyState<Real>& j,
+                                          HistoryVariable<Real>& history, Wrenches<Real>& out) {
     stop<Angle>(at, parameters, i, j, history, out);
   }
 };

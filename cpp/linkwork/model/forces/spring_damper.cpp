@@ -26,8 +26,9 @@ struct SpringDamper {
   // The element acts along the coordinate l = |d| whose row D is that of `separation`: g = -f D^T. Its power without a
   // potential is that of damper and actuator, and dV/dt at rest where stiffness or free length change in time.
   template <class Real>
-  static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, HistoryVariable<Real>&, Wrenches<Real>& out) {
+  LINKWORK_PRIMITIVE static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters,
+                                          const BodyState<Real>& i, const BodyState<Real>& j, HistoryVariable<Real>&,
+                                          Wrenches<Real>& out) {
     using std::sqrt;
     const Real stiffness = parameters[0].value, damping = parameters[1].value, actuator = parameters[3].value;
     const Vec3<Real> d = j.r + j.A * at.s_j - i.r - i.A * at.s_i;

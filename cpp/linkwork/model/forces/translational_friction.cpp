@@ -31,8 +31,9 @@ struct TranslationalFriction {
   }
 
   template <class Real>
-  static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, HistoryVariable<Real>&, Wrenches<Real>& out) {
+  LINKWORK_PRIMITIVE static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters,
+                                          const BodyState<Real>& i, const BodyState<Real>& j, HistoryVariable<Real>&,
+                                          Wrenches<Real>& out) {
     friction<Displacement>(at, parameters, i, j, out);
   }
 };
