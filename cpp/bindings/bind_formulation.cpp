@@ -119,7 +119,7 @@ VectorXd kinetic_energies(const Dynamics& dynamics, const Doubles& q, const Doub
   for (py::ssize_t k = 0; k < frames; ++k) {
     const Vector positions(q.data() + k * system.q_size(), system.q_size()),
         velocities(v.data() + k * system.v_size(), system.v_size());
-    system.evaluate_inerters(positions, velocities, at);
+    system.evaluate_coordinates(positions, velocities, at);
     out[k] = system.kinetic_energy(at, velocities);
   }
   return out;

@@ -25,7 +25,7 @@ PARTS = {
     "math/usable_cores": "thread_pool",
     "assembly/system_algebra": "system",
     "assembly/system_compilation": "system",
-    "model/inerter_rows": "inerters",
+    "model/coordinate_rows": "inerters",
     "linear/kkt": "saddle_solver",
     "linear/normal": "saddle_solver",
     "linear/schur": "saddle_solver",

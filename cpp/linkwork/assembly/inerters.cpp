@@ -29,45 +29,12 @@ double inertance_of(const Model& model, const Element& force) {
 
 }  // namespace
 
-Inerters::Inerters(const Model& model, std::ptrdiff_t D, const InstructionSet& instructions) : D_(D) {
-  std::vector<int> count(force_kinds().size(), 0);
+Inerters::Inerters(const Model& model, std::ptrdiff_t D) : D_(D) {
   for (std::size_t force = 0; force < model.forces().size(); ++force) {
     const Element& it = model.forces()[force];
-    const double inertance = inertance_of(model, it);
-    if (inertance == 0.0) continue;
-    all_.push_back({it.i, it.j, static_cast<int>(force), inertance});
-    count[it.kind] += 1;
+    if (const double inertance = inertance_of(model, it); inertance != 0.0)
+      all_.push_back({it.i, it.j, static_cast<int>(force), inertance});
   }
-  for (std::size_t kind = 0; kind < count.size(); ++kind)
-    if (count[kind] > 0)
-      compile(model, static_cast<int>(kind), count[kind], instruction_set_for(count[kind], instructions));
-}
-
-void Inerters::compile(const Model& model, int kind, int count, const InstructionSet& instructions) {
-  Rows rows{force_kinds()[kind].inertia_rows().evaluate[instructions.level], {}};
-  rows.batch.reserve(static_cast<std::size_t>(count), 0, instructions.width);
-  int row = 0;
-  for (const Element& it : model.forces()) {
-    if (inertance_of(model, it) == 0.0) continue;
-    if (it.kind == kind) {
-      rows.batch.append(row, it.i, it.j, nullptr, 0);
-      rows.batch.attach(it.at);
-      rows.batch.row.push_back(row);
-      rows.batch.D.push_back(place(static_cast<std::size_t>(row)));
-    }
-    row += 1;
-  }
-  rows.batch.fill_up();
-  rows_.push_back(std::move(rows));
-}
-
-void Inerters::evaluate(const double* q, const double* v, double* D, double* gamma, double* values,
-                        ThreadPool& threads) const {
-  constexpr int chunk = 4096;  // a multiple of any width
-  const ConstraintArrays out{.Phi = values, .Phi_t = values, .Phi_dot = values, .gamma = gamma, .D = D};
-  for (const Rows& rows : rows_)
-    threads.in_chunks(static_cast<int>(rows.batch.size()), chunk,
-                      [&](int first, int last) { rows.evaluate(rows.batch.joints(first, last), q, v, nullptr, out); });
 }
 
 double Inerters::rate(std::size_t k, const double* D, const double* x) const {

@@ -3,8 +3,6 @@
 #include <array>
 #include <vector>
 
-#include "linkwork/math/instruction_set.hpp"
-#include "linkwork/math/thread_pool.hpp"
 #include "linkwork/math/types.hpp"
 #include "linkwork/model/joint_kind.hpp"
 #include "linkwork/model/model.hpp"
@@ -18,7 +16,7 @@ namespace linkwork {
 class Inerters {
  public:
   /// `D`: the place of the first row.
-  Inerters(const Model& model, std::ptrdiff_t D, const InstructionSet& instructions);
+  Inerters(const Model& model, std::ptrdiff_t D);
 
   bool empty() const { return all_.empty(); }
   std::size_t count() const { return all_.size(); }
@@ -27,9 +25,8 @@ class Inerters {
   const Element& element(const Model& model, std::ptrdiff_t k) const { return model.forces()[all_[k].force]; }
   std::array<int, 2> bodies(std::size_t k) const { return {all_[k].i, all_[k].j}; }
 
-  /// Rows and gammas at a state; `values` takes the coordinates and rates, which mean nothing.
-  void evaluate(const double* q, const double* v, double* D, double* gamma, double* values, ThreadPool& threads) const;
-
+  /// Of a row in D.
+  std::ptrdiff_t place(std::size_t k) const { return D_ + 2 * velocity_size * static_cast<std::ptrdiff_t>(k); }
   /// The part of d that belongs to its first or second body: that body, or the ground, whose 6 numbers mean nothing.
   struct Part {
     int body;
@@ -61,16 +58,8 @@ class Inerters {
     int i, j, force;
     double inertance;
   };
-  /// Those of one kind.
-  struct Rows {
-    EvaluateJoints evaluate;
-    JointBatch batch;
-  };
-  void compile(const Model& model, int kind, int count, const InstructionSet& instructions);
-  std::ptrdiff_t place(std::size_t k) const { return D_ + 2 * velocity_size * static_cast<std::ptrdiff_t>(k); }
 
   std::vector<Inerter> all_;
-  std::vector<Rows> rows_;
   std::ptrdiff_t D_;
 };
 

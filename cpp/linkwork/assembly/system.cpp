@@ -131,6 +131,7 @@ void System::add_user_force(const VectorXd& force, const ConstVector& v, Evaluat
 void System::evaluate_switches(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                                Evaluation& out) const {
   evaluate_signals(t, out);
+  if (!coordinates_.empty()) evaluate_coordinates(q, v, out);
   if (!force_kinds_in_use_.empty()) evaluate_elements(q, v, history, out);
 }
 
@@ -152,15 +153,16 @@ void System::evaluate_special_joints(const ConstVector& q, const ConstVector& v,
   for (const CompiledSpecialJoint& it : special_joints_) evaluate_special_joint(it, q, v, history, out);
 }
 
-/// Those of special joints and of inerters.
+/// Those of special joints and of inerters, and other coordinates of elements.
 void System::evaluate_other_constraints(const ConstVector& q, const ConstVector& v, const ConstVector& history,
                                         Evaluation& out) const {
   evaluate_special_joints(q, v, history, out);
-  if (!inerters_.empty()) evaluate_inerters(q, v, out);
+  if (!coordinates_.empty()) evaluate_coordinates(q, v, out);
 }
 
-void System::evaluate_inerters(const ConstVector& q, const ConstVector& v, Evaluation& out) const {
-  inerters_.evaluate(q.data(), v.data(), out.D.data(), out.inerter_gamma.data(), out.inerter_values.data(), *threads_);
+void System::evaluate_coordinates(const ConstVector& q, const ConstVector& v, Evaluation& out) const {
+  coordinates_.evaluate(q.data(), v.data(), out.D.data(), out.inerter_gamma.data(), out.coordinates.data(),
+                        out.coordinate_rates.data(), *threads_);
 }
 
 /// OptionError: a function of time is where no value of its parameter can be.
@@ -220,7 +222,12 @@ void System::evaluate_elements(const ConstVector& q, const ConstVector& v, const
 
 void System::evaluate_elements_of(std::size_t kind, int first, int last, const ConstVector& q, const ConstVector& v,
                                   const Evaluation& at, const ForceArrays& out) const {
-  force_kinds()[kind].evaluate(force_levels_[kind], force_batches_[kind], first, last,
+  const ForceBatch& batch = force_batches_[kind];
+  if (!batch.row.empty())
+    return force_kinds()[kind].laws[force_levels_[kind]](
+        batch.laws(first, last), {at.coordinates.data(), at.coordinate_rates.data(), at.D.data()}, at.signals.data(),
+        out);
+  force_kinds()[kind].evaluate(force_levels_[kind], batch, first, last,
                                {q.data(), v.data(), at.bodies.data(), at.signals.data(), model_.signals().data()}, out);
 }
 

@@ -7,6 +7,7 @@
 
 #include "linkwork/assembly/body_forces.hpp"
 #include "linkwork/assembly/constraint_block.hpp"
+#include "linkwork/assembly/element_coordinates.hpp"
 #include "linkwork/assembly/inerters.hpp"
 #include "linkwork/assembly/joint_reactions.hpp"
 #include "linkwork/math/aligned.hpp"
@@ -42,8 +43,9 @@ struct Evaluation {
   VectorXd history_rate;  ///< of those that are angles
   VectorXd switches;      ///< of force elements whose law is not smooth, see Wrenches
   VectorXd Phi, Phi_t, Phi_dot, gamma;
-  VectorXd inerter_gamma;          ///< of each inerter, see Inerters
-  VectorXd inerter_values;         ///< scratch of theirs
+  VectorXd inerter_gamma;  ///< of each inerter, see Inerters; then of the other coordinates of elements
+  VectorXd coordinates;    ///< of elements, see ElementCoordinates
+  VectorXd coordinate_rates;
   VectorXd user;                   ///< scratch of the user's own forces
   std::vector<double> wrenches;    ///< scratch of force elements, where there are many, see ForceArrays
   std::vector<double> potentials;  ///< of gravity, of many bodies: in each chunk
@@ -96,8 +98,8 @@ class System {
   /// Only the constraints: Phi, Phi_t, Phi_dot, gamma, D, and the history of the joints.
   void evaluate_constraints(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                             Evaluation& out) const;
-  /// Only what inerters add to M, and their gamma.
-  void evaluate_inerters(const ConstVector& q, const ConstVector& v, Evaluation& out) const;
+  /// Only the coordinates that force elements lie along, and so what inerters add to M, and their gamma.
+  void evaluate_coordinates(const ConstVector& q, const ConstVector& v, Evaluation& out) const;
   /// Only force elements: their history and their switches.
   void evaluate_switches(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history,
                          Evaluation& out) const;
@@ -152,6 +154,7 @@ class System {
   /// Basis of the kernel of a body's mass matrix (6 x its dimension).
   MatrixXd massless_directions(int body) const;
   const Inerters& inerters() const { return inerters_; }
+  const ElementCoordinates& element_coordinates() const { return coordinates_; }
   void multiply_mass(const Evaluation& at, const ConstVector& x, MutableVector y) const;  ///< y = M x
   /// y = M^-1 x without inerters.
   void multiply_inverse_mass(const ConstVector& x, MutableVector y) const;
@@ -257,6 +260,7 @@ class System {
   std::vector<int> body_block_list_, body_block_begin_;
   std::ptrdiff_t D_size_ = 0;
   Inerters inerters_;
+  ElementCoordinates coordinates_;
   std::vector<HistoryOwner> history_owners_;
   std::vector<int> switches_;
   VectorXd initial_history_;

@@ -67,11 +67,12 @@ System::System(const Model& model, const InstructionSet& instructions)
     : model_(model),
       instructions_(instructions),
       body_forces_(body_forces(instruction_set_for(static_cast<int>(model.bodies().size()), instructions))),
-      inerters_(model_, 0, instructions) {
+      inerters_(model_, 0) {
   compile_masses();
   compile_joints();
-  inerters_ = Inerters(model_, D_size_, instructions);
+  inerters_ = Inerters(model_, D_size_);
   D_size_ += inerters_.D_size();
+  coordinates_ = ElementCoordinates(model_, inerters_, D_size_ + velocity_size, instructions);
   compile_forces();
   begin_history();
 }
@@ -211,8 +212,14 @@ void System::append_force(int force) {
   ForceBatch& batch = force_batches_[element.kind];
   batch.append(force, element.i, element.j, model_.force_parameters().data() + element.first_parameter,
                kind.info.parameters.size());
-  if (evaluated_one_by_one(element.kind)) batch.attachment.push_back(element.at);
-  else batch.attach(element.at);
+  if (const int row = coordinates_.row(force); row >= 0) {
+    batch.row.push_back(row);
+    batch.D.push_back(coordinates_.place(row));
+  } else if (evaluated_one_by_one(element.kind)) {
+    batch.attachment.push_back(element.at);
+  } else {
+    batch.attach(element.at);
+  }
   batch.history.push_back(history_size());
   batch.switches.push_back(static_cast<std::ptrdiff_t>(switches_.size()));
   const int contact = kind.history == HistoryKind::onset ? history_size() : -1;
@@ -295,7 +302,7 @@ Evaluation System::make_evaluation() const {
   InterruptionMeter meter;  // it is memory that is touched first here, which takes as long as an evaluation
   if (!posed_bodies_.empty()) out.bodies.assign(body_count(), BodyState<double>::ground());
   out.signals.resize(model_.signals().size());
-  out.D.assign(D_size_ + velocity_size, 0.0);
+  out.D.assign(D_size_ + velocity_size + coordinates_.D_size(), 0.0);
   meter.add(body_count());
   out.special.resize(most_bodies_);
   if (!body_wrench_begin_.empty()) out.wrenches.resize(wrench_size * count_elements(force_batches_));
@@ -303,8 +310,8 @@ Evaluation System::make_evaluation() const {
   for (VectorXd* variables : {&out.history, &out.history_rate}) variables->setZero(history_size());
   out.switches.setZero(static_cast<Eigen::Index>(switches_.size()));
   for (VectorXd* rows : {&out.Phi, &out.Phi_t, &out.Phi_dot, &out.gamma}) rows->setZero(row_count());
-  for (VectorXd* each : {&out.inerter_gamma, &out.inerter_values})
-    each->setZero(static_cast<Eigen::Index>(inerters_.count()));
+  for (VectorXd* each : {&out.inerter_gamma, &out.coordinates, &out.coordinate_rates})
+    each->setZero(static_cast<Eigen::Index>(coordinates_.count()));
   out.g.setZero(v_size() + velocity_size);
   meter.add(body_count());
   return out;

@@ -67,7 +67,7 @@ void LaneEvaluation::allocate() {
     allocate(joints_.emplace_back(), std::ssize(it.joint), joint_kinds()[it.kind].info.parameters.size());
   for (const LaneStructure::InerterRows& it : structure_.inerter_rows) {
     allocate(inerters_.emplace_back(), std::ssize(it.row), 0);
-    inerter_rows_.push_back(force_kinds()[it.kind].inertia_rows().evaluate_lanes[level_]);
+    inerter_rows_.push_back(coordinate_rows(*force_kinds()[it.kind].coordinate, false).evaluate_lanes[level_]);
   }
   for (const LaneStructure::Forces& it : structure_.forces)
     allocate(forces_.emplace_back(), std::ssize(it.body_i), force_kinds()[it.kind].info.parameters.size());

@@ -92,4 +92,8 @@ ForceElements ForceBatch::elements(int first, int last) const {
   return {arrays(first, last), history.data() + first, switches.data() + first};
 }
 
+LawElements ForceBatch::laws(int first, int last) const {
+  return {elements(first, last), row.data() + first, D.data() + first};
+}
+
 }  // namespace linkwork

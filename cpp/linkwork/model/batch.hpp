@@ -80,6 +80,12 @@ struct JointLanes {
   const double* states;     ///< of each body numbers of BodyState (18 x width), of the ground behind them
 };
 
+/// Those that lie along coordinates that are evaluated once for several.
+struct LawElements : ForceElements {
+  const int* row;           ///< of the coordinate
+  const std::ptrdiff_t* D;  ///< place of D_i; D_j follows
+};
+
 /// All joints or force elements of one kind in one system.
 class ElementBatch {
  public:
@@ -131,7 +137,12 @@ struct ForceBatch : ElementBatch {
   std::vector<Attachment<double>> attachment;  ///< of elements that are evaluated one by one
   std::vector<std::ptrdiff_t> history, switches;
 
+  /// Of coordinates, where the elements share those with others, and the places of D; else empty.
+  std::vector<int> row;
+  std::vector<std::ptrdiff_t> D;
+
   ForceElements elements(int first, int last) const;
+  LawElements laws(int first, int last) const;
 };
 
 }  // namespace linkwork

@@ -30,6 +30,66 @@ LINKWORK_INLINE void add_wrench(const double* wrench, int i, int j, const ForceA
   *out.power += wrench[13];
 }
 
+/// A force along the coordinate of a row: what `act` applies.
+LINKWORK_INLINE void act_along(const ForceElements& elements, int k, const double* D, double force,
+                               const ForceArrays& out) {
+  if (out.wrenches) {
+    double* to = out.wrenches + wrench_size * static_cast<std::size_t>(k);
+    for (int c = 0; c < 12; ++c) to[c] = 0.0 + force * D[c];
+    return;
+  }
+  const int i = elements.body_i[k], j = elements.body_j[k];
+  for (int c = 0; c < 6 && i >= 0; ++c) out.g[6l * i + c] += 0.0 + force * D[c];
+  for (int c = 0; c < 6 && j >= 0; ++c) out.g[6l * j + c] += 0.0 + force * D[6 + c];
+}
+
+LINKWORK_INLINE void add_or_leave(int k, double potential, double power, const ForceArrays& out) {
+  if (out.wrenches) {
+    double* to = out.wrenches + wrench_size * static_cast<std::size_t>(k);
+    to[12] = potential;
+    to[13] = power;
+    return;
+  }
+  *out.potential += potential;
+  *out.power += power;
+}
+
+/// Of elements along coordinates that are evaluated; what each applies is the same, to the last bit, as by itself.
+template <class Law>
+LINKWORK_INLINE void evaluate_laws(const LawElements& elements, const CoordinateValues& values,
+                                   const Signal<double>* signals, const ForceArrays& out) {
+  Signal<Pack> parameters[max_force_parameters];
+  for (int first = 0; first < elements.count; first += width) {
+    const int used = elements.count - first < width ? elements.count - first : width;
+    load_parameters_of(elements, first, signals, parameters);
+    Pack Phi, rate;
+    HistoryVariable<Pack> history;
+    for (int l = 0; l < width; ++l) {
+      const int k = first + (l < used ? l : used - 1);
+      Phi.v[l] = values.Phi[elements.row[k]];
+      rate.v[l] = values.rate[elements.row[k]];
+      if constexpr (Law::history != HistoryKind::none) history.last.v[l] = out.last[elements.history[k]];
+    }
+    const Along<Pack> said = said_by<Law>(ForceParameters<Pack>(parameters), Phi, rate, history);
+    for (int l = 0; l < used; ++l) {
+      const int k = first + l;
+      if constexpr (Law::history != HistoryKind::none) {
+        out.next[elements.history[k]] = history.next.v[l];
+        out.rate[elements.history[k]] = history.rate.v[l];
+      }
+      for (int s = 0; s < switches_of<Law>(); ++s) out.switches[elements.switches[k] + s] = said.switches[s].v[l];
+      act_along(elements, k, values.D + elements.D[k], said.force.v[l], out);
+      add_or_leave(k, said.potential.v[l], said.power.v[l], out);
+    }
+  }
+}
+
+template <class Force>
+LINKWORK_INLINE void evaluate_law_packs(const LawElements& elements, const CoordinateValues& values,
+                                        const Signal<double>* signals, const ForceArrays& out) {
+  if constexpr (lies_along_coordinate<Force>) evaluate_laws<Force>(elements, values, signals, out);
+}
+
 template <class Force>
 LINKWORK_INLINE void evaluate_force_packs(const ForceElements& elements, const double* q, const double* v,
                                           const Signal<double>* signals, const ForceArrays& out) {

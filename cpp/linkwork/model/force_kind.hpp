@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
 #include "linkwork/math/inline.hpp"
 #include "linkwork/math/instruction_set.hpp"
 #include "linkwork/model/batch.hpp"
+#include "linkwork/model/coordinate_rows.hpp"
 #include "linkwork/model/history.hpp"
 #include "linkwork/model/kind_info.hpp"
 #include "linkwork/model/time_function.hpp"
@@ -19,6 +21,7 @@
 ///   template <class Real>
 ///   static void evaluate(const Attachment<Real>&, const ForceParameters<Real>&, const BodyState<Real>& i,
 ///                        const BodyState<Real>& j, HistoryVariable<Real>& history, Wrenches<Real>& out);
+/// or, where it depends on one coordinate alone, a law along that, see LawAlong in forces/coordinates.hpp.
 /// Power balance, checked for every registered force: g . v = -d(potential)/dt + power. A law that says `select(condition,
 /// a, b)` instead of branching on the state, and that takes no functions of it, is evaluated for as many elements at a
 /// time as a register has lanes: it ends with LINKWORK_DEFINE_FORCE_PACKS instead of LINKWORK_DEFINE_FORCE.
@@ -35,12 +38,25 @@ struct Wrenches {
   Real switches[2] = {Real(0), Real(0)};
 };
 
+/// Whether a force element is a law along a coordinate, see LawAlong.
+template <class Force>
+constexpr bool lies_along_coordinate = requires { Force::valued; };
+
 /// How many switches a force element has.
 template <class Force>
 constexpr int switches_of() {
   if constexpr (requires { Force::switches; }) return Force::switches;
   else return 0;
 }
+
+/// What a law says of a coordinate x: the force Q along it that does the work Q dx, and see Wrenches.
+template <class Real>
+struct Along {
+  Real force = Real(0);
+  Real potential = Real(0);
+  Real power = Real(0);
+  Real switches[2] = {Real(0), Real(0)};
+};
 
 /// The parameters of one element, or of those in the lanes of registers, at the present time.
 template <class Real>
@@ -94,8 +110,6 @@ struct Equation;  // primitives.hpp
 using CoordinateRow = void (*)(const Attachment<double>&, const BodyState<double>& i, const BodyState<double>& j,
                                Equation<double>&);
 
-struct JointKind;  // joint_kind.hpp
-
 /// The state that forces are evaluated at. Bodies of elements that are evaluated one by one are looked up in `bodies`.
 struct ForceState {
   const double *q, *v;  ///< 7 and 6 per body
@@ -112,9 +126,17 @@ using EvaluateForcePacks = void (*)(const ForceElements&, const double* q, const
 /// Elements of mechanisms in lanes. Of the arrays there are `width` numbers, one of each, where it says one; wrenches
 /// are not written.
 using EvaluateForceLanes = void (*)(const ForceLanes&, const ForceArrays&);
+/// A coordinate between two bodies that is evaluated once for all elements along it: where its numbers are.
+struct CoordinateValues {
+  const double *Phi, *rate, *D;
+};
+/// Elements whose coordinates are evaluated: those of ForceBatch::row.
+using EvaluateLawPacks = void (*)(const LawElements&, const CoordinateValues&, const Signal<double>* signals,
+                                  const ForceArrays&);
 struct ForceEvaluation {
   EvaluateForcePacks packs;
   EvaluateForceLanes lanes;
+  EvaluateLawPacks laws;
 };
 
 struct ForceKind {
@@ -124,9 +146,11 @@ struct ForceKind {
   EvaluateForces one_by_one = nullptr;
   EvaluateForcePacks packs[max_instruction_sets] = {};  ///< or these, by level of the instruction set: the same bits
   EvaluateForceLanes lanes[max_instruction_sets] = {};  ///< by whoever has packs
+  EvaluateLawPacks laws[max_instruction_sets] = {};     ///< of whoever lies along a coordinate
+  std::optional<CoordinateKind> coordinate = {};        ///< that of a law, or of an inerter
+  bool valued = false;                                  ///< see LawAlong
   /// Of an inerter: its coordinate, along which its first parameter, a constant, is inertia; see Inerters.
   CoordinateRow inertia = nullptr;
-  JointKind (*inertia_rows)() = nullptr;  ///< the same of many
 
   void evaluate(int level, const ForceBatch& batch, int first, int last, const ForceState& at,
                 const ForceArrays& out) const {
@@ -143,6 +167,17 @@ inline void leave(const Wrenches<double>& it, double* to) {
   }
   to[0] = it.potential;
   to[1] = it.power;
+}
+
+/// What a law says where its coordinate is Phi, an angle in (-pi, pi], which goes on over full turns where it has a
+/// history.
+template <class Law, class Real>
+LINKWORK_PRIMITIVE Along<Real> said_by(const ForceParameters<Real>& parameters, const Real& Phi, const Real& rate,
+                                       HistoryVariable<Real>& history) {
+  if constexpr (Law::history == HistoryKind::none) return Law::law(parameters, Phi, rate, history);
+  history.next = continued(Phi, history.last);
+  history.rate = rate;
+  return Law::law(parameters, history.next, rate, history);
 }
 
 inline void add_to_body(double* g, int body, const Vec3<double>& force, const Vec3<double>& torque) {
@@ -182,9 +217,9 @@ void evaluate_forces(const ForceBatch& batch, int first, int last, const ForceSt
 template <class Force>
 ForceKind make_force_kind() {
   ForceKind kind{Force::info(), Force::history, switches_of<Force>(), &evaluate_forces<Force>};
-  if constexpr (requires { Force::coordinate; }) {
-    kind.inertia = &Force::coordinate;
-    kind.inertia_rows = Force::rows;
+  if constexpr (requires { Force::row; }) {
+    kind.inertia = &Force::row;
+    kind.coordinate = Force::Coordinate::kind;
   }
   return kind;
 }
@@ -201,6 +236,11 @@ ForceKind make_force_kind(const std::array<ForceEvaluation, max_instruction_sets
   for (std::size_t level = 0; level < levels.size(); ++level) {
     kind.packs[level] = levels[level].packs;
     kind.lanes[level] = levels[level].lanes;
+    if constexpr (lies_along_coordinate<Force>) kind.laws[level] = levels[level].laws;
+  }
+  if constexpr (lies_along_coordinate<Force>) {
+    kind.coordinate = Force::Coordinate::kind;
+    kind.valued = Force::valued;
   }
   return kind;
 }
@@ -215,15 +255,19 @@ int force_kind_index(const std::string& name);
 #define LINKWORK_EVALUATE_PACKS(NAME)                                                           \
   void evaluate_##NAME##_packs(const ForceElements& elements, const double* q, const double* v, \
                                const Signal<double>* signals, const ForceArrays& out)
+#define LINKWORK_EVALUATE_LAWS(NAME)                                                       \
+  void evaluate_##NAME##_laws(const LawElements& elements, const CoordinateValues& values, \
+                              const Signal<double>* signals, const ForceArrays& out)
 #define LINKWORK_EVALUATE_FORCE_LANES(NAME) \
   void evaluate_##NAME##_lanes(const ForceLanes& elements, const ForceArrays& out)
 #define LINKWORK_DECLARE_FORCE(ISA, NAME) \
   namespace ISA {                         \
   LINKWORK_EVALUATE_PACKS(NAME);          \
   LINKWORK_EVALUATE_FORCE_LANES(NAME);    \
+  LINKWORK_EVALUATE_LAWS(NAME);           \
   }
 #define LINKWORK_FORCE_EVALUATION(ISA, NAME) \
-  ForceEvaluation { &ISA::evaluate_##NAME##_packs, &ISA::evaluate_##NAME##_lanes }
+  ForceEvaluation { &ISA::evaluate_##NAME##_packs, &ISA::evaluate_##NAME##_lanes, &ISA::evaluate_##NAME##_laws }
 #if defined(LINKWORK_ISA)
 #define LINKWORK_DEFINE_FORCE(NAME, STRUCT)
 #define LINKWORK_DEFINE_FORCE_PACKS(NAME, STRUCT)                                   \
@@ -233,6 +277,9 @@ int force_kind_index(const std::string& name);
   }                                                                                 \
   __attribute__((flatten)) LINKWORK_EVALUATE_FORCE_LANES(NAME) {                    \
     simd::LINKWORK_ISA::evaluate_force_lanes<STRUCT>(elements, out);                \
+  }                                                                                 \
+  __attribute__((flatten)) LINKWORK_EVALUATE_LAWS(NAME) {                           \
+    simd::LINKWORK_ISA::evaluate_law_packs<STRUCT>(elements, values, signals, out); \
   }                                                                                 \
   }
 #else

@@ -190,12 +190,13 @@ struct Equation {
   /// For a primitive with the bodies in the other order.
   Rows<Real, 1> swapped() { return {&Phi, &Phi_t, &gamma, D_j, D_i}; }
   /// D v.
-  Real rate(const BodyState<Real>& i, const BodyState<Real>& j) const {
-    const auto part = [](const Real* D, const BodyState<Real>& body) {
-      using Row = Eigen::Map<const Vec3<Real>>;
-      return Row(D).dot(body.r_dot) + Row(D + 3).dot(body.omega);
-    };
-    return part(D_i, i) + part(D_j, j);
+  LINKWORK_PRIMITIVE Real rate(const BodyState<Real>& i, const BodyState<Real>& j) const {  // as Phi_dot of joints
+    Real sum(0);
+    for (int c = 0; c < 3; ++c) sum += D_i[c] * i.r_dot[c];
+    for (int c = 0; c < 3; ++c) sum += D_i[3 + c] * i.omega[c];
+    for (int c = 0; c < 3; ++c) sum += D_j[c] * j.r_dot[c];
+    for (int c = 0; c < 3; ++c) sum += D_j[3 + c] * j.omega[c];
+    return sum;
   }
 };
 

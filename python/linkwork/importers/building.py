@@ -328,11 +328,8 @@ class _Builder:
         """Inertia seen at a joint, armature x_dot^2 / 2."""
         which = self._coordinates[joint.name]
         add = self._model.rotational_inerter if which == "angle" else self._model.translational_inerter
-        index, arrays = self._model.compiled().find_joint(joint.name), self._model.compiled().joint_arrays()
-        (s_a, s_b), frame = arrays["origin"][index], arrays["frame"][index]
-        axes = tuple(frame[k][:, 2] for k in (0, 1))
-        add(a.body, b.body, at=(s_a, s_b), axis=axes, frames="body", inertance=joint.armature,
-            name=f"{joint.name} rotor")  # fmt: skip
+        place = {"at": (a.at, b.at), "frames": "body", **self._axis_place(joint, a, b)}
+        add(a.body, b.body, **place, inertance=joint.armature, name=f"{joint.name} rotor")
 
     def _add_isotropic(self, joint: JointDescription, a: _Side, b: _Side) -> None:
         """Spring and damping, the same in all directions and about all axes that the joint leaves free."""

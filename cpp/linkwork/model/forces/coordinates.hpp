@@ -4,7 +4,6 @@
 
 #include "linkwork/math/elementary.hpp"
 #include "linkwork/model/force_kind.hpp"
-#include "linkwork/model/inerter_rows.hpp"
 #include "linkwork/model/primitives.hpp"
 
 /// Coordinates between two bodies along which force elements act, with the equation whose row of D is their direction:
@@ -13,19 +12,26 @@ namespace linkwork {
 
 /// The distance of two points [m].
 struct Length {
+  static constexpr CoordinateKind kind = CoordinateKind::length;
   static constexpr const char* placement = "two_points";
   static constexpr HistoryKind history = HistoryKind::none;
 
   template <class Real>
+  static void direct(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j,
+                     Equation<Real>& row) {
+    separation<Real>(i, j, at.s_i, at.s_j, Signal<Real>{}, row.rows());
+  }
+  template <class Real>
   static Real evaluate(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j,
                        HistoryVariable<Real>&, Equation<Real>& row) {
-    separation<Real>(i, j, at.s_i, at.s_j, Signal<Real>{}, row.rows());
+    direct(at, i, j, row);
     return row.Phi;
   }
 };
 
 /// The angle of x_j against x_i about z_i [rad], continued over full turns.
 struct Angle {
+  static constexpr CoordinateKind kind = CoordinateKind::angle;
   static constexpr const char* placement = "axis";
   static constexpr HistoryKind history = HistoryKind::angle;
 
@@ -35,11 +41,17 @@ struct Angle {
                                         Equation<Real>& row) {
     turning<Real>(i, j, at.x_i(), at.y_i(), at.x_j(), row.rows());
   }
+  /// With the angle in (-pi, pi].
+  template <class Real>
+  LINKWORK_PRIMITIVE static void valued(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j,
+                                        Equation<Real>& row) {
+    angle<Real>(i, j, at.x_i(), at.y_i(), at.x_j(), row.rows());
+  }
   template <class Real>
   LINKWORK_PRIMITIVE static Real evaluate(const Attachment<Real>& at, const BodyState<Real>& i,
                                           const BodyState<Real>& j, HistoryVariable<Real>& history,
                                           Equation<Real>& row) {
-    angle<Real>(i, j, at.x_i(), at.y_i(), at.x_j(), row.rows());
+    valued(at, i, j, row);
     history.next = continued(row.Phi, history.last);
     history.rate = row.rate(i, j);
     return history.next;
@@ -48,6 +60,7 @@ struct Angle {
 
 /// The shift of the point of j along z_i [m].
 struct Displacement {
+  static constexpr CoordinateKind kind = CoordinateKind::displacement;
   static constexpr const char* placement = "axis";
   static constexpr HistoryKind history = HistoryKind::none;
 
@@ -57,9 +70,14 @@ struct Displacement {
     in_plane<Real>(i, j, at.z_i(), at.s_i, at.s_j, row.rows());
   }
   template <class Real>
+  LINKWORK_PRIMITIVE static void valued(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j,
+                                        Equation<Real>& row) {
+    direct(at, i, j, row);
+  }
+  template <class Real>
   LINKWORK_PRIMITIVE static Real evaluate(const Attachment<Real>& at, const BodyState<Real>& i,
                                           const BodyState<Real>& j, HistoryVariable<Real>&, Equation<Real>& row) {
-    direct<Real>(at, i, j, row);
+    direct(at, i, j, row);
     return row.Phi;
   }
 };
@@ -88,58 +106,89 @@ void characteristic_spring(const Attachment<Real>& at, const ForceParameters<Rea
   out.power = -pull * rate;
 }
 
+/// A force element whose law depends on a coordinate, with its rate, alone: a struct with, beside `history`,
+///   static constexpr bool valued;  whether it asks for the coordinate itself
+///   template <class Real>
+///   static Along<Real> law(const ForceParameters<Real>&, const Real& x, const Real& rate, HistoryVariable<Real>&);
+/// Several such elements along one coordinate share its row, see ElementCoordinates: the same bits.
+template <class Law, class Coordinate_>
+struct LawAlong {
+  using Coordinate = Coordinate_;
+
+  template <class Real>
+  LINKWORK_PRIMITIVE static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters,
+                                          const BodyState<Real>& i, const BodyState<Real>& j,
+                                          HistoryVariable<Real>& history, Wrenches<Real>& out) {
+    Equation<Real> row;
+    if constexpr (Law::valued) Coordinate::valued(at, i, j, row);
+    else Coordinate::direct(at, i, j, row);
+    const Along<Real> said = said_by<Law>(parameters, row.Phi, row.rate(i, j), history);
+    act(row, said.force, out);
+    out.potential = said.potential;
+    out.power = said.power;
+    for (int s = 0; s < switches_of<Law>(); ++s) out.switches[s] = said.switches[s];
+  }
+};
+
 /// Coulomb friction, regularized below a speed, and viscous friction: parameters coulomb, viscous, transition.
-template <class Coordinate, class Real>
-LINKWORK_PRIMITIVE void friction(const Attachment<Real>& at, const ForceParameters<Real>& parameters,
-                                 const BodyState<Real>& i, const BodyState<Real>& j, Wrenches<Real>& out) {
-  using elementary::hyperbolic_tangent;
-  using std::abs;
-  Equation<Real> along;
-  Coordinate::direct(at, i, j, along);
-  const Real rate = along.rate(i, j), coulomb = parameters[0].value;
-  const auto grips = abs(coulomb) > Real(0);
-  Real grip(0);  // of an element without, whatever those beside it have
-  if (any(grips)) grip = select(grips, hyperbolic_tangent(rate / parameters[2].value), grip);
-  const Real force = -coulomb * grip - parameters[1].value * rate;
-  act(along, force, out);
-  out.power = force * rate;
-}
+template <class Coordinate>
+struct Friction : LawAlong<Friction<Coordinate>, Coordinate> {
+  static constexpr HistoryKind history = HistoryKind::none;
+  static constexpr bool valued = false;
+
+  template <class Real>
+  LINKWORK_PRIMITIVE static Along<Real> law(const ForceParameters<Real>& parameters, const Real&, const Real& rate,
+                                            HistoryVariable<Real>&) {
+    using elementary::hyperbolic_tangent;
+    using std::abs;
+    const Real coulomb = parameters[0].value;
+    const auto grips = abs(coulomb) > Real(0);
+    Real grip(0);  // of an element without, whatever those beside it have
+    if (any(grips)) grip = select(grips, hyperbolic_tangent(rate / parameters[2].value), grip);
+    const Real force = -coulomb * grip - parameters[1].value * rate;
+    return {.force = force, .power = force * rate};
+  }
+};
 
 /// End stops: parameters lower, upper, stiffness, damping. They never pull back.
-template <class Coordinate, class Real>
-LINKWORK_PRIMITIVE void stop(const Attachment<Real>& at, const ForceParameters<Real>& parameters,
-                             const BodyState<Real>& i, const BodyState<Real>& j, HistoryVariable<Real>& history,
-                             Wrenches<Real>& out) {
-  using std::abs;
-  Equation<Real> along;
-  const Real x = Coordinate::evaluate(at, i, j, history, along), rate = along.rate(i, j);
-  out.switches[0] = x - parameters[1].value;
-  out.switches[1] = parameters[0].value - x;
-  const auto above = out.switches[0] > Real(0);
-  const decltype(above) beyond = above | (out.switches[1] > Real(0));
-  const Signal<Real> lower = parameters[0], upper = parameters[1];
-  const Real depth = x - select(above, upper.value, lower.value);  // negative below
-  const Real spring = parameters[2].value * depth, damper = parameters[3].value * abs(depth) * rate;
-  const decltype(above) pushes = beyond & ((spring + damper) * depth > Real(0));
-  const Real force = select(pushes, -(spring + damper), Real(0));
-  act(along, force, out);
-  out.potential = select(beyond, Real(0.5) * spring * depth, Real(0));
-  out.power = select(beyond,
-                     (force + spring) * rate - spring * select(above, upper.rate, lower.rate) +
-                         Real(0.5) * parameters[2].rate * depth * depth,
-                     Real(0));
-}
+template <class Coordinate>
+struct Stop : LawAlong<Stop<Coordinate>, Coordinate> {
+  static constexpr HistoryKind history = Coordinate::history;
+  static constexpr bool valued = true;
+  static constexpr int switches = 2;
 
-/// Inertia of a coordinate: see Inerters, which have all of it. As a force it is nothing. `of_many`: see inerter_rows.hpp.
-template <class Coordinate, JointKind (*of_many)()>
+  template <class Real>
+  LINKWORK_PRIMITIVE static Along<Real> law(const ForceParameters<Real>& parameters, const Real& x, const Real& rate,
+                                            HistoryVariable<Real>&) {
+    using std::abs;
+    Along<Real> out;
+    out.switches[0] = x - parameters[1].value;
+    out.switches[1] = parameters[0].value - x;
+    const auto above = out.switches[0] > Real(0);
+    const decltype(above) beyond = above | (out.switches[1] > Real(0));
+    const Signal<Real> lower = parameters[0], upper = parameters[1];
+    const Real depth = x - select(above, upper.value, lower.value);  // negative below
+    const Real spring = parameters[2].value * depth, damper = parameters[3].value * abs(depth) * rate;
+    const decltype(above) pushes = beyond & ((spring + damper) * depth > Real(0));
+    out.force = select(pushes, -(spring + damper), Real(0));
+    out.potential = select(beyond, Real(0.5) * spring * depth, Real(0));
+    out.power = select(beyond,
+                       (out.force + spring) * rate - spring * select(above, upper.rate, lower.rate) +
+                           Real(0.5) * parameters[2].rate * depth * depth,
+                       Real(0));
+    return out;
+  }
+};
+
+/// Inertia of a coordinate: see Inerters, which have all of it. As a force it is nothing.
+template <class Coordinate_>
 struct InertiaOf {
+  using Coordinate = Coordinate_;
   static constexpr HistoryKind history = HistoryKind::none;
-  static constexpr auto rows = of_many;
 
-  static void coordinate(const Attachment<double>& at, const BodyState<double>& i, const BodyState<double>& j,
-                         Equation<double>& row) {
-    HistoryVariable<double> unused;
-    Coordinate::evaluate(at, i, j, unused, row);
+  static void row(const Attachment<double>& at, const BodyState<double>& i, const BodyState<double>& j,
+                  Equation<double>& out) {
+    Coordinate::direct(at, i, j, out);
   }
   template <class Real>
   static void evaluate(const Attachment<Real>&, const ForceParameters<Real>&, const BodyState<Real>&,

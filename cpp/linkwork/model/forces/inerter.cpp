@@ -3,7 +3,7 @@
 namespace linkwork {
 
 /// An inerter between two points. Reference: Smith (2002), IEEE Trans. Autom. Control 47, 1648-1662.
-struct Inerter : InertiaOf<Length, &length_row_joint> {
+struct Inerter : InertiaOf<Length> {
   static KindInfo info() {
     return {
         .name = "inerter",

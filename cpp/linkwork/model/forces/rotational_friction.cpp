@@ -3,9 +3,7 @@
 namespace linkwork {
 
 /// Friction of a hinge.
-struct RotationalFriction {
-  static constexpr HistoryKind history = HistoryKind::none;
-
+struct RotationalFriction : Friction<Angle> {
   static KindInfo info() {
     return {.name = "rotational_friction",
             .placement = Angle::placement,
@@ -28,13 +26,6 @@ struct RotationalFriction {
                 "Friction about a joint axis: the torque on b is -n_c tanh(w / w_t) - c w [N m], w the "
                 "relative speed [rad/s]: Coulomb friction `coulomb` [N m], regularized below the speed "
                 "`transition` [rad/s], and `viscous` friction [N m s/rad]."};
-  }
-
-  template <class Real>
-  LINKWORK_PRIMITIVE static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters,
-                                          const BodyState<Real>& i, const BodyState<Real>& j, HistoryVariable<Real>&,
-                                          Wrenches<Real>& out) {
-    friction<Angle>(at, parameters, i, j, out);
   }
 };
 

@@ -3,7 +3,7 @@
 namespace linkwork {
 
 /// Inertia of a relative rotation: armature, or reflected rotor inertia.
-struct RotationalInerter : InertiaOf<Angle, &angle_row_joint> {
+struct RotationalInerter : InertiaOf<Angle> {
   static KindInfo info() {
     return {
         .name = "rotational_inerter",

@@ -3,8 +3,9 @@
 namespace linkwork {
 
 /// Rotational spring, damper and actuator about the z axis of a joint frame.
-struct RotationalSpringDamper {
+struct RotationalSpringDamper : LawAlong<RotationalSpringDamper, Angle> {
   static constexpr HistoryKind history = Angle::history;
+  static constexpr bool valued = true;
 
   static KindInfo info() {
     return {.name = "rotational_spring_damper",
@@ -20,19 +21,16 @@ struct RotationalSpringDamper {
   }
 
   template <class Real>
-  LINKWORK_PRIMITIVE static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters,
-                                          const BodyState<Real>& i, const BodyState<Real>& j,
-                                          HistoryVariable<Real>& history, Wrenches<Real>& out) {
-    Equation<Real> turn;
-    const Real theta = Angle::evaluate(at, i, j, history, turn), rate = turn.rate(i, j);
+  LINKWORK_PRIMITIVE static Along<Real> law(const ForceParameters<Real>& parameters, const Real& theta,
+                                            const Real& rate, HistoryVariable<Real>& history) {
     const Real stiffness = parameters[0].value, damping = parameters[1].value;
     history.rate = select(stiffness == Real(0), Real(0), history.rate);
     const Real deflection = theta - parameters[2].value;
     const Real dissipative = parameters[3].value - damping * rate;
-    act(turn, dissipative - stiffness * deflection, out);
-    out.potential = Real(0.5) * stiffness * deflection * deflection;
-    out.power = dissipative * rate + Real(0.5) * parameters[0].rate * deflection * deflection -
-                stiffness * deflection * parameters[2].rate;
+    return {.force = dissipative - stiffness * deflection,
+            .potential = Real(0.5) * stiffness * deflection * deflection,
+            .power = dissipative * rate + Real(0.5) * parameters[0].rate * deflection * deflection -
+                     stiffness * deflection * parameters[2].rate};
   }
 };
 

@@ -3,10 +3,7 @@
 namespace linkwork {
 
 /// End stops of a hinge.
-struct RotationalStop {
-  static constexpr HistoryKind history = Angle::history;
-  static constexpr int switches = 2;
-
+struct RotationalStop : Stop<Angle> {
   static KindInfo info() {
     return {
         .name = "rotational_stop",
@@ -24,13 +21,6 @@ struct RotationalStop {
             "End stops about a joint axis: where the angle of b against a [rad] is beyond `lower` or "
             "`upper` by d, the torque k |d| + c |d| theta_dot [N m] acts against it, never back; k [N "
             "m/rad], c [N m s/rad^2]."};
-  }
-
-  template <class Real>
-  LINKWORK_PRIMITIVE static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters,
-                                          const BodyState<Real>& i, const BodyState<Real>& j,
-                                          HistoryVariable<Real>& history, Wrenches<Real>& out) {
-    stop<Angle>(at, parameters, i, j, history, out);
   }
 };
 

@@ -3,9 +3,7 @@
 namespace linkwork {
 
 /// Friction of a slider.
-struct TranslationalFriction {
-  static constexpr HistoryKind history = HistoryKind::none;
-
+struct TranslationalFriction : Friction<Displacement> {
   static KindInfo info() {
     return {.name = "translational_friction",
             .placement = Displacement::placement,
@@ -28,13 +26,6 @@ struct TranslationalFriction {
                 "Friction along a joint axis: the force on b is -f_c tanh(v / v_t) - c v [N], v the relative "
                 "speed [m/s]: Coulomb friction `coulomb` [N], regularized below the speed `transition` [m/s], "
                 "and `viscous` friction [N s/m]."};
-  }
-
-  template <class Real>
-  LINKWORK_PRIMITIVE static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters,
-                                          const BodyState<Real>& i, const BodyState<Real>& j, HistoryVariable<Real>&,
-                                          Wrenches<Real>& out) {
-    friction<Displacement>(at, parameters, i, j, out);
   }
 };
 

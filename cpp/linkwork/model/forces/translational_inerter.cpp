@@ -3,7 +3,7 @@
 namespace linkwork {
 
 /// Inertia of a relative displacement.
-struct TranslationalInerter : InertiaOf<Displacement, &displacement_row_joint> {
+struct TranslationalInerter : InertiaOf<Displacement> {
   static KindInfo info() {
     return {.name = "translational_inerter",
             .placement = Displacement::placement,

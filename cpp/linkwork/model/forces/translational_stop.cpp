@@ -3,10 +3,7 @@
 namespace linkwork {
 
 /// End stops of a slider.
-struct TranslationalStop {
-  static constexpr HistoryKind history = Displacement::history;
-  static constexpr int switches = 2;
-
+struct TranslationalStop : Stop<Displacement> {
   static KindInfo info() {
     return {
         .name = "translational_stop",
@@ -24,13 +21,6 @@ struct TranslationalStop {
             "End stops along a joint axis: where the shift of b against a [m] is beyond `lower` or "
             "`upper` by d, the force k |d| + c |d| x_dot [N] acts against it, never back; k [N/m], c [N "
             "s/m^2]."};
-  }
-
-  template <class Real>
-  LINKWORK_PRIMITIVE static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters,
-                                          const BodyState<Real>& i, const BodyState<Real>& j,
-                                          HistoryVariable<Real>& history, Wrenches<Real>& out) {
-    stop<Displacement>(at, parameters, i, j, history, out);
   }
 };
 

@@ -1,5 +1,5 @@
 // Compiled once for the kinds and once per instruction set for their evaluation, as joints are.
-#include "linkwork/model/inerter_rows.hpp"
+#include "linkwork/model/coordinate_rows.hpp"
 
 #include "linkwork/model/primitives.hpp"
 
@@ -25,6 +25,18 @@ struct AngleRow {
   template <class Real>
   LINKWORK_INLINE static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
                                        const BodyState<Real>& j, Rows<Real, rows> out) {
+    angle<Real>(i, j, at.x_i(), at.y_i(), at.x_j(), out);
+  }
+};
+
+/// The same without the angle itself.
+struct TurningRow {
+  static constexpr int rows = 1;
+  static KindInfo info() { return {.name = "turning"}; }
+
+  template <class Real>
+  LINKWORK_INLINE static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
+                                       const BodyState<Real>& j, Rows<Real, rows> out) {
     turning<Real>(i, j, at.x_i(), at.y_i(), at.x_j(), out);
   }
 };
@@ -43,6 +55,15 @@ struct DisplacementRow {
 
 LINKWORK_DEFINE_JOINT(length_row, LengthRow)
 LINKWORK_DEFINE_JOINT(angle_row, AngleRow)
+LINKWORK_DEFINE_JOINT(turning_row, TurningRow)
 LINKWORK_DEFINE_JOINT(displacement_row, DisplacementRow)
+
+#if !defined(LINKWORK_ISA)
+JointKind coordinate_rows(CoordinateKind kind, bool valued) {
+  if (kind == CoordinateKind::length) return length_row_joint();
+  if (kind == CoordinateKind::displacement) return displacement_row_joint();
+  return valued ? angle_row_joint() : turning_row_joint();
+}
+#endif
 
 }  // namespace linkwork
