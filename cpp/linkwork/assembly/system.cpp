@@ -72,9 +72,8 @@ void System::evaluate_chunks(const ConstVector& q, const ConstVector& v, bool wi
 }
 
 void System::evaluate_joints(const JointChunk& of, const ConstVector& q, const ConstVector& v, Evaluation& out) const {
-  const CompiledJoints& joints = joints_[of.kind];
-  joints.evaluate(joints.batch.joints(of.first, of.last), q.data(), v.data(), out.signals.data(),
-                  {out.Phi.data(), out.Phi_t.data(), out.Phi_dot.data(), out.gamma.data(), out.D.data()});
+  of.kind->evaluate(of.joints, q.data(), v.data(), out.signals.data(),
+                    {out.Phi.data(), out.Phi_t.data(), out.Phi_dot.data(), out.gamma.data(), out.D.data()});
 }
 
 void System::evaluate_bodies(int part, const ConstVector& q, const ConstVector& v, Evaluation& out) const {

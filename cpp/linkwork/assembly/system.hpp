@@ -190,8 +190,8 @@ class System {
     JointBatch batch;
   };
   struct JointChunk {
-    std::size_t kind;  ///< in joints_
-    int first, last;
+    const CompiledJoints* kind;  ///< of joints_
+    JointArrays joints;
   };
   struct CompiledSpecialJoint {
     const SpecialJoint* special;

@@ -137,12 +137,11 @@ void System::compile_joints() {
     append_block({.joint = joint, .body = element.j, .row = row, .rows = rows, .offset = D_j}, blocks_);
     D_size_ += 2 * velocity_size * rows;
   }
-  for (std::size_t kind = 0; kind < joints_.size(); ++kind) {
-    JointBatch& batch = joints_[kind].batch;
-    for (int first = 0, count = static_cast<int>(batch.size()); first < count; first += chunk)
-      joint_chunks_.push_back({kind, first, std::min(first + chunk, count)});
-    batch.fill_up();
-    batch.streamed = D_size_ > cached;
+  for (CompiledJoints& kind : joints_) {
+    kind.batch.fill_up();
+    kind.batch.streamed = D_size_ > cached;
+    for (int first = 0, count = static_cast<int>(kind.batch.size()); first < count; first += chunk)
+      joint_chunks_.push_back({&kind, kind.batch.joints(first, std::min(first + chunk, count))});
   }
   list_driven_rows();
   group_blocks(

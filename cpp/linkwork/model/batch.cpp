@@ -15,7 +15,8 @@ void ElementBatch::reserve(std::size_t count, std::size_t parameters_each, int w
   padded_ = padded_size(count, width_);
   for (std::vector<int>* list : {&body_i, &body_j}) list->reserve(padded_);
   number.reserve(count);
-  parameters.reserve(parameters_each * padded_);
+  each_ = parameters_each;
+  parameters.reserve(each_ * padded_);
 }
 
 void ElementBatch::append(int of_model, int i, int j, const Parameter* first_parameter, std::size_t parameter_count) {
@@ -58,7 +59,7 @@ void ElementBatch::attach(std::size_t element, const double* numbers, int count,
 
 void ElementBatch::fill_up() {
   if (number.empty()) return;
-  const std::size_t each = parameters.size() / size(), last = (size() - 1) % width_;
+  const std::size_t last = (size() - 1) % width_;
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     auto& [numbers, varies] = parts_[p];
     if (numbers.empty()) continue;  // nothing was attached
@@ -69,18 +70,17 @@ void ElementBatch::fill_up() {
   }
   body_i.resize(padded_, body_i.back());
   body_j.resize(padded_, body_j.back());
-  while (parameters.size() < each * padded_) parameters.push_back(parameters[parameters.size() - each]);
+  while (parameters.size() < each_ * padded_) parameters.push_back(parameters[parameters.size() - each_]);
 }
 
 ElementArrays ElementBatch::arrays(int first, int last) const {
-  const int each = body_i.empty() ? 0 : static_cast<int>(parameters.size() / body_i.size());
   return {.count = last - first,
           .body_i = body_i.data() + first,
           .body_j = body_j.data() + first,
           .attachment = attachments_.data(),
           .first = first,
-          .parameters = parameters.data() + std::ptrdiff_t{each} * first,
-          .parameter_count = each,
+          .parameters = parameters.data() + each_ * static_cast<std::size_t>(first),
+          .parameter_count = static_cast<int>(each_),
           .time_dependent = time_dependent};
 }
 

@@ -99,6 +99,7 @@ class ElementBatch {
   ElementBatch& operator=(ElementBatch&&) = default;
 
   std::size_t size() const { return number.size(); }
+  std::size_t parameters_each() const { return each_; }
   /// For `count` elements, evaluated `width` at a time.
   void reserve(std::size_t count, std::size_t parameters_each, int width);
   /// One more, with as many parameters as all have, from bodies i to j (-1 for the ground).
@@ -121,7 +122,7 @@ class ElementBatch {
 
   std::array<Part, std::size(attachment_parts)> parts_;
   std::array<AttachmentPart, std::size(attachment_parts)> attachments_;  ///< in these, when all elements are there
-  std::size_t width_ = 1, padded_ = 0;
+  std::size_t width_ = 1, padded_ = 0, each_ = 0;  ///< `each_`: parameters
 };
 
 struct JointBatch : ElementBatch {

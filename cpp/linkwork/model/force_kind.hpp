@@ -188,7 +188,7 @@ inline void add_to_body(double* g, int body, const Vec3<double>& force, const Ve
 
 template <class Force>
 void evaluate_forces(const ForceBatch& batch, int first, int last, const ForceState& at, const ForceArrays& out) {
-  const std::size_t count = batch.parameters.size() / batch.size();
+  const std::size_t count = batch.parameters_each();
   const BodyState<double> ground = BodyState<double>::ground();
   const auto state_of = [&](int body) -> const BodyState<double>& { return body < 0 ? ground : at.bodies[body]; };
   for (int k = first; k < last; ++k) {
