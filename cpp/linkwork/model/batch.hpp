@@ -122,7 +122,7 @@ class ElementBatch {
 
   std::array<Part, std::size(attachment_parts)> parts_;
   std::array<AttachmentPart, std::size(attachment_parts)> attachments_;  ///< in these, when all elements are there
-  std::size_t width_ = 1, padded_ = 0, each_ = 0;  ///< `each_`: parameters
+  std::size_t width_ = 1, padded_ = 0, each_ = 0;                        ///< `each_`: parameters
 };
 
 struct JointBatch : ElementBatch {
