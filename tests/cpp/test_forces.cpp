@@ -73,7 +73,7 @@ TEST_CASE("power balance of every force: g . v = -dV/dt + power") {
     system.evaluate(0.3, q, v, history, at);
     double power = at.g.head(v.size()).dot(v);  // but for what inerters take for their own energy
     for (std::size_t k = 0; k < system.inerters().count(); ++k)
-      power -= system.inerters().inertance(k) * at.inerter_gamma[static_cast<Eigen::Index>(k)] *
+      power -= system.inerters().inertance(k) * at.coordinate_gamma[static_cast<Eigen::Index>(k)] *
                system.inerters().rate(k, at.D.data(), v.data());
     const double scale = at.g.head(v.size()).norm() * v.norm();
     INFO("g . v = ", power, ", -dV/dt = ", -V_dot, ", power = ", at.power);

@@ -71,7 +71,7 @@ TEST_CASE("gamma is what the rate of the coordinate changes by while velocities 
     return VectorXd(rows_of(system, at) * v);
   };
   const Evaluation at = evaluate_initially(system);
-  CHECK(relative_error(-(rates(h) - rates(-h)) / (2.0 * h), at.inerter_gamma) < 1e-6);
+  CHECK(relative_error(-(rates(h) - rates(-h)) / (2.0 * h), at.coordinate_gamma) < 1e-6);
 }
 
 TEST_CASE("for linear solvers they are joints of one row behind the others, whose rows stand in the same places") {

@@ -1,8 +1,6 @@
 #include "linkwork/assembly/element_coordinates.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cstdint>
 #include <iterator>
 #include <string>
 #include <unordered_map>
@@ -35,43 +33,38 @@ std::string key_of(const Element& element, CoordinateKind kind) {
   return key;
 }
 
-using Kinds = std::uint64_t;  // a bit of each
-
-/// Of elements along coordinates: which kinds of them, and the row.
+/// Of elements along coordinates: the kind of the first, whether others are of another, and the row.
 struct SharedCoordinate {
-  Kinds kinds = 0;
+  int kind = -1;
+  bool shared = false;
   int row = -1;
+
+  void see(int other) {
+    shared = shared || (kind >= 0 && kind != other);
+    kind = other;
+  }
 };
 using Coordinates = std::unordered_map<std::string, SharedCoordinate>;
 
-bool lies_along(const ForceKind& kind) { return kind.coordinate.has_value(); }
-
-/// Whether there is anything to be shared: elements of two kinds along coordinates of the same.
-bool several_kinds(const Model& model) {
-  Kinds kinds = 0;
-  for (const Element& it : model.forces())
-    if (lies_along(force_kinds()[it.kind])) kinds |= Kinds{1} << it.kind;
-  return std::popcount(kinds) > 1;
-}
-
+/// Nothing is listed of a model whose elements along coordinates are all of one kind.
 Coordinates list_coordinates(const Model& model) {
-  Coordinates out;
+  SharedCoordinate all;
   for (const Element& it : model.forces())
-    if (const ForceKind& kind = force_kinds()[it.kind]; lies_along(kind))
-      out[key_of(it, *kind.coordinate)].kinds |= Kinds{1} << it.kind;
+    if (force_kinds()[it.kind].coordinate) all.see(it.kind);
+  Coordinates out;
+  if (!all.shared) return out;
+  for (const Element& it : model.forces())
+    if (const auto& coordinate = force_kinds()[it.kind].coordinate) out[key_of(it, *coordinate)].see(it.kind);
   return out;
 }
 
-/// Kinds of laws all of whose elements share their coordinates with another kind.
-Kinds sharing_kinds(const Model& model, const Coordinates& coordinates) {
-  Kinds present = 0, alone = 0;
-  for (const Element& it : model.forces()) {
-    const ForceKind& kind = force_kinds()[it.kind];
-    if (!lies_along(kind) || kind.inertia) continue;
-    present |= Kinds{1} << it.kind;
-    if (std::popcount(coordinates.at(key_of(it, *kind.coordinate)).kinds) < 2) alone |= Kinds{1} << it.kind;
-  }
-  return present & ~alone;
+/// Of each kind whether it is a law all of whose elements share their coordinates with another kind.
+std::vector<char> sharing_kinds(const Model& model, const Coordinates& coordinates) {
+  std::vector<char> out;
+  for (const ForceKind& kind : force_kinds()) out.push_back(kind.coordinate && !kind.inertia);
+  for (const Element& it : model.forces())
+    if (out[it.kind] && !coordinates.at(key_of(it, *force_kinds()[it.kind].coordinate)).shared) out[it.kind] = 0;
+  return out;
 }
 
 }  // namespace
@@ -93,16 +86,15 @@ std::vector<ElementCoordinates::Row> ElementCoordinates::list_rows(const Model& 
     const Element& it = inerters.element(model, static_cast<std::ptrdiff_t>(k));
     out.push_back({it, *force_kinds()[it.kind].coordinate, false});
   }
-  if (!several_kinds(model)) return out;
   Coordinates coordinates = list_coordinates(model);
-  const Kinds sharing = sharing_kinds(model, coordinates);
-  if (sharing == 0) return out;
+  if (coordinates.empty()) return out;
+  const std::vector<char> sharing = sharing_kinds(model, coordinates);
   for (std::size_t k = 0; k < out.size(); ++k)
     coordinates.at(key_of(out[k].element, out[k].kind)).row = static_cast<int>(k);
   rows_of_forces_.assign(model.forces().size(), -1);
   for (std::size_t force = 0; force < model.forces().size(); ++force) {
     const Element& it = model.forces()[force];
-    if ((sharing >> it.kind & 1) == 0) continue;
+    if (!sharing[it.kind]) continue;
     const ForceKind& kind = force_kinds()[it.kind];
     SharedCoordinate& shared = coordinates.at(key_of(it, *kind.coordinate));
     if (shared.row < 0) {

@@ -53,7 +53,7 @@ void System::evaluate_forces(double t, const ConstVector& q, const ConstVector& 
   if (!force_kinds_in_use_.empty()) evaluate_elements(q, v, history, out);
   inerters_.add(
       out.D.data(),
-      [&](std::size_t k) { return inerters_.inertance(k) * out.inerter_gamma[static_cast<Eigen::Index>(k)]; },
+      [&](std::size_t k) { return inerters_.inertance(k) * out.coordinate_gamma[static_cast<Eigen::Index>(k)]; },
       out.g.data());
   if (!model_.joint_forces().empty()) evaluate_joint_forces(t, q, v, history, out);
 }
@@ -160,7 +160,7 @@ void System::evaluate_other_constraints(const ConstVector& q, const ConstVector&
 }
 
 void System::evaluate_coordinates(const ConstVector& q, const ConstVector& v, Evaluation& out) const {
-  coordinates_.evaluate(q.data(), v.data(), out.D.data(), out.inerter_gamma.data(), out.coordinates.data(),
+  coordinates_.evaluate(q.data(), v.data(), out.D.data(), out.coordinate_gamma.data(), out.coordinates.data(),
                         out.coordinate_rates.data(), *threads_);
 }
 

@@ -43,8 +43,8 @@ struct Evaluation {
   VectorXd history_rate;  ///< of those that are angles
   VectorXd switches;      ///< of force elements whose law is not smooth, see Wrenches
   VectorXd Phi, Phi_t, Phi_dot, gamma;
-  VectorXd inerter_gamma;  ///< of each inerter, see Inerters; then of the other coordinates of elements
-  VectorXd coordinates;    ///< of elements, see ElementCoordinates
+  VectorXd coordinate_gamma;  ///< of coordinates of elements, those of inerters first
+  VectorXd coordinates;       ///< of elements, see ElementCoordinates
   VectorXd coordinate_rates;
   VectorXd user;                   ///< scratch of the user's own forces
   std::vector<double> wrenches;    ///< scratch of force elements, where there are many, see ForceArrays

@@ -192,7 +192,8 @@ void System::compile_forces() {
 
 void System::begin_force_batches() {
   std::vector<int> count(force_kinds().size(), 0);
-  for (const Element& element : model_.forces()) count[element.kind] += 1;
+  for (const Element& element : model_.forces())
+    if (!force_kinds()[element.kind].inertia) count[element.kind] += 1;
   force_batches_.resize(count.size());
   for (std::size_t kind = 0; kind < count.size(); ++kind) {
     const InstructionSet instructions = instruction_set_for(count[kind], instructions_);
@@ -309,7 +310,7 @@ Evaluation System::make_evaluation() const {
   for (VectorXd* variables : {&out.history, &out.history_rate}) variables->setZero(history_size());
   out.switches.setZero(static_cast<Eigen::Index>(switches_.size()));
   for (VectorXd* rows : {&out.Phi, &out.Phi_t, &out.Phi_dot, &out.gamma}) rows->setZero(row_count());
-  for (VectorXd* each : {&out.inerter_gamma, &out.coordinates, &out.coordinate_rates})
+  for (VectorXd* each : {&out.coordinate_gamma, &out.coordinates, &out.coordinate_rates})
     each->setZero(static_cast<Eigen::Index>(coordinates_.count()));
   out.g.setZero(v_size() + velocity_size);
   meter.add(body_count());

@@ -1,57 +1,26 @@
 // Compiled once for the kinds and once per instruction set for their evaluation, as joints are.
 #include "linkwork/model/coordinate_rows.hpp"
 
-#include "linkwork/model/primitives.hpp"
+#include "linkwork/model/forces/coordinates.hpp"
 
 namespace linkwork {
 
-/// The distance of two points.
-struct LengthRow {
+template <class Coordinate, bool valued>
+struct RowOf {
   static constexpr int rows = 1;
-  static KindInfo info() { return {.name = "length"}; }
+  static KindInfo info() { return {.name = "coordinate"}; }
 
   template <class Real>
   LINKWORK_INLINE static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
                                        const BodyState<Real>& j, Rows<Real, rows> out) {
-    separation<Real>(i, j, at.s_i, at.s_j, {Real(0), Real(0), Real(0)}, out);
+    Coordinate::template row<valued>(at, i, j, out);
   }
 };
 
-/// The angle about z_i.
-struct AngleRow {
-  static constexpr int rows = 1;
-  static KindInfo info() { return {.name = "angle"}; }
-
-  template <class Real>
-  LINKWORK_INLINE static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
-                                       const BodyState<Real>& j, Rows<Real, rows> out) {
-    angle<Real>(i, j, at.x_i(), at.y_i(), at.x_j(), out);
-  }
-};
-
-/// The same without the angle itself.
-struct TurningRow {
-  static constexpr int rows = 1;
-  static KindInfo info() { return {.name = "turning"}; }
-
-  template <class Real>
-  LINKWORK_INLINE static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
-                                       const BodyState<Real>& j, Rows<Real, rows> out) {
-    turning<Real>(i, j, at.x_i(), at.y_i(), at.x_j(), out);
-  }
-};
-
-/// The shift along z_i.
-struct DisplacementRow {
-  static constexpr int rows = 1;
-  static KindInfo info() { return {.name = "displacement"}; }
-
-  template <class Real>
-  LINKWORK_INLINE static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
-                                       const BodyState<Real>& j, Rows<Real, rows> out) {
-    in_plane<Real>(i, j, at.z_i(), at.s_i, at.s_j, out);
-  }
-};
+using LengthRow = RowOf<Length, true>;
+using AngleRow = RowOf<Angle, true>;
+using TurningRow = RowOf<Angle, false>;
+using DisplacementRow = RowOf<Displacement, true>;
 
 LINKWORK_DEFINE_JOINT(length_row, LengthRow)
 LINKWORK_DEFINE_JOINT(angle_row, AngleRow)

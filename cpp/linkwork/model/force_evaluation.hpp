@@ -30,6 +30,27 @@ LINKWORK_INLINE void add_wrench(const double* wrench, int i, int j, const ForceA
   *out.power += wrench[13];
 }
 
+/// History variables of the elements from `first` on, of which `used` are there.
+template <class Force>
+LINKWORK_INLINE HistoryVariable<Pack> load_history(const ForceElements& elements, int first, int used,
+                                                   const ForceArrays& out) {
+  HistoryVariable<Pack> history;
+  if constexpr (Force::history != HistoryKind::none)
+    for (int l = 0; l < width; ++l) history.last.v[l] = out.last[elements.history[first + (l < used ? l : used - 1)]];
+  return history;
+}
+
+/// What becomes of element k, in lane l, and where its law is not smooth.
+template <class Force>
+LINKWORK_INLINE void store_history(const ForceElements& elements, int k, int l, const HistoryVariable<Pack>& history,
+                                   const Pack* switches, const ForceArrays& out) {
+  if constexpr (Force::history != HistoryKind::none) {
+    out.next[elements.history[k]] = history.next.v[l];
+    out.rate[elements.history[k]] = history.rate.v[l];
+  }
+  for (int s = 0; s < switches_of<Force>(); ++s) out.switches[elements.switches[k] + s] = switches[s].v[l];
+}
+
 /// A force along the coordinate of a row: what `act` applies.
 LINKWORK_INLINE void act_along(const ForceElements& elements, int k, const double* D, double force,
                                const ForceArrays& out) {
@@ -63,21 +84,16 @@ LINKWORK_INLINE void evaluate_laws(const LawElements& elements, const Coordinate
     const int used = elements.count - first < width ? elements.count - first : width;
     load_parameters_of(elements, first, signals, parameters);
     Pack Phi, rate;
-    HistoryVariable<Pack> history;
     for (int l = 0; l < width; ++l) {
-      const int k = first + (l < used ? l : used - 1);
-      Phi.v[l] = values.Phi[elements.row[k]];
-      rate.v[l] = values.rate[elements.row[k]];
-      if constexpr (Law::history != HistoryKind::none) history.last.v[l] = out.last[elements.history[k]];
+      const int row = elements.row[first + (l < used ? l : used - 1)];
+      Phi.v[l] = values.Phi[row];
+      rate.v[l] = values.rate[row];
     }
+    HistoryVariable<Pack> history = load_history<Law>(elements, first, used, out);
     const Along<Pack> said = said_by<Law>(ForceParameters<Pack>(parameters), Phi, rate, history);
     for (int l = 0; l < used; ++l) {
       const int k = first + l;
-      if constexpr (Law::history != HistoryKind::none) {
-        out.next[elements.history[k]] = history.next.v[l];
-        out.rate[elements.history[k]] = history.rate.v[l];
-      }
-      for (int s = 0; s < switches_of<Law>(); ++s) out.switches[elements.switches[k] + s] = said.switches[s].v[l];
+      store_history<Law>(elements, k, l, history, said.switches, out);
       act_along(elements, k, values.D + elements.D[k], said.force.v[l], out);
       add_or_leave(k, said.potential.v[l], said.power.v[l], out);
     }
@@ -100,9 +116,7 @@ LINKWORK_INLINE void evaluate_force_packs(const ForceElements& elements, const d
     Pack velocity[6];
     const BodyState<Pack> i = gather_state(elements.body_i + first, q, v, velocity);
     const BodyState<Pack> j = gather_state(elements.body_j + first, q, v, velocity);
-    HistoryVariable<Pack> history;
-    if constexpr (Force::history != HistoryKind::none)
-      for (int l = 0; l < width; ++l) history.last.v[l] = out.last[elements.history[first + (l < used ? l : used - 1)]];
+    HistoryVariable<Pack> history = load_history<Force>(elements, first, used, out);
     Wrenches<Pack> wrenches;
     Force::template evaluate<Pack>(attachment_of(elements, first), ForceParameters<Pack>(parameters), i, j, history,
                                    wrenches);
@@ -110,11 +124,7 @@ LINKWORK_INLINE void evaluate_force_packs(const ForceElements& elements, const d
     scatter_wrenches(wrenches, found);
     for (int l = 0; l < used; ++l) {
       const int k = first + l;
-      if constexpr (Force::history != HistoryKind::none) {
-        out.next[elements.history[k]] = history.next.v[l];
-        out.rate[elements.history[k]] = history.rate.v[l];
-      }
-      for (int s = 0; s < switches_of<Force>(); ++s) out.switches[elements.switches[k] + s] = wrenches.switches[s].v[l];
+      store_history<Force>(elements, k, l, history, wrenches.switches, out);
       if (!out.wrenches) add_wrench(found[l], elements.body_i[k], elements.body_j[k], out);
       else copy(out.wrenches + wrench_size * static_cast<std::size_t>(k), found[l], wrench_size);
     }

@@ -7,7 +7,8 @@
 #include "linkwork/model/primitives.hpp"
 
 /// Coordinates between two bodies along which force elements act, with the equation whose row of D is their direction:
-/// a force f along one of them has the generalized force f D^T, and the power f x_dot, in every pose.
+/// a force f along one of them has the generalized force f D^T, and the power f x_dot, in every pose. Where the row is
+/// not `valued`, Phi of an angle means nothing.
 namespace linkwork {
 
 /// The distance of two points [m].
@@ -16,45 +17,24 @@ struct Length {
   static constexpr const char* placement = "two_points";
   static constexpr HistoryKind history = HistoryKind::none;
 
-  template <class Real>
-  static void direct(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j,
-                     Equation<Real>& row) {
-    separation<Real>(i, j, at.s_i, at.s_j, Signal<Real>{}, row.rows());
-  }
-  template <class Real>
-  static Real evaluate(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j,
-                       HistoryVariable<Real>&, Equation<Real>& row) {
-    direct(at, i, j, row);
-    return row.Phi;
+  template <bool valued, class Real>
+  LINKWORK_PRIMITIVE static void row(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j,
+                                     Rows<Real, 1> out) {
+    separation<Real>(i, j, at.s_i, at.s_j, {Real(0), Real(0), Real(0)}, out);
   }
 };
 
-/// The angle of x_j against x_i about z_i [rad], continued over full turns.
+/// The angle of x_j against x_i about z_i [rad], in (-pi, pi], continued over full turns by its history.
 struct Angle {
   static constexpr CoordinateKind kind = CoordinateKind::angle;
   static constexpr const char* placement = "axis";
   static constexpr HistoryKind history = HistoryKind::angle;
 
-  /// The row without the angle itself.
-  template <class Real>
-  LINKWORK_PRIMITIVE static void direct(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j,
-                                        Equation<Real>& row) {
-    turning<Real>(i, j, at.x_i(), at.y_i(), at.x_j(), row.rows());
-  }
-  /// With the angle in (-pi, pi].
-  template <class Real>
-  LINKWORK_PRIMITIVE static void valued(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j,
-                                        Equation<Real>& row) {
-    angle<Real>(i, j, at.x_i(), at.y_i(), at.x_j(), row.rows());
-  }
-  template <class Real>
-  LINKWORK_PRIMITIVE static Real evaluate(const Attachment<Real>& at, const BodyState<Real>& i,
-                                          const BodyState<Real>& j, HistoryVariable<Real>& history,
-                                          Equation<Real>& row) {
-    valued(at, i, j, row);
-    history.next = continued(row.Phi, history.last);
-    history.rate = row.rate(i, j);
-    return history.next;
+  template <bool valued, class Real>
+  LINKWORK_PRIMITIVE static void row(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j,
+                                     Rows<Real, 1> out) {
+    if constexpr (valued) angle<Real>(i, j, at.x_i(), at.y_i(), at.x_j(), out);
+    else turning<Real>(i, j, at.x_i(), at.y_i(), at.x_j(), out);
   }
 };
 
@@ -64,21 +44,10 @@ struct Displacement {
   static constexpr const char* placement = "axis";
   static constexpr HistoryKind history = HistoryKind::none;
 
-  template <class Real>
-  LINKWORK_PRIMITIVE static void direct(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j,
-                                        Equation<Real>& row) {
-    in_plane<Real>(i, j, at.z_i(), at.s_i, at.s_j, row.rows());
-  }
-  template <class Real>
-  LINKWORK_PRIMITIVE static void valued(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j,
-                                        Equation<Real>& row) {
-    direct(at, i, j, row);
-  }
-  template <class Real>
-  LINKWORK_PRIMITIVE static Real evaluate(const Attachment<Real>& at, const BodyState<Real>& i,
-                                          const BodyState<Real>& j, HistoryVariable<Real>&, Equation<Real>& row) {
-    direct(at, i, j, row);
-    return row.Phi;
+  template <bool valued, class Real>
+  LINKWORK_PRIMITIVE static void row(const Attachment<Real>& at, const BodyState<Real>& i, const BodyState<Real>& j,
+                                     Rows<Real, 1> out) {
+    in_plane<Real>(i, j, at.z_i(), at.s_i, at.s_j, out);
   }
 };
 
@@ -90,20 +59,6 @@ LINKWORK_PRIMITIVE void act(const Equation<Real>& row, Real force, Wrenches<Real
   out.torque_i += force * Row(row.D_i + 3);
   out.force_j += force * Row(row.D_j);
   out.torque_j += force * Row(row.D_j + 3);
-}
-
-/// Spring and damper by their characteristics: parameters 0 and 1, functions of extension and rate; 2 is where the
-/// spring is free. All of its power counts as work.
-template <class Coordinate, class Real>
-void characteristic_spring(const Attachment<Real>& at, const ForceParameters<Real>& parameters,
-                           const BodyState<Real>& i, const BodyState<Real>& j, HistoryVariable<Real>& history,
-                           Wrenches<Real>& out) {
-  Equation<Real> along;
-  const Real x = Coordinate::evaluate(at, i, j, history, along) - parameters[2].value, rate = along.rate(i, j);
-  if (parameters.is_zero(0)) history.rate = Real(0);
-  const Real pull = parameters.at(0, x) + parameters.at(1, rate);
-  act(along, -pull, out);
-  out.power = -pull * rate;
 }
 
 /// A force element whose law depends on a coordinate, with its rate, alone: a struct with, beside `history`,
@@ -120,8 +75,7 @@ struct LawAlong {
                                           const BodyState<Real>& i, const BodyState<Real>& j,
                                           HistoryVariable<Real>& history, Wrenches<Real>& out) {
     Equation<Real> row;
-    if constexpr (Law::valued) Coordinate::valued(at, i, j, row);
-    else Coordinate::direct(at, i, j, row);
+    Coordinate::template row<Law::valued>(at, i, j, row.rows());
     const Along<Real> said = said_by<Law>(parameters, row.Phi, row.rate(i, j), history);
     act(row, said.force, out);
     out.potential = said.potential;
@@ -180,6 +134,21 @@ struct Stop : LawAlong<Stop<Coordinate>, Coordinate> {
   }
 };
 
+/// Spring and damper by their characteristics: parameters 0 and 1, functions of extension and rate; 2 is where the
+/// spring is free. All of its power counts as work. Evaluated one by one, as all that takes functions of the state.
+template <class Coordinate>
+struct CharacteristicSpring : LawAlong<CharacteristicSpring<Coordinate>, Coordinate> {
+  static constexpr HistoryKind history = Coordinate::history;
+  static constexpr bool valued = true;
+
+  static Along<double> law(const ForceParameters<double>& parameters, double x, double rate,
+                           HistoryVariable<double>& of_angle) {
+    if (parameters.is_zero(0)) of_angle.rate = 0.0;
+    const double pull = parameters.at(0, x - parameters[2].value) + parameters.at(1, rate);
+    return {.force = -pull, .power = -pull * rate};
+  }
+};
+
 /// Inertia of a coordinate: see Inerters, which have all of it. As a force it is nothing.
 template <class Coordinate_>
 struct InertiaOf {
@@ -188,7 +157,7 @@ struct InertiaOf {
 
   static void row(const Attachment<double>& at, const BodyState<double>& i, const BodyState<double>& j,
                   Equation<double>& out) {
-    Coordinate::direct(at, i, j, out);
+    Coordinate::template row<false>(at, i, j, out.rows());
   }
   template <class Real>
   static void evaluate(const Attachment<Real>&, const ForceParameters<Real>&, const BodyState<Real>&,

@@ -3,8 +3,9 @@
 namespace linkwork {
 
 /// A motor about an axis: a torque by its speed curve.
-struct Motor {
+struct Motor : LawAlong<Motor, Angle> {
   static constexpr HistoryKind history = HistoryKind::none;
+  static constexpr bool valued = false;
 
   static KindInfo info() {
     return {.name = "motor",
@@ -21,14 +22,9 @@ struct Motor {
                 "torques)."};
   }
 
-  template <class Real>
-  static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, HistoryVariable<Real>&, Wrenches<Real>& out) {
-    Equation<Real> turn;
-    angle<Real>(i, j, at.x_i(), at.y_i(), at.x_j(), turn.rows());
-    const Real rate = turn.rate(i, j), torque = parameters[1].value * parameters.at(0, rate);
-    act(turn, torque, out);
-    out.power = torque * rate;
+  static Along<double> law(const ForceParameters<double>& parameters, double, double rate, HistoryVariable<double>&) {
+    const double torque = parameters[1].value * parameters.at(0, rate);
+    return {.force = torque, .power = torque * rate};
   }
 };
 

@@ -3,9 +3,7 @@
 namespace linkwork {
 
 /// Spring and damper about an axis by their characteristics.
-struct NonlinearRotationalSpringDamper {
-  static constexpr HistoryKind history = Angle::history;
-
+struct NonlinearRotationalSpringDamper : CharacteristicSpring<Angle> {
   static KindInfo info() {
     return {.name = "nonlinear_rotational_spring_damper",
             .placement = Angle::placement,
@@ -26,12 +24,6 @@ struct NonlinearRotationalSpringDamper {
                 "-spring(theta - theta_0) - damper(theta_dot) [N m]. Each is a function of its angle [rad] or "
                 "rate [rad/s], such as linkwork.functions.table(x, n), or a number for a linear one. The "
                 "energy in the spring counts as work."};
-  }
-
-  template <class Real>
-  static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, HistoryVariable<Real>& history, Wrenches<Real>& out) {
-    characteristic_spring<Angle>(at, parameters, i, j, history, out);
   }
 };
 

@@ -3,9 +3,7 @@
 namespace linkwork {
 
 /// Spring and damper between two points by their characteristics.
-struct NonlinearSpringDamper {
-  static constexpr HistoryKind history = Length::history;
-
+struct NonlinearSpringDamper : CharacteristicSpring<Length> {
   static KindInfo info() {
     return {.name = "nonlinear_spring_damper",
             .placement = Length::placement,
@@ -29,12 +27,6 @@ struct NonlinearSpringDamper {
                 "is spring(l - l_0) + damper(l_dot) [N], positive in tension. Each is a function of its "
                 "extension [m] or rate [m/s], such as linkwork.functions.table(x, f), or a number for a "
                 "linear one. The energy in the spring counts as work."};
-  }
-
-  template <class Real>
-  static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
-                       const BodyState<Real>& j, HistoryVariable<Real>& history, Wrenches<Real>& out) {
-    characteristic_spring<Length>(at, parameters, i, j, history, out);
   }
 };
 
