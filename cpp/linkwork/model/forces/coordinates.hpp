@@ -65,7 +65,8 @@ LINKWORK_PRIMITIVE void act(const Equation<Real>& row, Real force, Wrenches<Real
 ///   static constexpr bool valued;  whether it asks for the coordinate itself
 ///   template <class Real>
 ///   static Along<Real> law(const ForceParameters<Real>&, const Real& x, const Real& rate, HistoryVariable<Real>&);
-/// Several such elements along one coordinate share its row, see ElementCoordinates: the same bits.
+/// Elements of several such kinds along one coordinate share its row where they are evaluated many at a time, see
+/// ElementCoordinates: the same bits. A law that takes functions of the state is one of doubles, not a template.
 template <class Law, class Coordinate_>
 struct LawAlong {
   using Coordinate = Coordinate_;
