@@ -159,7 +159,7 @@ TEST_CASE("elements that are evaluated several at a time give what each gives, t
     kinds += 1;
     CAPTURE(kind.info.name);
     for (const int count : {1, 2, 3, 7, 8, 9, 21})
-      for (int level = 0; level < instruction_set_count(); ++level) {
+      for (int level = 0; level < evaluation_count(); ++level) {
         CAPTURE(count);
         CAPTURE(level);
         for (const bool constant : {false, true}) {
@@ -177,7 +177,7 @@ TEST_CASE("angles and friction of many elements have the bits of the functions o
   const std::vector<double> angles = {0.0, 1e-12, 0.3, pi / 4, 1.1, pi / 2, 2.9, pi, -pi, -2.0, -pi / 2, -1e-7, -0.5};
   const std::vector<double> rates = {0.0, 1e-300, 1e-3, 0.1, -0.4, 3.0, -21.9, 22.1, -1e3, 1e300, 0.2, -0.1, 1.0};
   const std::vector<double> zeros(angles.size(), 0.0);
-  for (int level = 0; level < instruction_set_count(); ++level) {
+  for (int level = 0; level < evaluation_count(); ++level) {
     CAPTURE(level);
     const Turned springs("rotational_spring_damper", {1.0, 0.0, 0.0, 0.0}, angles, rates, level);
     const Turned rubbing("rotational_friction", {1.0, 0.0, 1.0}, zeros, rates, level);  // whose D is exact

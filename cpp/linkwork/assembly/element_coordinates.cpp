@@ -112,7 +112,7 @@ void ElementCoordinates::compile(const std::vector<Row>& all, CoordinateKind kin
   const auto belongs = [&](const Row& it) { return it.kind == kind && it.valued == valued; };
   const auto count = static_cast<int>(std::count_if(all.begin(), all.end(), belongs));
   if (count == 0) return;
-  const InstructionSet chosen = instruction_set_for(count, instructions);
+  const InstructionSet chosen = evaluation_for(count, instructions);
   Rows rows{coordinate_rows(kind, valued).evaluate[chosen.level], {}};
   rows.batch.reserve(static_cast<std::size_t>(count), 0, chosen.width);
   for (std::size_t row = 0; row < all.size(); ++row) {

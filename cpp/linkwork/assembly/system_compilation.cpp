@@ -66,7 +66,7 @@ void append_block(const ConstraintBlock& block, std::vector<ConstraintBlock>& bl
 System::System(const Model& model, const InstructionSet& instructions)
     : model_(model),
       instructions_(instructions),
-      body_forces_(body_forces(instruction_set_for(static_cast<int>(model.bodies().size()), instructions))),
+      body_forces_(body_forces(evaluation_for(static_cast<int>(model.bodies().size()), instructions))),
       inerters_(model_, 0) {
   compile_masses();
   compile_joints();
@@ -101,7 +101,7 @@ Mat3<double> System::inverse_inertia(int body) const {
 
 void System::append_kind(int kind, int count) {
   const JointKind& it = joint_kinds()[kind];
-  const InstructionSet instructions = instruction_set_for(count, instructions_);
+  const InstructionSet instructions = evaluation_for(count, instructions_);
   joints_.push_back({.evaluate = it.evaluate[instructions.level],
                      .reactions = joint_reactions(instructions),
                      .rows = it.info.rows,
@@ -196,7 +196,7 @@ void System::begin_force_batches() {
     if (!force_kinds()[element.kind].inertia) count[element.kind] += 1;
   force_batches_.resize(count.size());
   for (std::size_t kind = 0; kind < count.size(); ++kind) {
-    const InstructionSet instructions = instruction_set_for(count[kind], instructions_);
+    const InstructionSet instructions = evaluation_for(count[kind], instructions_);
     force_levels_.push_back(instructions.level);
     force_batches_[kind].reserve(count[kind], force_kinds()[kind].info.parameters.size(),
                                  evaluated_one_by_one(kind) ? 1 : instructions.width);

@@ -15,8 +15,11 @@ thread_local int one_paths = 0;
 /// Those that this program is compiled for, whatever the processor has.
 #if LINKWORK_X86
 constexpr int named_sets = max_instruction_sets;
+constexpr InstructionSet all[max_evaluations] = {
+    {0, "x86-64-v2", 2}, {1, "x86-64-v3", 4}, {2, "x86-64-v4", 8}, {3, "x86-64-v4", 1}, {4, "x86-64-v4", 2}};
 #else
 constexpr int named_sets = 1;
+constexpr InstructionSet all[] = {{0, "portable", 2}};
 #endif
 
 /// OptionError: there is no set of this name.
@@ -60,14 +63,7 @@ int instruction_set_count() {
 #endif
 }
 
-InstructionSet instruction_set(int level) {
-#if LINKWORK_X86
-  constexpr InstructionSet all[max_instruction_sets] = {{0, "x86-64-v2", 2}, {1, "x86-64-v3", 4}, {2, "x86-64-v4", 8}};
-  return all[level];
-#else
-  return {level, "portable", 2};
-#endif
-}
+InstructionSet instruction_set(int level) { return all[level]; }
 
 InstructionSet best_instruction_set() { return instruction_set(one_paths > 0 ? 0 : allowed_level()); }
 
@@ -75,6 +71,16 @@ InstructionSet instruction_set_for(int count, const InstructionSet& widest) {
   for (int level = 0; level < widest.level; ++level)
     if (instruction_set(level).width >= count) return instruction_set(level);
   return widest;
+}
+
+int evaluation_count() {
+  const int count = instruction_set_count();
+  return count == max_instruction_sets ? max_evaluations : count;
+}
+
+InstructionSet evaluation_for(int count, const InstructionSet& widest) {
+  if (widest.level < max_instruction_sets - 1 || count > 2) return instruction_set_for(count, widest);
+  return instruction_set(count == 2 ? 4 : 3);
 }
 
 }  // namespace linkwork

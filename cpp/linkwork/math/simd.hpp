@@ -7,20 +7,23 @@
 #include "linkwork/math/inline.hpp"
 
 /// Vectors of doubles for files that are compiled once per instruction set (LINKWORK_ISA = v2, v3, v4, the levels of
-/// x86-64; v2 stands for any other processor). Everything here is inlined or lives in a namespace of its own for each
-/// instruction set, so that nothing compiled for a wider one is ever linked where it must not run.
+/// x86-64; v2 stands for any other processor), some of them for one or two doubles at a time, too (single, pair, with
+/// the instructions of v4). Everything here is inlined or lives in a namespace of its own for each, so that nothing
+/// compiled for a wider one is ever linked where it must not run.
 namespace linkwork::simd::LINKWORK_ISA {
 
 /// Before a loop over lanes or columns: only where all indices are known do numbers stay in registers.
 #define LINKWORK_UNROLL _Pragma("GCC unroll 8")
 
-#if defined(__AVX512F__)
-constexpr int width = 8;
+#if defined(LINKWORK_WIDTH)
+#elif defined(__AVX512F__)
+#define LINKWORK_WIDTH 8
 #elif defined(__AVX__)
-constexpr int width = 4;
+#define LINKWORK_WIDTH 4
 #else
-constexpr int width = 2;
+#define LINKWORK_WIDTH 2
 #endif
+constexpr int width = LINKWORK_WIDTH;
 
 /// As many doubles as one register holds.
 typedef double Native __attribute__((vector_size(8 * width)));
@@ -41,19 +44,21 @@ LINKWORK_INLINE Native spread_native(Native v, int k) {
 
 /// Whether a comparison holds in any lane.
 LINKWORK_INLINE bool any(NativeIndex mask) {
-#if defined(__AVX512DQ__)
+#if LINKWORK_WIDTH == 8
   return _mm512_movepi64_mask((__m512i)mask) != 0;
-#elif defined(__AVX__)
+#elif LINKWORK_WIDTH == 4
   return _mm256_movemask_pd((__m256d)mask) != 0;
-#else
+#elif LINKWORK_WIDTH == 2
   return (mask[0] | mask[1]) != 0;
+#else
+  return mask[0] != 0;
 #endif
 }
 
 /// Transposes a square of width x width numbers: lane c of row r becomes lane r of row c. Two rows give the even and
 /// the odd lanes of both, or quarters of lanes; every step is one instruction.
 LINKWORK_INLINE void transpose(Native* v) {
-#if defined(__AVX512F__)
+#if LINKWORK_WIDTH == 8
   Native pair[8], four[8];
   for (int k = 0; k < 8; k += 2) {
     pair[k] = __builtin_shufflevector(v[k], v[k + 1], 0, 8, 2, 10, 4, 12, 6, 14);
@@ -68,7 +73,7 @@ LINKWORK_INLINE void transpose(Native* v) {
     v[k] = __builtin_shufflevector(four[k], four[k + 4], 0, 1, 4, 5, 8, 9, 12, 13);
     v[k + 4] = __builtin_shufflevector(four[k], four[k + 4], 2, 3, 6, 7, 10, 11, 14, 15);
   }
-#elif defined(__AVX__)
+#elif LINKWORK_WIDTH == 4
   Native pair[4];
   for (int k = 0; k < 4; k += 2) {
     pair[k] = __builtin_shufflevector(v[k], v[k + 1], 0, 4, 2, 6);
@@ -78,17 +83,19 @@ LINKWORK_INLINE void transpose(Native* v) {
     v[k] = __builtin_shufflevector(pair[k], pair[k + 2], 0, 1, 4, 5);
     v[k + 2] = __builtin_shufflevector(pair[k], pair[k + 2], 2, 3, 6, 7);
   }
-#else
+#elif LINKWORK_WIDTH == 2
   const Native low = __builtin_shufflevector(v[0], v[1], 0, 2);
   v[1] = __builtin_shufflevector(v[0], v[1], 1, 3);
   v[0] = low;
+#else
+  (void)v;  // which is its own
 #endif
 }
 
 /// The first `count` lanes from memory, zero in the others.
 template <int count>
 LINKWORK_INLINE Native load_some(const double* from) {
-#if defined(__AVX512F__)
+#if LINKWORK_WIDTH == 8
   return (Native)_mm512_maskz_loadu_pd((1 << count) - 1, from);
 #else
   Native v{};
@@ -98,7 +105,7 @@ LINKWORK_INLINE Native load_some(const double* from) {
 }
 template <int count>
 LINKWORK_INLINE void store_some(double* to, Native v) {
-#if defined(__AVX512F__)
+#if LINKWORK_WIDTH == 8
   _mm512_mask_storeu_pd(to, (1 << count) - 1, (__m512d)v);
 #else
   for (int k = 0; k < count; ++k) to[k] = v[k];
@@ -162,7 +169,7 @@ LINKWORK_INLINE Vector unit(int k) {
 /// `count` lanes from `first` on from memory, zero in the others.
 template <int first, int count>
 LINKWORK_INLINE Vector load_lanes(const double* from) {
-#if defined(__AVX512F__)
+#if LINKWORK_WIDTH == 8
   return {(Native)_mm512_maskz_loadu_pd(((1 << count) - 1) << first, from - first)};
 #else
   Vector out = splat(0.0);
@@ -203,7 +210,7 @@ LINKWORK_INLINE Vector lanes_before(int k) {
 LINKWORK_INLINE void add(double* to, const double* from, int count) {
   for (; count >= width; count -= width, to += width, from += width)
     store_native(to, load_native(to) + load_native(from));
-#if defined(__AVX512F__)
+#if LINKWORK_WIDTH == 8
   const __mmask8 rest = (1 << count) - 1;
   _mm512_mask_storeu_pd(to, rest, _mm512_add_pd(_mm512_maskz_loadu_pd(rest, to), _mm512_maskz_loadu_pd(rest, from)));
 #else
@@ -212,7 +219,7 @@ LINKWORK_INLINE void add(double* to, const double* from, int count) {
 }
 LINKWORK_INLINE void copy(double* to, const double* from, int count) {
   for (; count >= width; count -= width, to += width, from += width) store_native(to, load_native(from));
-#if defined(__AVX512F__)
+#if LINKWORK_WIDTH == 8
   const __mmask8 rest = (1 << count) - 1;
   _mm512_mask_storeu_pd(to, rest, _mm512_maskz_loadu_pd(rest, from));
 #else

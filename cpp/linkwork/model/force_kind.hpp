@@ -133,10 +133,11 @@ struct CoordinateValues {
 /// Elements whose coordinates are evaluated: those of ForceBatch::row.
 using EvaluateLawPacks = void (*)(const LawElements&, const CoordinateValues&, const Signal<double>* signals,
                                   const ForceArrays&);
-struct ForceEvaluation {
-  EvaluateForcePacks packs;
-  EvaluateForceLanes lanes;
-  EvaluateLawPacks laws;
+/// By level.
+struct ForceEvaluations {
+  EvaluateForcePacks packs[max_evaluations];
+  EvaluateForceLanes lanes[max_instruction_sets];
+  EvaluateLawPacks laws[max_evaluations];
 };
 
 struct ForceKind {
@@ -144,9 +145,9 @@ struct ForceKind {
   HistoryKind history = HistoryKind::none;
   int switches = 0;
   EvaluateForces one_by_one = nullptr;
-  EvaluateForcePacks packs[max_instruction_sets] = {};  ///< or these, by level of the instruction set: the same bits
+  EvaluateForcePacks packs[max_evaluations] = {};       ///< or these, by level: the same bits at every one
   EvaluateForceLanes lanes[max_instruction_sets] = {};  ///< by whoever has packs
-  EvaluateLawPacks laws[max_instruction_sets] = {};     ///< of whoever lies along a coordinate
+  EvaluateLawPacks laws[max_evaluations] = {};          ///< of whoever lies along a coordinate
   std::optional<CoordinateKind> coordinate = {};        ///< that of a law, or of an inerter
   bool valued = false;                                  ///< see LawAlong
   /// Of an inerter: its coordinate, along which its first parameter, a constant, is inertia; see Inerters.
@@ -229,16 +230,14 @@ constexpr std::size_t max_force_parameters = 12;
 
 /// A std::logic_error, when the list of kinds is first read: more parameters than max_force_parameters.
 template <class Force>
-ForceKind make_force_kind(const std::array<ForceEvaluation, max_instruction_sets>& levels) {
+ForceKind make_force_kind(const ForceEvaluations& by) {
   ForceKind kind{Force::info(), Force::history, switches_of<Force>()};
   if (kind.info.parameters.size() > max_force_parameters)
     throw std::logic_error("force '" + kind.info.name + "' has too many parameters to be evaluated several at a time");
-  for (std::size_t level = 0; level < levels.size(); ++level) {
-    kind.packs[level] = levels[level].packs;
-    kind.lanes[level] = levels[level].lanes;
-    if constexpr (lies_along_coordinate<Force>) kind.laws[level] = levels[level].laws;
-  }
+  std::copy(std::begin(by.packs), std::end(by.packs), kind.packs);
+  std::copy(std::begin(by.lanes), std::end(by.lanes), kind.lanes);
   if constexpr (lies_along_coordinate<Force>) {
+    std::copy(std::begin(by.laws), std::end(by.laws), kind.laws);
     kind.coordinate = Force::Coordinate::kind;
     kind.valued = Force::valued;
   }
@@ -260,45 +259,32 @@ int force_kind_index(const std::string& name);
                               const Signal<double>* signals, const ForceArrays& out)
 #define LINKWORK_EVALUATE_FORCE_LANES(NAME) \
   void evaluate_##NAME##_lanes(const ForceLanes& elements, const ForceArrays& out)
-#define LINKWORK_DECLARE_FORCE(ISA, NAME) \
-  namespace ISA {                         \
-  LINKWORK_EVALUATE_PACKS(NAME);          \
-  LINKWORK_EVALUATE_FORCE_LANES(NAME);    \
-  LINKWORK_EVALUATE_LAWS(NAME);           \
+#if !defined(LINKWORK_ISA)
+#define LINKWORK_DEFINE_FORCE(NAME, STRUCT) \
+  ForceKind NAME##_force() { return make_force_kind<STRUCT>(); }
+#define LINKWORK_DEFINE_FORCE_PACKS(NAME, STRUCT)                                           \
+  LINKWORK_FOR_EVALUATIONS(LINKWORK_EVALUATE_PACKS(NAME);)                                  \
+  LINKWORK_FOR_EVALUATIONS(LINKWORK_EVALUATE_LAWS(NAME);)                                   \
+  LINKWORK_FOR_INSTRUCTION_SETS(LINKWORK_EVALUATE_FORCE_LANES(NAME);)                       \
+  ForceKind NAME##_force() {                                                                \
+    return make_force_kind<STRUCT>({{LINKWORK_BY_EVALUATION(evaluate_##NAME##_packs)},      \
+                                    {LINKWORK_BY_INSTRUCTION_SET(evaluate_##NAME##_lanes)}, \
+                                    {LINKWORK_BY_EVALUATION(evaluate_##NAME##_laws)}});     \
   }
-#define LINKWORK_FORCE_EVALUATION(ISA, NAME) \
-  ForceEvaluation { &ISA::evaluate_##NAME##_packs, &ISA::evaluate_##NAME##_lanes, &ISA::evaluate_##NAME##_laws }
-#if defined(LINKWORK_ISA)
+#else
 #define LINKWORK_DEFINE_FORCE(NAME, STRUCT)
 #define LINKWORK_DEFINE_FORCE_PACKS(NAME, STRUCT)                                   \
   namespace LINKWORK_ISA {                                                          \
   __attribute__((flatten)) LINKWORK_EVALUATE_PACKS(NAME) {                          \
     simd::LINKWORK_ISA::evaluate_force_packs<STRUCT>(elements, q, v, signals, out); \
   }                                                                                 \
-  __attribute__((flatten)) LINKWORK_EVALUATE_FORCE_LANES(NAME) {                    \
-    simd::LINKWORK_ISA::evaluate_force_lanes<STRUCT>(elements, out);                \
-  }                                                                                 \
   __attribute__((flatten)) LINKWORK_EVALUATE_LAWS(NAME) {                           \
     simd::LINKWORK_ISA::evaluate_law_packs<STRUCT>(elements, values, signals, out); \
   }                                                                                 \
+  LINKWORK_OF_LANES(LINKWORK_EVALUATE_FORCE_LANES(NAME) {                           \
+    simd::LINKWORK_ISA::evaluate_force_lanes<STRUCT>(elements, out);                \
+  })                                                                                \
   }
-#else
-#define LINKWORK_DEFINE_FORCE(NAME, STRUCT) \
-  ForceKind NAME##_force() { return make_force_kind<STRUCT>(); }
-#if LINKWORK_X86
-#define LINKWORK_DEFINE_FORCE_PACKS(NAME, STRUCT)                                                             \
-  LINKWORK_DECLARE_FORCE(v2, NAME)                                                                            \
-  LINKWORK_DECLARE_FORCE(v3, NAME)                                                                            \
-  LINKWORK_DECLARE_FORCE(v4, NAME)                                                                            \
-  ForceKind NAME##_force() {                                                                                  \
-    return make_force_kind<STRUCT>({LINKWORK_FORCE_EVALUATION(v2, NAME), LINKWORK_FORCE_EVALUATION(v3, NAME), \
-                                    LINKWORK_FORCE_EVALUATION(v4, NAME)});                                    \
-  }
-#else
-#define LINKWORK_DEFINE_FORCE_PACKS(NAME, STRUCT) \
-  LINKWORK_DECLARE_FORCE(v2, NAME)                \
-  ForceKind NAME##_force() { return make_force_kind<STRUCT>({LINKWORK_FORCE_EVALUATION(v2, NAME)}); }
-#endif
 #endif
 
 }  // namespace linkwork

@@ -9,9 +9,9 @@ namespace linkwork::simd::LINKWORK_ISA {
 
 /// To the start of a line of memory, past the caches.
 LINKWORK_INLINE void stream_native(double* to, Native v) {
-#if defined(__AVX512F__)
+#if LINKWORK_WIDTH == 8
   _mm512_stream_pd(to, (__m512d)v);
-#elif defined(__AVX__)
+#elif LINKWORK_WIDTH == 4
   _mm256_stream_pd(to, (__m256d)v);
 #else
   store_native(to, v);

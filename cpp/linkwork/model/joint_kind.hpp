@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
-#include "linkwork/math/instruction_set.hpp"
+#include "linkwork/math/choice_by_instruction_set.hpp"
 #include "linkwork/model/batch.hpp"
 #include "linkwork/model/kind_info.hpp"
 #include "linkwork/model/rows.hpp"
@@ -45,8 +47,8 @@ constexpr bool slides = requires { requires Joint::slides; };
 struct JointKind {
   KindInfo info;
   bool holds_point, slides;
-  EvaluateJoints evaluate[max_instruction_sets];            ///< by level of the instruction set
-  EvaluateJointLanes evaluate_lanes[max_instruction_sets];  ///< likewise; the same bits at every level
+  EvaluateJoints evaluate[max_evaluations];                 ///< by level: the same bits at every one
+  EvaluateJointLanes evaluate_lanes[max_instruction_sets];  ///< likewise
 };
 
 /// An evaluation holds the parameters of a joint in an array of this size.
@@ -55,19 +57,17 @@ constexpr std::size_t max_joint_parameters = 8;
 /// A std::logic_error, when the list of kinds is first read: more parameters than max_joint_parameters, no rows or more than 6.
 JointKind checked(JointKind kind);
 
-/// Both ways to evaluate a kind, by one instruction set.
-struct JointEvaluation {
-  EvaluateJoints joints = nullptr;
-  EvaluateJointLanes lanes = nullptr;
+/// Both ways to evaluate a kind, by level.
+struct JointEvaluations {
+  EvaluateJoints joints[max_evaluations];
+  EvaluateJointLanes lanes[max_instruction_sets];
 };
 
 template <class Joint>
-JointKind make_joint_kind(JointEvaluation v2, JointEvaluation v3 = {}, JointEvaluation v4 = {}) {
-  JointKind kind{Joint::info(),
-                 holds_point<Joint>,
-                 slides<Joint>,
-                 {v2.joints, v3.joints, v4.joints},
-                 {v2.lanes, v3.lanes, v4.lanes}};
+JointKind make_joint_kind(const JointEvaluations& by) {
+  JointKind kind{Joint::info(), holds_point<Joint>, slides<Joint>, {}, {}};
+  std::copy(std::begin(by.joints), std::end(by.joints), kind.evaluate);
+  std::copy(std::begin(by.lanes), std::end(by.lanes), kind.evaluate_lanes);
   kind.info.rows = Joint::rows;
   return checked(std::move(kind));
 }
@@ -84,35 +84,22 @@ int joint_kind_index(const std::string& name);
                        const ConstraintArrays& out)
 #define LINKWORK_EVALUATE_LANES(NAME) \
   void evaluate_##NAME##_lanes(const JointLanes& joints, const ConstraintArrays& out)
-#define LINKWORK_DECLARE_JOINT(ISA, NAME) \
-  namespace ISA {                         \
-  LINKWORK_EVALUATE(NAME);                \
-  LINKWORK_EVALUATE_LANES(NAME);          \
-  }
-#define LINKWORK_JOINT_EVALUATION(ISA, NAME) {&ISA::evaluate_##NAME, &ISA::evaluate_##NAME##_lanes}
-#if defined(LINKWORK_ISA)
-#define LINKWORK_DEFINE_JOINT(NAME, STRUCT)                                  \
-  namespace LINKWORK_ISA {                                                   \
-  __attribute__((flatten)) LINKWORK_EVALUATE(NAME) {                         \
-    simd::LINKWORK_ISA::evaluate_joints<STRUCT>(joints, q, v, signals, out); \
-  }                                                                          \
-  __attribute__((flatten)) LINKWORK_EVALUATE_LANES(NAME) {                   \
-    simd::LINKWORK_ISA::evaluate_joint_lanes<STRUCT>(joints, out);           \
-  }                                                                          \
-  }
-#elif LINKWORK_X86
-#define LINKWORK_DEFINE_JOINT(NAME, STRUCT)                                                                  \
-  LINKWORK_DECLARE_JOINT(v2, NAME)                                                                           \
-  LINKWORK_DECLARE_JOINT(v3, NAME)                                                                           \
-  LINKWORK_DECLARE_JOINT(v4, NAME)                                                                           \
-  JointKind NAME##_joint() {                                                                                 \
-    return make_joint_kind<STRUCT>(LINKWORK_JOINT_EVALUATION(v2, NAME), LINKWORK_JOINT_EVALUATION(v3, NAME), \
-                                   LINKWORK_JOINT_EVALUATION(v4, NAME));                                     \
+#if !defined(LINKWORK_ISA)
+#define LINKWORK_DEFINE_JOINT(NAME, STRUCT)                                                                   \
+  LINKWORK_FOR_EVALUATIONS(LINKWORK_EVALUATE(NAME);)                                                          \
+  LINKWORK_FOR_INSTRUCTION_SETS(LINKWORK_EVALUATE_LANES(NAME);)                                               \
+  JointKind NAME##_joint() {                                                                                  \
+    return make_joint_kind<STRUCT>(                                                                           \
+        {{LINKWORK_BY_EVALUATION(evaluate_##NAME)}, {LINKWORK_BY_INSTRUCTION_SET(evaluate_##NAME##_lanes)}}); \
   }
 #else
-#define LINKWORK_DEFINE_JOINT(NAME, STRUCT) \
-  LINKWORK_DECLARE_JOINT(v2, NAME)          \
-  JointKind NAME##_joint() { return make_joint_kind<STRUCT>(LINKWORK_JOINT_EVALUATION(v2, NAME)); }
+#define LINKWORK_DEFINE_JOINT(NAME, STRUCT)                                                                           \
+  namespace LINKWORK_ISA {                                                                                            \
+  __attribute__((flatten)) LINKWORK_EVALUATE(NAME) {                                                                  \
+    simd::LINKWORK_ISA::evaluate_joints<STRUCT>(joints, q, v, signals, out);                                          \
+  }                                                                                                                   \
+  LINKWORK_OF_LANES(LINKWORK_EVALUATE_LANES(NAME) { simd::LINKWORK_ISA::evaluate_joint_lanes<STRUCT>(joints, out); }) \
+  }
 #endif
 
 }  // namespace linkwork
