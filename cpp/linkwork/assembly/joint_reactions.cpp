@@ -102,6 +102,20 @@ LINKWORK_INLINE void find_pack(const JointArrays& joints, int first, const Place
   scatter<3>(torque.data(), of_torque);
 }
 
+/// Asks for what a large model has in memory only: what reactions of `width` joints are found from, and where they go.
+template <int rows>
+LINKWORK_INLINE void prefetch_places(const JointArrays& joints, int first, const double* D, const double* q,
+                                     double* force, double* torque) {
+  constexpr int line = 8;
+  for (int joint = first; joint < first + width; ++joint) {
+    const double* D_j = D + joints.D[joint] + 6 * rows;
+    for (int k = 0; k < 6 * rows; k += line) __builtin_prefetch(D_j + k);
+    __builtin_prefetch(q + 7l * joints.body_j[joint]);
+    __builtin_prefetch(force + 3l * joints.number[joint], 1);
+    __builtin_prefetch(torque + 3l * joints.number[joint], 1);
+  }
+}
+
 /// Few one by one: a pack costs as much whatever it holds. The last joint may be found more than once, with the same
 /// numbers.
 template <int rows>
@@ -113,7 +127,10 @@ void find(const JointArrays& joints, const double* D, const double* q, const dou
     for (int joint = 0; joint < joints.count; ++joint) find_one<rows>(joints, joint, place(joint));
     return;
   }
+  constexpr int ahead = 16, many = 2000;
   for (int first = 0; first < joints.count; first += width) {
+    if (joints.count > many && first + ahead + width <= joints.count)
+      prefetch_places<rows>(joints, first + ahead, D, q, force, torque);
     Place places[width];
     for (int l = 0; l < width; ++l) places[l] = place(first + l < joints.count ? first + l : joints.count - 1);
     find_pack<rows>(joints, first, places);
