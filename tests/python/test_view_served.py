@@ -6,9 +6,11 @@ import http.client
 import signal
 import subprocess
 import sys
+import threading
 import urllib.error
 import urllib.request
 from collections.abc import Iterator
+from http.server import BaseHTTPRequestHandler
 from pathlib import Path
 
 import chromium
@@ -241,6 +243,24 @@ def test_a_server_that_has_ended_is_told(tab: chromium.Page, swing: lw.Result, f
         opened(tab, server)
     seek_last = "linkwork.player.seek(linkwork.player.end)"
     tab.evaluate(seek_last)
+    tab.wait_for("document.querySelector('.now').textContent.includes('the server of this page has ended')")
+
+
+@browser
+def test_a_server_that_ends_within_an_answer_is_told(
+    tab: chromium.Page, swing: lw.Result, frame_by_frame: None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    begun, header = threading.Event(), BaseHTTPRequestHandler.send_header
+
+    def longer(self: BaseHTTPRequestHandler, name: str, value: str) -> None:
+        header(self, name, str(int(value) + 1) if name == "Content-Length" else value)
+        begun.set()
+
+    with swing.serve() as server:
+        opened(tab, server)
+        monkeypatch.setattr(BaseHTTPRequestHandler, "send_header", longer)
+        tab.evaluate("linkwork.player.seek(linkwork.player.end)")
+        assert begun.wait(30)
     tab.wait_for("document.querySelector('.now').textContent.includes('the server of this page has ended')")
 
 

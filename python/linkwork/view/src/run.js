@@ -20,14 +20,15 @@ function bytesOf(text) {
 
 /** The bytes of an answer of the server that shows the page. */
 export async function fetched(name, signal) {
-  let answer;
+  let answer, body;
   try {
     answer = await fetch(name, { signal });
+    body = await (answer.ok ? answer.arrayBuffer() : answer.text()); // it may end in the middle of its answer
   } catch (error) {
     throw signal.aborted ? error : new Error("the server of this page has ended");
   }
-  if (!answer.ok) throw new Error(await answer.text());
-  return answer.arrayBuffer();
+  if (!answer.ok) throw new Error(body);
+  return body;
 }
 
 export class Run {
