@@ -623,7 +623,8 @@ def test_one_member_by_itself_has_the_same_bits_and_a_verdict() -> None:
 
 
 def test_elements_along_one_coordinate_have_the_same_bits_in_lanes() -> None:
-    """A single evaluation finds the angle of the hinge and the shift of the slider once for all of them."""
+    """The angle of the hinge and the shift of the slider are found once for all of them, but in the last
+    member, where one acts along a line of its own."""
     model = lw.Model()
     arm = model.body("arm", mass=1.0, inertia=(0.1, 0.2, 0.3), position=(1, 0, 0))
     block = model.body("block", mass=2.0, inertia=(0.1, 0.2, 0.3), position=(2, 0, 0))
@@ -635,10 +636,10 @@ def test_elements_along_one_coordinate_have_the_same_bits_in_lanes() -> None:
     model.rotational_stop("ground", arm, **hinge, lower=-0.2, upper=0.2, stiffness=300.0, damping=2.0)
     model.rotational_inerter("ground", arm, **hinge, inertance=0.3)
     model.translational(arm, block, **rail)
-    model.translational_friction(arm, block, **rail, coulomb=1.0, viscous=0.2, transition=0.05)
+    model.translational_friction(arm, block, **rail, coulomb=1.0, viscous=0.2, transition=0.05, name="rail")
     model.translational_stop(arm, block, **rail, lower=-0.1, upper=0.1, stiffness=500.0, damping=3.0)
     model.translational_inerter(arm, block, **rail, inertance=0.4)
-    ensemble = lw.Ensemble(model, {"gravity[2]": [-9.81, -5.0, -1.0]})
+    ensemble = lw.Ensemble(model, {"gravity[2]": [-9.81, -5.0, -1.0], "rail.at[1]": [0.0, 0.0, 0.1]})
     found = ensemble.simulate(0.3, 1e-3, progress=False, deterministic=True)
     for k in range(3):
         assert bits(ensemble.single(k, 0.3, 1e-3, progress=False, deterministic=True)) == bits(

@@ -77,20 +77,20 @@ ElementCoordinates::ElementCoordinates(const Model& model, const Inerters& inert
   for (std::size_t k = 0; k < inerters.count(); ++k) places_.push_back(inerters.place(k));
   for (std::size_t k = 0; k < others; ++k) places_.push_back(behind + row_size * static_cast<std::ptrdiff_t>(k));
   for (const CoordinateKind kind : {CoordinateKind::length, CoordinateKind::angle, CoordinateKind::displacement})
-    for (const bool valued : {false, true}) compile(all, kind, valued, instructions);
+    for (const bool valued : {false, true}) compile(model, all, kind, valued, instructions);
 }
 
 std::vector<ElementCoordinates::Row> ElementCoordinates::list_rows(const Model& model, const Inerters& inerters) {
   std::vector<Row> out;
   for (std::size_t k = 0; k < inerters.count(); ++k) {
-    const Element& it = inerters.element(model, static_cast<std::ptrdiff_t>(k));
-    out.push_back({it, *force_kinds()[it.kind].coordinate, false});
+    const int force = inerters.force(k);
+    out.push_back({force, *force_kinds()[model.forces()[force].kind].coordinate, false});
   }
   Coordinates coordinates = list_coordinates(model);
   if (coordinates.empty()) return out;
   const std::vector<char> sharing = sharing_kinds(model, coordinates);
   for (std::size_t k = 0; k < out.size(); ++k)
-    coordinates.at(key_of(out[k].element, out[k].kind)).row = static_cast<int>(k);
+    coordinates.at(key_of(model.forces()[out[k].force], out[k].kind)).row = static_cast<int>(k);
   rows_of_forces_.assign(model.forces().size(), -1);
   for (std::size_t force = 0; force < model.forces().size(); ++force) {
     const Element& it = model.forces()[force];
@@ -99,7 +99,7 @@ std::vector<ElementCoordinates::Row> ElementCoordinates::list_rows(const Model& 
     SharedCoordinate& shared = coordinates.at(key_of(it, *kind.coordinate));
     if (shared.row < 0) {
       shared.row = static_cast<int>(out.size());
-      out.push_back({it, *kind.coordinate, false});
+      out.push_back({static_cast<int>(force), *kind.coordinate, false});
     }
     out[shared.row].valued = out[shared.row].valued || kind.valued;
     rows_of_forces_[force] = shared.row;
@@ -107,18 +107,18 @@ std::vector<ElementCoordinates::Row> ElementCoordinates::list_rows(const Model& 
   return out;
 }
 
-void ElementCoordinates::compile(const std::vector<Row>& all, CoordinateKind kind, bool valued,
+void ElementCoordinates::compile(const Model& model, const std::vector<Row>& all, CoordinateKind kind, bool valued,
                                  const InstructionSet& instructions) {
   const auto belongs = [&](const Row& it) { return it.kind == kind && it.valued == valued; };
   const auto count = static_cast<int>(std::count_if(all.begin(), all.end(), belongs));
   if (count == 0) return;
   const InstructionSet chosen = evaluation_for(count, instructions);
-  Rows rows{coordinate_rows(kind, valued).evaluate[chosen.level], {}};
+  Rows rows{kind, valued, coordinate_rows(kind, valued).evaluate[chosen.level], {}};
   rows.batch.reserve(static_cast<std::size_t>(count), 0, chosen.width);
   for (std::size_t row = 0; row < all.size(); ++row) {
     if (!belongs(all[row])) continue;
-    const Element& it = all[row].element;
-    rows.batch.append(static_cast<int>(row), it.i, it.j, nullptr, 0);
+    const Element& it = model.forces()[all[row].force];
+    rows.batch.append(all[row].force, it.i, it.j, nullptr, 0);
     rows.batch.attach(it.at);
     rows.batch.row.push_back(static_cast<int>(row));
     rows.batch.D.push_back(places_[row]);

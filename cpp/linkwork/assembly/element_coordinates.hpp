@@ -25,23 +25,28 @@ class ElementCoordinates {
   /// Of the coordinate of a force element, or -1 where it is evaluated by itself.
   int row(int force) const { return rows_of_forces_.empty() ? -1 : rows_of_forces_[force]; }
 
+  /// Those of one kind: of each the element in the model that it is evaluated for, and its row.
+  struct Rows {
+    CoordinateKind kind;
+    bool valued;
+    EvaluateJoints evaluate;
+    JointBatch batch;
+  };
+  const std::vector<Rows>& rows() const { return rows_; }
+
   /// Rows, gammas, coordinates and rates at a state.
   void evaluate(const double* q, const double* v, double* D, double* gamma, double* Phi, double* rate,
                 ThreadPool& threads) const;
 
  private:
-  /// Those of one kind.
-  struct Rows {
-    EvaluateJoints evaluate;
-    JointBatch batch;
-  };
   struct Row {
-    Element element;
+    int force;
     CoordinateKind kind;
     bool valued;
   };
   std::vector<Row> list_rows(const Model& model, const Inerters& inerters);
-  void compile(const std::vector<Row>& all, CoordinateKind kind, bool valued, const InstructionSet& instructions);
+  void compile(const Model& model, const std::vector<Row>& all, CoordinateKind kind, bool valued,
+               const InstructionSet& instructions);
 
   std::vector<std::ptrdiff_t> places_;
   std::vector<int> rows_of_forces_;

@@ -22,7 +22,7 @@ class Inerters {
   std::size_t count() const { return all_.size(); }
   std::ptrdiff_t D_size() const { return 2 * velocity_size * static_cast<std::ptrdiff_t>(all_.size()); }
   double inertance(std::size_t k) const { return all_[k].inertance; }
-  const Element& element(const Model& model, std::ptrdiff_t k) const { return model.forces()[all_[k].force]; }
+  int force(std::size_t k) const { return all_[k].force; }  ///< of the model
   std::array<int, 2> bodies(std::size_t k) const { return {all_[k].i, all_[k].j}; }
 
   /// Of a row in D.

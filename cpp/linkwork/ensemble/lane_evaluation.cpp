@@ -59,15 +59,17 @@ void LaneEvaluation::allocate() {
   layout_.size(gravity_, 3);
   layout_.size(mass_, 10l * n);
   layout_.size(states_, 18 * (n + 1));
-  for (Numbers* rows : {&inerter_gamma_, &inerter_values_, &inertance_}) layout_.size(*rows, structure_.inerters);
+  layout_.size(inertance_, structure_.inerters);
+  for (Numbers* rows : {&coordinate_values_, &coordinate_Phi_t_, &coordinate_rates_, &coordinate_gamma_})
+    layout_.size(*rows, structure_.coordinates);
   for (Numbers* variables : {&last_, &next_, &rate_}) layout_.size(*variables, structure_.history_size);
   layout_.size(switches_, structure_.switch_count);
   switches_of_lane_.setZero(structure_.switch_count);
   for (const LaneStructure::Joints& it : structure_.joints)
     allocate(joints_.emplace_back(), std::ssize(it.joint), joint_kinds()[it.kind].info.parameters.size());
-  for (const LaneStructure::InerterRows& it : structure_.inerter_rows) {
-    allocate(inerters_.emplace_back(), std::ssize(it.row), 0);
-    inerter_rows_.push_back(coordinate_rows(*force_kinds()[it.kind].coordinate, false).evaluate_lanes[level_]);
+  for (const LaneStructure::CoordinateRows& it : structure_.coordinate_rows) {
+    allocate(coordinates_.emplace_back(), std::ssize(it.row), 0);
+    coordinate_rows_.push_back(coordinate_rows(it.kind, it.valued).evaluate_lanes[level_]);
   }
   for (const LaneStructure::Forces& it : structure_.forces)
     allocate(forces_.emplace_back(), std::ssize(it.body_i), force_kinds()[it.kind].info.parameters.size());
@@ -88,7 +90,7 @@ void LaneEvaluation::load(int l, const Dynamics& mechanism) {
   for (int body = 0; body < structure_.bodies; ++body)
     layout_.give(&system.mass_blocks()[body].m, 10, l, mass_, 10l * body);
   load_joints(l, system.model());
-  load_inerters(l, system);
+  load_coordinates(l, system);
   load_forces(l, system);
 }
 
@@ -111,16 +113,15 @@ void LaneEvaluation::load_joints(int l, const Model& model) {
   }
 }
 
-void LaneEvaluation::load_inerters(int l, const System& system) {
-  const Inerters& inerters = system.inerters();
-  for (std::size_t kind = 0; kind < inerters_.size(); ++kind) {
-    const std::vector<int>& rows = structure_.inerter_rows[kind].row;
-    for (std::ptrdiff_t k = 0; k < std::ssize(rows); ++k) {
-      const Element& inerter = inerters.element(system.model(), rows[k]);
-      layout_.give(inerter.at.s_i.data(), attachment_size, l, inerters_[kind].attachments, attachment_size * k);
-      *layout_.place(inertance_, rows[k], l) = inerters.inertance(static_cast<std::size_t>(rows[k]));
-    }
+void LaneEvaluation::load_coordinates(int l, const System& system) {
+  for (std::size_t kind = 0; kind < coordinates_.size(); ++kind) {
+    const std::vector<int>& forces = structure_.coordinate_rows[kind].force;
+    for (std::ptrdiff_t k = 0; k < std::ssize(forces); ++k)
+      layout_.give(system.model().forces()[forces[k]].at.s_i.data(), attachment_size, l, coordinates_[kind].attachments,
+                   attachment_size * k);
   }
+  for (int k = 0; k < structure_.inerters; ++k)
+    *layout_.place(inertance_, k, l) = system.inerters().inertance(static_cast<std::size_t>(k));
 }
 
 void LaneEvaluation::load_forces(int l, const System& system) {
@@ -232,7 +233,7 @@ void LaneEvaluation::give_special_joints(int l, const Evaluation& at) {
   }
 }
 
-/// Joints and inerters.
+/// Joints and coordinates.
 void LaneEvaluation::evaluate_rows() {
   const ConstraintArrays out{at_.Phi.data(), at_.Phi_t.data(), at_.Phi_dot.data(), at_.gamma.data(), at_.D.data()};
   for (std::size_t kind = 0; kind < joints_.size(); ++kind) {
@@ -243,13 +244,13 @@ void LaneEvaluation::evaluate_rows() {
          numbers.parameters.data(), numbers.parameter_count, joints.row.data(), joints.D.data(), states_.data()},
         out);
   }
-  for (std::size_t kind = 0; kind < inerters_.size(); ++kind) {
-    const LaneStructure::InerterRows& rows = structure_.inerter_rows[kind];
-    double* const unused = inerter_values_.data();
-    inerter_rows_[kind](
-        {static_cast<int>(rows.row.size()), rows.body_i.data(), rows.body_j.data(), inerters_[kind].attachments.data(),
-         nullptr, 0, rows.row.data(), rows.D.data(), states_.data()},
-        {unused, unused, unused, inerter_gamma_.data(), at_.D.data()});
+  for (std::size_t kind = 0; kind < coordinates_.size(); ++kind) {
+    const LaneStructure::CoordinateRows& rows = structure_.coordinate_rows[kind];
+    coordinate_rows_[kind](
+        {static_cast<int>(rows.row.size()), rows.body_i.data(), rows.body_j.data(),
+         coordinates_[kind].attachments.data(), nullptr, 0, rows.row.data(), rows.D.data(), states_.data()},
+        {coordinate_values_.data(), coordinate_Phi_t_.data(), coordinate_rates_.data(), coordinate_gamma_.data(),
+         at_.D.data()});
   }
   for (const std::ptrdiff_t D : structure_.dropped_D) layout_.clear(at_.D, D, velocity_size);
 }
@@ -264,21 +265,29 @@ void LaneEvaluation::take_inerters(int l, Evaluation& out) const {
 void LaneEvaluation::evaluate_forces(LaneGuard& guard) {
   const ForceArrays out{at_.g.data(),     last_.data(),         next_.data(),     rate_.data(),
                         switches_.data(), at_.potential.data(), at_.power.data(), nullptr};
+  const CoordinateValues coordinates{coordinate_values_.data(), coordinate_rates_.data(), at_.D.data()};
   if (!posed_.empty()) each_lane(guard, [&](int l) { pose_bodies(l, *user_forces_.place(l).at); });
   for (std::size_t k = 0; k < forces_.size(); ++k) {
     const LaneStructure::Forces& of = structure_.forces[k];
-    if (const EvaluateForceLanes evaluate = lanes_of(of.kind, level_))
-      evaluate({static_cast<int>(of.body_i.size()), of.body_i.data(), of.body_j.data(), forces_[k].attachments.data(),
-                forces_[k].parameters.data(), forces_[k].parameter_count, of.history.data(), of.switches.data(),
-                states_.data()},
-               out);
+    const ForceLanes elements{static_cast<int>(of.body_i.size()),
+                              of.body_i.data(),
+                              of.body_j.data(),
+                              forces_[k].attachments.data(),
+                              forces_[k].parameters.data(),
+                              forces_[k].parameter_count,
+                              of.history.data(),
+                              of.switches.data(),
+                              states_.data()};
+    if (!of.row.empty())
+      force_kinds()[of.kind].law_lanes[level_]({elements, of.row.data(), of.D.data()}, coordinates, out);
+    else if (const EvaluateForceLanes evaluate = lanes_of(of.kind, level_)) evaluate(elements, out);
     else evaluate_lane_by_lane(of.kind, guard);
   }
   if (structure_.history_size > 0) each_lane(guard, [&](int l) { take_history(l, *user_forces_.place(l).at); });
   if (structure_.switch_count > 0) each_lane(guard, [&](int l) { look_for_switches(l); });
   kernels_.inertia_forces(structure_.blocks.data() + structure_.joint_blocks,
                           std::ssize(structure_.blocks) - structure_.joint_blocks, structure_.rows, inertance_.data(),
-                          inerter_gamma_.data(), at_.D.data(), at_.g.data());
+                          coordinate_gamma_.data(), at_.D.data(), at_.g.data());
   if (apart_) evaluate_other_forces(guard);
 }
 

@@ -17,7 +17,7 @@ struct LaneValues {
   AlignedDoubles potential, power;
 };
 
-/// System::evaluate for mechanisms in lanes: bodies, joints, inerters and force elements without functions of the state all
+/// System::evaluate for mechanisms in lanes: bodies, joints, coordinates and force elements without functions of the state all
 /// at once. Lane by lane: functions of time, special joints, and forces that are the user's own in whole or in part.
 class LaneEvaluation {
  public:
@@ -64,7 +64,7 @@ class LaneEvaluation {
   void allocate(Elements& elements, std::ptrdiff_t count, std::size_t parameter_count) const;
   void load(int l, const Dynamics& mechanism);
   void load_joints(int l, const Model& model);
-  void load_inerters(int l, const System& system);
+  void load_coordinates(int l, const System& system);
   void load_forces(int l, const System& system);
   void load_parameter(int l, const Parameter& parameter, Elements& to, std::ptrdiff_t place);
   bool needs_lane_by_lane(const System& system) const;
@@ -79,7 +79,6 @@ class LaneEvaluation {
   void give_special_joints(int l, const Evaluation& at);
   void pose_bodies(int l, Evaluation& at) const;
   void evaluate_rows();
-  void evaluate_inerters();
   void leave_out_rows();
   void evaluate_forces(LaneGuard& guard);
   void evaluate_lane_by_lane(int kind, LaneGuard& guard);
@@ -100,9 +99,9 @@ class LaneEvaluation {
 
   LaneValues at_;
   Numbers mass_, gravity_, states_, inertance_;
-  std::vector<Elements> joints_, inerters_, forces_;  ///< as in the structure
-  std::vector<EvaluateJointLanes> inerter_rows_;      ///< of the same kinds
-  Numbers inerter_gamma_, inerter_values_;
+  std::vector<Elements> joints_, coordinates_, forces_;  ///< as in the structure
+  std::vector<EvaluateJointLanes> coordinate_rows_;      ///< of the same kinds
+  Numbers coordinate_values_, coordinate_Phi_t_, coordinate_rates_, coordinate_gamma_;
   Numbers switches_;  ///< see Wrenches
   VectorXd switches_of_lane_;
   Numbers last_, next_, rate_;  ///< history variables

@@ -62,11 +62,12 @@ LaneStructure::LaneStructure(const Dynamics& dynamics)
       inerters(static_cast<int>(dynamics.system().inerters().count())),
       inerter_D(dynamics.system().row_of_zeros() - dynamics.system().inerters().D_size()),
       inerter_D_size(dynamics.system().inerters().D_size()),
-      D_size(dynamics.system().row_of_zeros() + velocity_size),
+      D_size(dynamics.system().row_of_zeros() + velocity_size + dynamics.system().element_coordinates().D_size()),
       time_dependent(dynamics.system().time_dependent_constraints()),
       symbolic(factorize_symbolically(dynamics)),
       blocks(blocks_of(dynamics.system())),
       joint_blocks(std::ssize(dynamics.system().blocks())),
+      coordinates(static_cast<std::ptrdiff_t>(dynamics.system().element_coordinates().count())),
       history_size(dynamics.system().history_size()),
       switch_count(static_cast<int>(dynamics.system().switches().size())),
       dropped(dynamics.dropped().rows()),
@@ -74,7 +75,7 @@ LaneStructure::LaneStructure(const Dynamics& dynamics)
   find_positions(dynamics.system());
   list_joints(dynamics.system());
   find_forms();
-  list_inerters(dynamics.system());
+  coordinate_rows = coordinates_of(dynamics.system());
   list_forces(dynamics.system());
   for (const int row : dropped)
     for (const ConstraintBlock& block : blocks)
@@ -120,20 +121,12 @@ void LaneStructure::find_forms() {
   for (const block::BodyRow& row : symbolic.rows) row_forms.push_back(forms[row.D / velocity_size]);
 }
 
-void LaneStructure::list_inerters(const System& system) {
-  std::vector<int> place(force_kinds().size(), -1);
-  for (int k = 0; k < inerters; ++k) {
-    const Element& element = system.inerters().element(system.model(), k);
-    if (place[element.kind] < 0) {
-      place[element.kind] = static_cast<int>(inerter_rows.size());
-      inerter_rows.push_back({element.kind, {}, {}, {}, {}});
-    }
-    InerterRows& all = inerter_rows[place[element.kind]];
-    all.body_i.push_back(element.i == ground ? bodies : element.i);
-    all.body_j.push_back(element.j == ground ? bodies : element.j);
-    all.row.push_back(k);
-    all.D.push_back(inerter_D + 2 * velocity_size * std::ptrdiff_t{k});
-  }
+std::vector<LaneStructure::CoordinateRows> LaneStructure::coordinates_of(const System& system) const {
+  std::vector<CoordinateRows> out;
+  for (const ElementCoordinates::Rows& it : system.element_coordinates().rows())
+    out.push_back({it.kind, it.valued, it.batch.number, places_of(it.batch.body_i, it.batch.size()),
+                   places_of(it.batch.body_j, it.batch.size()), it.batch.row, it.batch.D});
+  return out;
 }
 
 /// Of the first `count` bodies, the ground behind the others.
@@ -147,7 +140,7 @@ void LaneStructure::list_forces(const System& system) {
   for (std::size_t kind = 0; kind < system.force_batches().size(); ++kind)
     if (const ForceBatch& batch = system.force_batches()[kind]; batch.size() > 0)
       forces.push_back({static_cast<int>(kind), places_of(batch.body_i, batch.size()),
-                        places_of(batch.body_j, batch.size()), batch.history, batch.switches});
+                        places_of(batch.body_j, batch.size()), batch.history, batch.switches, batch.row, batch.D});
 }
 
 bool LaneStructure::same_forces(const System& system) const {
@@ -158,7 +151,8 @@ bool LaneStructure::same_forces(const System& system) const {
     if (batch.size() == 0) continue;
     if (next == forces.end() || next->kind != static_cast<int>(kind) ||
         next->body_i != places_of(batch.body_i, batch.size()) ||
-        next->body_j != places_of(batch.body_j, batch.size()) || next->history != batch.history)
+        next->body_j != places_of(batch.body_j, batch.size()) || next->history != batch.history ||
+        next->row != batch.row)
       return false;
     ++next;
   }
@@ -170,10 +164,7 @@ bool LaneStructure::same(const Dynamics& dynamics) const {
   if (system.body_count() != bodies || !same_elements(system.model().joints(), elements_)) return false;
   if (system.time_dependent_constraints() != time_dependent || dynamics.dropped().rows() != dropped) return false;
   if (static_cast<int>(system.inerters().count()) != inerters || !same_blocks(blocks_of(system), blocks)) return false;
-  for (const InerterRows& rows : inerter_rows)
-    for (const int row : rows.row)
-      if (system.inerters().element(system.model(), row).kind != rows.kind) return false;
-  return same_forces(system);
+  return coordinates_of(system) == coordinate_rows && same_forces(system);
 }
 
 bool LaneStructure::keeps_order(const Dynamics& dynamics, double pivot) const {

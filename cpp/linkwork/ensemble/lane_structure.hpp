@@ -32,17 +32,22 @@ class LaneStructure {
     std::vector<int> joint, body_i, body_j, row;  ///< bodies as places of states: the ground is the last
     std::vector<std::ptrdiff_t> D;
   };
-  /// The inerters of one kind.
-  struct InerterRows {
-    int kind;
-    std::vector<int> body_i, body_j, row;  ///< rows are those of Inerters
+  /// Coordinates of force elements of one kind, as in ElementCoordinates; the first rows are those of inerters.
+  struct CoordinateRows {
+    CoordinateKind kind;
+    bool valued;
+    std::vector<int> force, body_i, body_j, row;
     std::vector<std::ptrdiff_t> D;
+
+    bool operator==(const CoordinateRows&) const = default;
   };
-  /// The other force elements of one kind, as in System::force_batches.
+  /// The force elements of one kind, as in System::force_batches.
   struct Forces {
     int kind;
     std::vector<int> body_i, body_j;
     std::vector<std::ptrdiff_t> history, switches;  ///< places
+    std::vector<int> row;                           ///< of coordinates that are evaluated, or none
+    std::vector<std::ptrdiff_t> D;
   };
 
   int bodies, rows;
@@ -57,7 +62,8 @@ class LaneStructure {
   std::vector<ConstraintBlock> blocks;  ///< first those of joints, then those of inerters
   std::ptrdiff_t joint_blocks;
   std::vector<Joints> joints;
-  std::vector<InerterRows> inerter_rows;
+  std::vector<CoordinateRows> coordinate_rows;
+  std::ptrdiff_t coordinates;  ///< how many rows these are
   std::vector<Forces> forces;
   int history_size, switch_count;
   std::vector<int> special;               ///< special joints
@@ -71,7 +77,7 @@ class LaneStructure {
   void find_positions(const System& system);
   void list_joints(const System& system);
   void find_forms();
-  void list_inerters(const System& system);
+  std::vector<CoordinateRows> coordinates_of(const System& system) const;
   std::vector<int> places_of(const std::vector<int>& list, std::size_t count) const;
   void list_forces(const System& system);
   bool same_forces(const System& system) const;

@@ -31,6 +31,12 @@ struct ForceLanes {
   const double* states;
 };
 
+/// Those that lie along coordinates that are evaluated once for several.
+struct LawLanes : ForceLanes {
+  const int* row;           ///< of the coordinate
+  const std::ptrdiff_t* D;  ///< place of D_i; D_j follows
+};
+
 /// Numbers of s_i, s_j, C_i and C_j, the parts of an Attachment, and of all.
 constexpr int attachment_parts[] = {3, 3, 9, 9};
 constexpr int attachment_size = 24;

@@ -136,6 +136,29 @@ LINKWORK_INLINE void add_to(double* g, const Vec3<Pack>& force, const Vec3<Pack>
   for (int k = 0; k < 3; ++k) packs(g)[3 + k] += torque[k];
 }
 
+/// History variable of one element of all lanes.
+template <class Force>
+LINKWORK_INLINE HistoryVariable<Pack> load_lane_history(const ForceLanes& elements, int element,
+                                                        const ForceArrays& out) {
+  HistoryVariable<Pack> history;
+  if constexpr (Force::history != HistoryKind::none)
+    history.last.v = load_native(out.last + static_cast<long>(elements.history[element]) * width);
+  return history;
+}
+
+/// What becomes of it, and where its law is not smooth.
+template <class Force>
+LINKWORK_INLINE void store_lane_history(const ForceLanes& elements, int element, const HistoryVariable<Pack>& history,
+                                        const Pack* switches, const ForceArrays& out) {
+  if constexpr (Force::history != HistoryKind::none) {
+    const long variable = static_cast<long>(elements.history[element]) * width;
+    store_native(out.next + variable, history.next.v);
+    store_native(out.rate + variable, history.rate.v);
+  }
+  for (int s = 0; s < switches_of<Force>(); ++s)
+    store_native(out.switches + static_cast<long>(elements.switches[element] + s) * width, switches[s].v);
+}
+
 /// One element of all lanes after the other.
 template <class Force>
 LINKWORK_INLINE void evaluate_force_lanes(const ForceLanes& elements, const ForceArrays& out) {
@@ -146,23 +169,42 @@ LINKWORK_INLINE void evaluate_force_lanes(const ForceLanes& elements, const Forc
     Pack velocity[6];
     const BodyState<Pack> i = load_state(elements.states, body_i, velocity);
     const BodyState<Pack> j = load_state(elements.states, body_j, velocity);
-    HistoryVariable<Pack> history;
-    const long variable =
-        Force::history == HistoryKind::none ? 0 : static_cast<long>(elements.history[element]) * width;
-    if constexpr (Force::history != HistoryKind::none) history.last.v = load_native(out.last + variable);
+    HistoryVariable<Pack> history = load_lane_history<Force>(elements, element, out);
     Wrenches<Pack> wrenches;
     Force::template evaluate<Pack>(load_attachment_of(elements.attachment, element), ForceParameters<Pack>(parameters),
                                    i, j, history, wrenches);
-    if constexpr (Force::history != HistoryKind::none) {
-      store_native(out.next + variable, history.next.v);
-      store_native(out.rate + variable, history.rate.v);
-    }
-    for (int s = 0; s < switches_of<Force>(); ++s)
-      store_native(out.switches + static_cast<long>(elements.switches[element] + s) * width, wrenches.switches[s].v);
+    store_lane_history<Force>(elements, element, history, wrenches.switches, out);
     add_to(out.g + 6l * width * body_i, wrenches.force_i, wrenches.torque_i);
     add_to(out.g + 6l * width * body_j, wrenches.force_j, wrenches.torque_j);
     *packs(out.potential) += wrenches.potential;
     *packs(out.power) += wrenches.power;
+  }
+}
+
+/// A force along the coordinate of a row: what `act` applies to one body.
+LINKWORK_INLINE void act_in_lanes(const Pack& force, const double* d, double* g) {
+  for (int c = 0; c < 6; ++c) packs(g)[c] += Pack(0.0) + force * Pack(load_native(d + c * width));
+}
+
+/// Of elements along coordinates that are evaluated.
+template <class Law>
+LINKWORK_INLINE void evaluate_law_lanes(const LawLanes& elements, const CoordinateValues& values,
+                                        const ForceArrays& out) {
+  if constexpr (lies_along_coordinate<Law>) {
+    Signal<Pack> parameters[max_force_parameters];
+    for (int element = 0; element < elements.count; ++element) {
+      load_parameters(elements.parameters, elements.parameter_count, element, parameters);
+      const long row = static_cast<long>(elements.row[element]) * width;
+      HistoryVariable<Pack> history = load_lane_history<Law>(elements, element, out);
+      const Along<Pack> said = said_by<Law>(ForceParameters<Pack>(parameters), Pack(load_native(values.Phi + row)),
+                                            Pack(load_native(values.rate + row)), history);
+      store_lane_history<Law>(elements, element, history, said.switches, out);
+      const double* D = values.D + elements.D[element] * width;
+      act_in_lanes(said.force, D, out.g + 6l * width * elements.body_i[element]);
+      act_in_lanes(said.force, D + 6l * width, out.g + 6l * width * elements.body_j[element]);
+      *packs(out.potential) += said.potential;
+      *packs(out.power) += said.power;
+    }
   }
 }
 

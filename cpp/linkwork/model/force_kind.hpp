@@ -133,11 +133,14 @@ struct CoordinateValues {
 /// Elements whose coordinates are evaluated: those of ForceBatch::row.
 using EvaluateLawPacks = void (*)(const LawElements&, const CoordinateValues&, const Signal<double>* signals,
                                   const ForceArrays&);
+/// The same of mechanisms in lanes.
+using EvaluateLawLanes = void (*)(const LawLanes&, const CoordinateValues&, const ForceArrays&);
 /// By level.
 struct ForceEvaluations {
   EvaluateForcePacks packs[max_evaluations];
   EvaluateForceLanes lanes[max_instruction_sets];
   EvaluateLawPacks laws[max_evaluations];
+  EvaluateLawLanes law_lanes[max_instruction_sets];
 };
 
 struct ForceKind {
@@ -148,8 +151,9 @@ struct ForceKind {
   EvaluateForcePacks packs[max_evaluations] = {};       ///< or these, by level: the same bits at every one
   EvaluateForceLanes lanes[max_instruction_sets] = {};  ///< by whoever has packs
   EvaluateLawPacks laws[max_evaluations] = {};          ///< of whoever lies along a coordinate
-  std::optional<CoordinateKind> coordinate = {};        ///< that of a law, or of an inerter
-  bool valued = false;                                  ///< see LawAlong
+  EvaluateLawLanes law_lanes[max_instruction_sets] = {};
+  std::optional<CoordinateKind> coordinate = {};  ///< that of a law, or of an inerter
+  bool valued = false;                            ///< see LawAlong
   /// Of an inerter: its coordinate, along which its first parameter, a constant, is inertia; see Inerters.
   CoordinateRow inertia = nullptr;
 
@@ -238,6 +242,7 @@ ForceKind make_force_kind(const ForceEvaluations& by) {
   std::copy(std::begin(by.lanes), std::end(by.lanes), kind.lanes);
   if constexpr (lies_along_coordinate<Force>) {
     std::copy(std::begin(by.laws), std::end(by.laws), kind.laws);
+    std::copy(std::begin(by.law_lanes), std::end(by.law_lanes), kind.law_lanes);
     kind.coordinate = Force::Coordinate::kind;
     kind.valued = Force::valued;
   }
@@ -257,19 +262,23 @@ int force_kind_index(const std::string& name);
 #define LINKWORK_EVALUATE_LAWS(NAME)                                                       \
   void evaluate_##NAME##_laws(const LawElements& elements, const CoordinateValues& values, \
                               const Signal<double>* signals, const ForceArrays& out)
+#define LINKWORK_EVALUATE_LAW_LANES(NAME) \
+  void evaluate_##NAME##_law_lanes(const LawLanes& elements, const CoordinateValues& values, const ForceArrays& out)
 #define LINKWORK_EVALUATE_FORCE_LANES(NAME) \
   void evaluate_##NAME##_lanes(const ForceLanes& elements, const ForceArrays& out)
 #if !defined(LINKWORK_ISA)
 #define LINKWORK_DEFINE_FORCE(NAME, STRUCT) \
   ForceKind NAME##_force() { return make_force_kind<STRUCT>(); }
-#define LINKWORK_DEFINE_FORCE_PACKS(NAME, STRUCT)                                           \
-  LINKWORK_FOR_EVALUATIONS(LINKWORK_EVALUATE_PACKS(NAME);)                                  \
-  LINKWORK_FOR_EVALUATIONS(LINKWORK_EVALUATE_LAWS(NAME);)                                   \
-  LINKWORK_FOR_INSTRUCTION_SETS(LINKWORK_EVALUATE_FORCE_LANES(NAME);)                       \
-  ForceKind NAME##_force() {                                                                \
-    return make_force_kind<STRUCT>({{LINKWORK_BY_EVALUATION(evaluate_##NAME##_packs)},      \
-                                    {LINKWORK_BY_INSTRUCTION_SET(evaluate_##NAME##_lanes)}, \
-                                    {LINKWORK_BY_EVALUATION(evaluate_##NAME##_laws)}});     \
+#define LINKWORK_DEFINE_FORCE_PACKS(NAME, STRUCT)                                                 \
+  LINKWORK_FOR_EVALUATIONS(LINKWORK_EVALUATE_PACKS(NAME);)                                        \
+  LINKWORK_FOR_EVALUATIONS(LINKWORK_EVALUATE_LAWS(NAME);)                                         \
+  LINKWORK_FOR_INSTRUCTION_SETS(LINKWORK_EVALUATE_FORCE_LANES(NAME);)                             \
+  LINKWORK_FOR_INSTRUCTION_SETS(LINKWORK_EVALUATE_LAW_LANES(NAME);)                               \
+  ForceKind NAME##_force() {                                                                      \
+    return make_force_kind<STRUCT>({{LINKWORK_BY_EVALUATION(evaluate_##NAME##_packs)},            \
+                                    {LINKWORK_BY_INSTRUCTION_SET(evaluate_##NAME##_lanes)},       \
+                                    {LINKWORK_BY_EVALUATION(evaluate_##NAME##_laws)},             \
+                                    {LINKWORK_BY_INSTRUCTION_SET(evaluate_##NAME##_law_lanes)}}); \
   }
 #else
 #define LINKWORK_DEFINE_FORCE(NAME, STRUCT)
@@ -283,6 +292,9 @@ int force_kind_index(const std::string& name);
   }                                                                                 \
   LINKWORK_OF_LANES(LINKWORK_EVALUATE_FORCE_LANES(NAME) {                           \
     simd::LINKWORK_ISA::evaluate_force_lanes<STRUCT>(elements, out);                \
+  })                                                                                \
+  LINKWORK_OF_LANES(LINKWORK_EVALUATE_LAW_LANES(NAME) {                             \
+    simd::LINKWORK_ISA::evaluate_law_lanes<STRUCT>(elements, values, out);          \
   })                                                                                \
   }
 #endif
