@@ -17,8 +17,9 @@ struct LaneValues {
   AlignedDoubles potential, power;
 };
 
-/// System::evaluate for mechanisms in lanes: bodies, joints, coordinates and force elements without functions of the state all
-/// at once. Lane by lane: functions of time, special joints, and forces that are the user's own in whole or in part.
+/// System::evaluate for mechanisms in lanes: bodies, joints, coordinates and force elements without functions of the
+/// state all at once. Lane by lane: functions of time, special joints, and forces that are the user's own in whole or in
+/// part.
 class LaneEvaluation {
  public:
   LaneEvaluation(const LaneStructure& structure, const InstructionSet& instructions,
@@ -79,7 +80,6 @@ class LaneEvaluation {
   void give_special_joints(int l, const Evaluation& at);
   void pose_bodies(int l, Evaluation& at) const;
   void evaluate_rows();
-  void leave_out_rows();
   void evaluate_forces(LaneGuard& guard);
   void evaluate_lane_by_lane(int kind, LaneGuard& guard);
   void take_history(int l, Evaluation& at) const;

@@ -49,5 +49,5 @@
 #if defined(LINKWORK_WITHOUT_LANES)
 #define LINKWORK_OF_LANES(...)
 #else
-#define LINKWORK_OF_LANES(...) __attribute__((flatten)) __VA_ARGS__
+#define LINKWORK_OF_LANES(...) __VA_ARGS__
 #endif

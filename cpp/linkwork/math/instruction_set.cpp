@@ -80,7 +80,7 @@ int evaluation_count() {
 
 InstructionSet evaluation_for(int count, const InstructionSet& widest) {
   if (widest.level < max_instruction_sets - 1 || count > 2) return instruction_set_for(count, widest);
-  return instruction_set(count == 2 ? 4 : 3);
+  return instruction_set(max_instruction_sets + (count == 2 ? 1 : 0));
 }
 
 }  // namespace linkwork

@@ -290,10 +290,10 @@ int force_kind_index(const std::string& name);
   __attribute__((flatten)) LINKWORK_EVALUATE_LAWS(NAME) {                           \
     simd::LINKWORK_ISA::evaluate_law_packs<STRUCT>(elements, values, signals, out); \
   }                                                                                 \
-  LINKWORK_OF_LANES(LINKWORK_EVALUATE_FORCE_LANES(NAME) {                           \
+  LINKWORK_OF_LANES(__attribute__((flatten)) LINKWORK_EVALUATE_FORCE_LANES(NAME) {  \
     simd::LINKWORK_ISA::evaluate_force_lanes<STRUCT>(elements, out);                \
   })                                                                                \
-  LINKWORK_OF_LANES(LINKWORK_EVALUATE_LAW_LANES(NAME) {                             \
+  LINKWORK_OF_LANES(__attribute__((flatten)) LINKWORK_EVALUATE_LAW_LANES(NAME) {    \
     simd::LINKWORK_ISA::evaluate_law_lanes<STRUCT>(elements, values, out);          \
   })                                                                                \
   }

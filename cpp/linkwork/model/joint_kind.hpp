@@ -93,12 +93,14 @@ int joint_kind_index(const std::string& name);
         {{LINKWORK_BY_EVALUATION(evaluate_##NAME)}, {LINKWORK_BY_INSTRUCTION_SET(evaluate_##NAME##_lanes)}}); \
   }
 #else
-#define LINKWORK_DEFINE_JOINT(NAME, STRUCT)                                                                           \
-  namespace LINKWORK_ISA {                                                                                            \
-  __attribute__((flatten)) LINKWORK_EVALUATE(NAME) {                                                                  \
-    simd::LINKWORK_ISA::evaluate_joints<STRUCT>(joints, q, v, signals, out);                                          \
-  }                                                                                                                   \
-  LINKWORK_OF_LANES(LINKWORK_EVALUATE_LANES(NAME) { simd::LINKWORK_ISA::evaluate_joint_lanes<STRUCT>(joints, out); }) \
+#define LINKWORK_DEFINE_JOINT(NAME, STRUCT)                                  \
+  namespace LINKWORK_ISA {                                                   \
+  __attribute__((flatten)) LINKWORK_EVALUATE(NAME) {                         \
+    simd::LINKWORK_ISA::evaluate_joints<STRUCT>(joints, q, v, signals, out); \
+  }                                                                          \
+  LINKWORK_OF_LANES(__attribute__((flatten)) LINKWORK_EVALUATE_LANES(NAME) { \
+    simd::LINKWORK_ISA::evaluate_joint_lanes<STRUCT>(joints, out);           \
+  })                                                                         \
   }
 #endif
 
