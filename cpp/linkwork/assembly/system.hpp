@@ -185,7 +185,8 @@ class System {
   struct CompiledJoints {
     EvaluateJoints evaluate;
     JointReactions reactions;
-    int rows;   ///< of each
+    int rows;  ///< of each
+    bool holds_point;
     int width;  ///< so many at a time
     JointBatch batch;
   };

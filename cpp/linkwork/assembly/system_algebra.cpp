@@ -107,7 +107,8 @@ void System::reactions(const Evaluation& at, const ConstVector& q, const ConstVe
                        Eigen::Ref<Eigen::Matrix3Xd> force, Eigen::Ref<Eigen::Matrix3Xd> torque) const {
   threads_->run(static_cast<int>(joint_chunks_.size()), [&](int part, int) {
     const JointChunk& of = joint_chunks_[part];
-    of.kind->reactions(of.joints, of.kind->rows, at.D.data(), q.data(), lambda.data(), force.data(), torque.data());
+    of.kind->reactions(of.joints, of.kind->rows, of.kind->holds_point, at.D.data(), q.data(), lambda.data(),
+                       force.data(), torque.data());
   });
   for (const CompiledSpecialJoint& it : special_joints_) {
     const auto [F, T] = special_reaction(it, at, q, lambda);

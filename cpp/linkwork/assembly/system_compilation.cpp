@@ -105,6 +105,7 @@ void System::append_kind(int kind, int count) {
   joints_.push_back({.evaluate = it.evaluate[instructions.level],
                      .reactions = joint_reactions(instructions),
                      .rows = it.info.rows,
+                     .holds_point = it.holds_point,
                      .width = instructions.width,
                      .batch = {}});
   JointBatch& batch = joints_.back().batch;
