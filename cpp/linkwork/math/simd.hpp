@@ -103,6 +103,13 @@ LINKWORK_INLINE Native load_some(const double* from) {
   return v;
 #endif
 }
+#if LINKWORK_WIDTH == 8
+/// v, with `count` lanes from `first` on from memory.
+template <int first, int count>
+LINKWORK_INLINE Native with_lanes(Native v, const double* from) {
+  return (Native)_mm512_mask_loadu_pd((__m512d)v, ((1 << count) - 1) << first, from - first);
+}
+#endif
 template <int count>
 LINKWORK_INLINE void store_some(double* to, Native v) {
 #if LINKWORK_WIDTH == 8
@@ -224,6 +231,15 @@ LINKWORK_INLINE void copy(double* to, const double* from, int count) {
   _mm512_mask_storeu_pd(to, rest, _mm512_maskz_loadu_pd(rest, from));
 #else
   for (int k = 0; k < count; ++k) to[k] = from[k];
+#endif
+}
+
+/// The first `count` lanes to memory.
+LINKWORK_INLINE void store_leading(double* to, Native v, int count) {
+#if LINKWORK_WIDTH == 8
+  _mm512_mask_storeu_pd(to, (1 << count) - 1, (__m512d)v);
+#else
+  for (int k = 0; k < count; ++k) to[k] = v[k];
 #endif
 }
 

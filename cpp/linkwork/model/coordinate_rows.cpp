@@ -8,6 +8,7 @@ namespace linkwork {
 template <class Coordinate, bool valued>
 struct RowOf {
   static constexpr int rows = 1;
+  static constexpr bool turns = Coordinate::kind == CoordinateKind::angle;
   static KindInfo info() { return {.name = "coordinate"}; }
 
   template <class Real>

@@ -23,6 +23,32 @@ LINKWORK_INLINE BodyState<Pack> gather_state(const int* body, const double* q, c
           Vec3<Pack>(velocity[0], velocity[1], velocity[2]), Vec3<Pack>(velocity[3], velocity[4], velocity[5])};
 }
 
+/// The orientation and the angular velocity alone.
+LINKWORK_INLINE BodyState<Pack> gather_turn(const int* body, const double* q, const double* v, Pack* velocity) {
+  const double *orientations[width], *velocities[width];
+  for (int l = 0; l < width; ++l) {
+    orientations[l] = (body[l] < 0 ? ground_q : q + 7 * static_cast<long>(body[l])) + 3;
+    velocities[l] = (body[l] < 0 ? ground_v : v + 6 * static_cast<long>(body[l])) + 2;
+  }
+  Pack orientation[4], last[4];  // of the velocity, as many as a register takes at once
+#if LINKWORK_WIDTH == 8
+  Native square[width];
+  for (int l = 0; l < width; ++l) square[l] = with_lanes<4, 4>(load_some<4>(orientations[l]), velocities[l]);
+  transpose(square);
+  for (int k = 0; k < 4; ++k) {
+    orientation[k].v = square[k];
+    last[k].v = square[4 + k];
+  }
+#else
+  gather<4>(orientations, orientation);
+  gather<4>(velocities, last);
+#endif
+  for (int k = 0; k < 3; ++k) velocity[3 + k] = last[1 + k];
+  return {Vec3<Pack>::Zero(),
+          rotation_matrix<Pack>(Vec4<Pack>(orientation[0], orientation[1], orientation[2], orientation[3])),
+          Vec3<Pack>::Zero(), Vec3<Pack>(last[1], last[2], last[3])};
+}
+
 LINKWORK_INLINE const double* place_of(const AttachmentPart& part, long joint) { return part.from + part.step * joint; }
 
 /// Of the elements from `first` of these on.

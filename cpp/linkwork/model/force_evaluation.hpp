@@ -51,7 +51,12 @@ LINKWORK_INLINE void store_history(const ForceElements& elements, int k, int l, 
   for (int s = 0; s < switches_of<Force>(); ++s) out.switches[elements.switches[k] + s] = switches[s].v[l];
 }
 
+/// The first number of a row that need not be zero.
+template <class Law>
+constexpr int first_number = Law::Coordinate::kind == CoordinateKind::angle ? 3 : 0;
+
 /// A force along the coordinate of a row: what `act` applies.
+template <int first>
 LINKWORK_INLINE void act_along(const ForceElements& elements, int k, const double* D, double force,
                                const ForceArrays& out) {
   if (out.wrenches) {
@@ -60,8 +65,8 @@ LINKWORK_INLINE void act_along(const ForceElements& elements, int k, const doubl
     return;
   }
   const int i = elements.body_i[k], j = elements.body_j[k];
-  for (int c = 0; c < 6 && i >= 0; ++c) out.g[6l * i + c] += 0.0 + force * D[c];
-  for (int c = 0; c < 6 && j >= 0; ++c) out.g[6l * j + c] += 0.0 + force * D[6 + c];
+  for (int c = first; c < 6 && i >= 0; ++c) out.g[6l * i + c] += 0.0 + force * D[c];
+  for (int c = first; c < 6 && j >= 0; ++c) out.g[6l * j + c] += 0.0 + force * D[6 + c];
 }
 
 LINKWORK_INLINE void add_or_leave(int k, double potential, double power, const ForceArrays& out) {
@@ -94,7 +99,7 @@ LINKWORK_INLINE void evaluate_laws(const LawElements& elements, const Coordinate
     for (int l = 0; l < used; ++l) {
       const int k = first + l;
       store_history<Law>(elements, k, l, history, said.switches, out);
-      act_along(elements, k, values.D + elements.D[k], said.force.v[l], out);
+      act_along<first_number<Law>>(elements, k, values.D + elements.D[k], said.force.v[l], out);
       add_or_leave(k, said.potential.v[l], said.power.v[l], out);
     }
   }
@@ -182,8 +187,9 @@ LINKWORK_INLINE void evaluate_force_lanes(const ForceLanes& elements, const Forc
 }
 
 /// A force along the coordinate of a row: what `act` applies to one body.
+template <int first>
 LINKWORK_INLINE void act_in_lanes(const Pack& force, const double* d, double* g) {
-  for (int c = 0; c < 6; ++c) packs(g)[c] += Pack(0.0) + force * Pack(load_native(d + c * width));
+  for (int c = first; c < 6; ++c) packs(g)[c] += Pack(0.0) + force * Pack(load_native(d + c * width));
 }
 
 /// Of elements along coordinates that are evaluated.
@@ -200,8 +206,8 @@ LINKWORK_INLINE void evaluate_law_lanes(const LawLanes& elements, const Coordina
                                             Pack(load_native(values.rate + row)), history);
       store_lane_history<Law>(elements, element, history, said.switches, out);
       const double* D = values.D + elements.D[element] * width;
-      act_in_lanes(said.force, D, out.g + 6l * width * elements.body_i[element]);
-      act_in_lanes(said.force, D + 6l * width, out.g + 6l * width * elements.body_j[element]);
+      act_in_lanes<first_number<Law>>(said.force, D, out.g + 6l * width * elements.body_i[element]);
+      act_in_lanes<first_number<Law>>(said.force, D + 6l * width, out.g + 6l * width * elements.body_j[element]);
       *packs(out.potential) += said.potential;
       *packs(out.power) += said.power;
     }

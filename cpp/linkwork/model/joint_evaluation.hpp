@@ -54,17 +54,24 @@ LINKWORK_INLINE void scatter_D(const Pack* D, bool streamed, double** place) {
 template <class Joint>
 LINKWORK_INLINE void multiply(const Pack* D_i, const Pack* D_j, const Pack* v_i, const Pack* v_j, const Pack* Phi_t,
                               Pack* Phi_dot) {
-  constexpr int first = holds_point<Joint> ? 3 : 0;
+  constexpr int first = holds_point<Joint> || turns<Joint> ? 3 : 0;
   LINKWORK_UNROLL for (int r = 0; r < Joint::rows; ++r) {
+    const bool along_axis = holds_point<Joint> && r < 3;
     Pack sum = Phi_t[r];
-    if (r < first) sum += v_i[r];
+    if (along_axis) sum += v_i[r];
     LINKWORK_UNROLL for (int c = first; c < 6; ++c)
       sum += D_i[6 * r + c] * v_i[c];
-    if (r < first) sum -= v_j[r];
+    if (along_axis) sum -= v_j[r];
     LINKWORK_UNROLL for (int c = first; c < 6; ++c)
       sum += D_j[6 * r + c] * v_j[c];
     Phi_dot[r] = sum;
   }
+}
+
+template <class Joint>
+LINKWORK_INLINE BodyState<Pack> gather_states(const int* body, const double* q, const double* v, Pack* velocity) {
+  if constexpr (turns<Joint>) return gather_turn(body, q, v, velocity);
+  else return gather_state(body, q, v, velocity);
 }
 
 /// Asks for what a large model has in memory only: constants to be read, bodies, and the place of D.
@@ -95,8 +102,8 @@ LINKWORK_INLINE void evaluate_joints(const JointArrays& joints, const double* q,
       prefetch_joints<rows>(joints, first + ahead, q, v, out);
     load_parameters_of(joints, first, signals, parameters);
     Pack v_i[6], v_j[6], Phi[rows], Phi_t[rows], Phi_dot[rows], gamma[rows], D[12 * rows];
-    const BodyState<Pack> i = gather_state(joints.body_i + first, q, v, v_i);
-    const BodyState<Pack> j = gather_state(joints.body_j + first, q, v, v_j);
+    const BodyState<Pack> i = gather_states<Joint>(joints.body_i + first, q, v, v_i);
+    const BodyState<Pack> j = gather_states<Joint>(joints.body_j + first, q, v, v_j);
     Joint::template evaluate<Pack>(attachment_of(joints, first), parameters, i, j,
                                    Rows<Pack, rows>{Phi, Phi_t, gamma, D, D + 6 * rows});
     multiply<Joint>(D, D + 6 * rows, v_i, v_j, Phi_t, Phi_dot);
@@ -107,6 +114,8 @@ LINKWORK_INLINE void evaluate_joints(const JointArrays& joints, const double* q,
     for (int l = 0; l < width; ++l) place[l] = l < used ? out.D + joints.D[first + l] : nowhere;
     scatter_D<12 * rows>(D, joints.streamed && used == width, place);
     const auto scatter_rows = [&](const Pack* in, double* to) {
+      if (rows == 1 && joints.row[first + used - 1] - joints.row[first] == used - 1)
+        return store_leading(to + joints.row[first], in[0].v, used);
       for (int l = 0; l < width; ++l) place[l] = l < used ? to + joints.row[first + l] : nowhere;
       scatter<rows>(in, place);
     };

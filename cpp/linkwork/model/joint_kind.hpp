@@ -15,6 +15,7 @@
 ///   static constexpr int rows;                  number of equations
 ///   static constexpr bool holds_point = true;   where the first three hold a point, D_i = [I, K_i] and D_j = [-I, K_j],
 ///                                               and the others are of rotation; else without it
+///   static constexpr bool turns = true;         where all are of rotation, and depend on how the bodies turn alone
 ///   static KindInfo info();                     what there is to know of it, see KindInfo
 ///   template <class Real>
 ///   static void evaluate(const Attachment<Real>&, const Signal<Real>* parameters,
@@ -43,6 +44,8 @@ template <class Joint>
 constexpr bool holds_point = requires { requires Joint::holds_point; };
 template <class Joint>
 constexpr bool slides = requires { requires Joint::slides; };
+template <class Joint>
+constexpr bool turns = requires { requires Joint::turns; };
 
 struct JointKind {
   KindInfo info;
