@@ -33,12 +33,16 @@ void System::multiply_mass(const Evaluation& at, const ConstVector& x, MutableVe
   inerters_.add(D, [&](std::size_t k) { return inerters_.inertance(k) * inerters_.rate(k, D, x.data()); }, y.data());
 }
 
+// In one order of operations, which lanes have too: that of Eigen's products is not the same in all rows.
 void System::multiply_inverse_mass(const ConstVector& x, MutableVector y) const {
   threads_->in_chunks(body_count(), chunk, [&](int first, int last) {
     for (int b = first; b < last; ++b) {
       const int k = velocity_size * b;
+      const Mat3<double> inverse = inverse_inertia(b);
+      const Vec3<double> torque = x.segment<3>(k + 3);
       y.segment<3>(k) = inverse_mass(b) * x.segment<3>(k);
-      y.segment<3>(k + 3).noalias() = inverse_inertia(b) * x.segment<3>(k + 3);
+      for (int r = 0; r < 3; ++r)
+        y[k + 3 + r] = inverse(r, 0) * torque[0] + inverse(r, 1) * torque[1] + inverse(r, 2) * torque[2];
     }
   });
 }
