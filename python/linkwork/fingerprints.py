@@ -8,12 +8,16 @@ import functools
 import hashlib
 import re
 from collections.abc import Mapping, Sequence, Set
-from types import CellType, CodeType, FunctionType, MethodType
+from os import PathLike
+from types import CellType, CodeType, FunctionType, MethodType, ModuleType
 from typing import Any
 
 import numpy as np
 
 __all__ = ["canonical", "digest", "digests", "law", "plain"]
+
+#: Data, whose every bit counts.
+_DATA = (bool, int, float, complex, str, bytes, list, tuple, dict, set, frozenset, np.generic, np.ndarray)
 
 #: Where an object is in memory, which says nothing about it.
 ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")
@@ -42,8 +46,8 @@ def digests(head: str, columns: Mapping[str, Sequence[Any]]) -> list[str]:
 
 
 def canonical(value: Any, inside: frozenset[int] = frozenset()) -> str:
-    """A text with every bit of the value. Functions count by their code, defaults and closures, not by the
-    modules that they use."""
+    """A text with every bit of the value. Functions count by their code, defaults, closures, and by the data
+    and functions of their own module that they read, not by other modules; objects by their attributes."""
     if type(value) is float:  # what most are
         return value.hex()
     if type(value) is str:
@@ -62,6 +66,39 @@ def canonical(value: Any, inside: frozenset[int] = frozenset()) -> str:
         parts.sort()
     kind = "list" if isinstance(value, list | tuple) else type(value).__name__
     return f"{kind}({','.join(parts)})" if parts else ADDRESS.sub("", f"{kind} {value!r}")
+
+
+def _globals_of(function: FunctionType) -> list[tuple[str, Any]]:
+    """What a function reads of its module: data, functions and objects of that module, data classes, and
+    others that hold nothing but data."""
+    own = function.__module__
+
+    def counts(value: Any) -> bool:
+        if isinstance(value, FunctionType | MethodType | functools.partial):
+            return _module_of(value) == own
+        if isinstance(value, _DATA) or type(value).__module__ == own or dataclasses.is_dataclass(value):
+            return not isinstance(value, type)
+        state = _state(value)
+        return bool(state) and all(it is None or callable(it) or isinstance(it, _DATA) for _, it in state)
+
+    found = ((name, function.__globals__.get(name)) for name in sorted(_names(function.__code__)))
+    return [(name, value) for name, value in found if counts(value)]
+
+
+def _module_of(value: Any) -> str | None:
+    while isinstance(value, functools.partial):
+        value = value.func
+    return getattr(value, "__module__", None)
+
+
+def _state(value: Any) -> list[tuple[str, Any]]:
+    """Attributes of an object of a class written in Python."""
+    if isinstance(value, type | ModuleType | PathLike):  # paths have caches, and say all
+        return []
+    slots = [getattr(base, "__slots__", ()) for base in type(value).__mro__]
+    names = {name for it in slots for name in ((it,) if isinstance(it, str) else it)}
+    found = {name: getattr(value, name) for name in names if hasattr(value, name)}
+    return sorted((found | getattr(value, "__dict__", {})).items())
 
 
 def law(value: Any) -> str:
@@ -121,8 +158,9 @@ def _parts(value: Any) -> list[Any]:
     if isinstance(value, Mapping):
         return [*value.items()]
     if isinstance(value, FunctionType):
-        cells = [cell.cell_contents for cell in value.__closure__ or ()]
-        return [value.__qualname__, value.__code__, value.__defaults__, value.__kwdefaults__, cells]
+        cells = [_content(cell) for cell in value.__closure__ or ()]
+        parts = [value.__qualname__, value.__code__, value.__defaults__, value.__kwdefaults__, cells]
+        return [*parts, *_globals_of(value)]
     if isinstance(value, CodeType):
         return [value.co_code, value.co_consts, value.co_names, value.co_varnames]
     if isinstance(value, MethodType):
@@ -131,6 +169,15 @@ def _parts(value: Any) -> list[Any]:
         return [value.func, value.args, value.keywords]
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
         return [(it.name, getattr(value, it.name)) for it in dataclasses.fields(value)]
+    if state := _state(value):
+        call = vars(type(value)).get("__call__")
+        numbers = [np.asarray(value)] if hasattr(type(value), "__array__") else []  # of a data frame
+        return [
+            ADDRESS.sub("", repr(value)),
+            *([call] if isinstance(call, FunctionType) else []),
+            *numbers,
+            *state,
+        ]
     return []
 
 

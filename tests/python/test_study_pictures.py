@@ -128,6 +128,24 @@ def test_what_is_drawn_is_what_was_found(study: lw.Study) -> None:
     assert widths[1] > 0 > widths[0]  # 3 mass - length / 2
 
 
+def test_bands_have_each_case_while_it_lasts() -> None:
+    def fast(t: float, state: lw.Snapshot) -> float:
+        return abs(float(state.body("rod").omega[1])) - 2.5
+
+    times = np.linspace(0.0, 0.2, 5)
+    study = lw.sweep(
+        rod, {"mass": [1.0], "length": [0.5, 0.8, 1.0, 3.0]}, {"height": "body('rod').position.z"},
+        t_end=0.2, rtol=1e-6, times=times, events=[lw.Event(fast, terminal=True)], processes=1,
+    )  # fmt: skip
+    heights = study.outputs["height"]
+    assert np.isnan(heights).any() and not np.isnan(heights).all(axis=0).any()
+    (bands,) = study.plot("bands").axes
+    middle = next(line for line in bands.lines if line.get_label() == "median")
+    np.testing.assert_allclose(middle.get_ydata(), np.nanmedian(heights, axis=0), rtol=1e-15)
+    ended = int(np.isnan(heights).any(axis=1).sum())
+    assert f"{ended} case" in bands.get_title() and "not at all times" in bands.get_title()
+
+
 def test_failed_cases_are_marked() -> None:
     study = lw.sweep(rod, [{"mass": m, "length": 1 + m / 5} for m in (1, 2, -1, 4)], {"w": weight}, **RUN)
     figure = study.plot("scatter")

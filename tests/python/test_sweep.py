@@ -480,16 +480,58 @@ def test_a_directory_of_another_study_is_refused(tmp_path: Path) -> None:
 
 
 def test_a_function_that_builds_something_else_now_is_refused(tmp_path: Path) -> None:
+    length = tmp_path / "length"
+
     def build(mass: float) -> lw.Model:
-        return rod(LENGTH[0]).replaced("rod", mass=mass)
+        return rod(float(length.read_text())).replaced("rod", mass=mass)
 
-    lw.sweep(build, {"mass": [1.0]}, "final", **FEW, directory=tmp_path)
-    LENGTH[0] = 2.0
+    length.write_text("1.0")
+    lw.sweep(build, {"mass": [1.0]}, "final", **FEW, directory=tmp_path / "study")
+    length.write_text("2.0")
     with pytest.raises(lw.FileError, match="the function build built another model of .*'mass': 1.0"):
-        lw.sweep(build, {"mass": [2.0]}, "final", **FEW, directory=tmp_path)
+        lw.sweep(build, {"mass": [2.0]}, "final", **FEW, directory=tmp_path / "study")
 
 
-LENGTH = [1.0]
+class Scaled:
+    def __init__(self, factor: float) -> None:
+        self.factor = factor
+
+    def of(self, result: lw.Result) -> float:
+        return self.factor
+
+    def __call__(self, result: lw.Result) -> float:
+        return self.factor
+
+
+def scaled() -> float:
+    return FACTOR * 1.0
+
+
+def read_from_module(result: lw.Result) -> float:
+    return scaled() + OFFSET["x"] + OBJECT.factor
+
+
+FACTOR, OFFSET, OBJECT = 1.0, {"x": 1.0}, Scaled(1.0)
+
+
+@pytest.mark.parametrize("output", ["method", "object", "FACTOR", "OFFSET", "OBJECT"])
+def test_an_output_that_says_something_else_now_is_refused(
+    output: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """By what its object or its module holds: its code is the same."""
+
+    def study(factor: float) -> float:
+        functions: dict[str, Any] = {"method": Scaled(factor).of, "object": Scaled(factor)}
+        now: Any = {"FACTOR": factor, "OFFSET": {"x": factor}, "OBJECT": Scaled(factor)}
+        if output in now:
+            monkeypatch.setitem(globals(), output, now[output])
+        outputs = {"it": functions.get(output, read_from_module)}
+        return float(lw.sweep(rod(), {"rod.mass": [1]}, outputs, **FEW, directory=tmp_path).outputs["it"][0])
+
+    first = study(1.0)
+    assert study(1.0) == first
+    with pytest.raises(lw.FileError, match="holds a study with another outputs"):
+        study(2.0)
 
 
 def test_a_function_is_asked_once_for_a_model_before_the_cases_and_once_by_a_directory(
@@ -741,6 +783,59 @@ def test_a_command_that_is_ended_goes_on_where_it_was(folder: Path, sign: signal
     assert subprocess.run(line, cwd=folder, capture_output=True, timeout=120).returncode == 0
     whole = keys_in(folder / "kept")
     assert len(whole) == 40 and set(whole.values()) == {1} and not done - whole
+
+
+@pytest.mark.parametrize("kind", ["object", "spline", "frame"])
+def test_cases_that_differ_in_an_object_are_told_apart(kind: str) -> None:
+    from scipy.interpolate import CubicSpline
+
+    def value(mass: float) -> Any:
+        if kind == "object":
+            return Scaled(mass)
+        if kind == "spline":
+            return CubicSpline([0.0, 1.0, 2.0], [mass, 2.0, 3.0])
+        return pytest.importorskip("pandas").DataFrame({"x": np.where(np.arange(1000) == 500, mass, 0.0)})
+
+    def build(load: Any) -> lw.Model:
+        at = {"object": lambda: load.factor, "spline": lambda: load(0.0), "frame": lambda: load["x"].max()}
+        return rod(float(at[kind]()))
+
+    masses = [1.0, 2.0, 5.0]
+    study = lw.sweep(build, [{"load": value(mass)} for mass in masses], "reaction('pin').force.max", **FEW)
+    (found,) = study.outputs.values()
+    assert len(set(found.tolist())) == 3
+
+
+def test_columns_of_one_name_are_refused() -> None:
+    outputs = {"a": lambda r: np.array([1.0, 2.0]), "a[0]": lambda r: 9.0}
+    study = lw.sweep(rod(), {"rod.mass": [1]}, outputs, **FEW)
+    with pytest.raises(lw.OptionError, match=r"two columns are 'a\[0\]'"):
+        study.to_frame()
+
+
+def test_times_of_very_short_runs_are_told_apart() -> None:
+    with pytest.raises(lw.OptionError, match="2.5e-10 s is between the frames of this run"):
+        lw.sweep(rod(), {"rod.mass": [1]}, "body('rod').position", t_end=1e-9, step=1e-10, times=[0.25e-9],
+                 processes=1)  # fmt: skip
+
+
+def test_names_may_begin_with_gravity() -> None:
+    model = rod()
+    model.spring_damper("ground", "rod", at=((0, 0, 1), (1, 0, 0)), stiffness=2.0, name="gravity spring")
+    found = lw.sweep(model, {"gravity spring.stiffness": [1.0, 3.0], "gravity[2]": [-1.0]}, "final", **FEW)
+    assert len(found) == 2 and (found.status == "finished").all()
+
+
+def test_a_study_with_a_tolerance_keeps_the_method_of_its_model_file(folder: Path) -> None:
+    model = (folder / "rod.yaml").read_text()
+    method = "simulation: {formulation: penalty, penalty: 1e4, integrator: tsit5, step: 1e-3, t_end: 2.0}\n"
+    (folder / "rod.yaml").write_text(model + method)
+    (folder / "study.yaml").write_text(STUDY.replace("{step: 0.005}", "{rtol: 1.0e-8}"))
+    given = read_study(folder / "study.yaml")
+    assert {name: given[name] for name in ("formulation", "penalty", "integrator", "rtol")} == {
+        "formulation": "penalty", "penalty": 1e4, "integrator": "tsit5", "rtol": 1e-8
+    }  # fmt: skip
+    assert "step" not in given and given["t_end"] == 0.05
 
 
 def test_a_file_has_samplers_and_distributions(folder: Path) -> None:

@@ -66,7 +66,7 @@ def _kept(output: str | None, result: Result | None) -> str:
 
 def _settings(mechanism: Mechanism, options: Mapping[str, Any], model: Model) -> dict[str, Any]:
     """The options that were given, over the recommended; what neither says is chosen, and that is told."""
-    settings = {**_recommended(mechanism, options), **options}
+    settings = {**mechanism.settings_beside(options), **options}
     chosen = []
     if "t_end" not in settings:
         settings["t_end"], why = usual_end(model)
@@ -100,9 +100,3 @@ def _last_state(path: str, model: Model, t_end: float) -> Snapshot:
             code="start",
         )
     return last
-
-
-def _recommended(mechanism: Mechanism, options: Mapping[str, Any]) -> dict[str, Any]:
-    """The mechanism's settings; a recommended step is no limit for steps that follow tolerances."""
-    adaptive = "rtol" in options or "atol" in options
-    return {name: value for name, value in mechanism.settings.items() if not (adaptive and name == "step")}

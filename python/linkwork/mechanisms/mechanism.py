@@ -59,6 +59,11 @@ class Mechanism:
         object.__setattr__(self, "size", size)
         object.__setattr__(self, "settings", settings)
 
+    def settings_beside(self, given: Mapping[str, Any]) -> dict[str, Any]:
+        """The settings; a recommended step is no limit for steps that follow `given` tolerances."""
+        adaptive = "rtol" in given or "atol" in given
+        return {name: value for name, value in self.settings.items() if not (adaptive and name == "step")}
+
     @property
     def name(self) -> str:
         return self.function.__name__

@@ -146,7 +146,7 @@ def check_times(times: Any, t_end: float, options: Mapping[str, Any]) -> tuple[F
         made["times"] = np.union1d(wanted, [0.0, t_end]).tolist()
         return wanted, made
     apart = float(options.get("step") or t_end) * whole(made["record_every"], 1, "record_every")
-    off = np.abs(wanted / apart - np.round(wanted / apart)) * apart > 1e-9 * max(t_end, 1.0)
+    off = np.abs(wanted / apart - np.round(wanted / apart)) * apart > 1e-9 * t_end
     off &= wanted < t_end
     if off.any():
         raise OptionError(

@@ -71,9 +71,10 @@ def read_study(path: str | os.PathLike[str]) -> dict[str, Any]:
                                 exclude_none=True)  # fmt: skip
     beside = document.model not in MECHANISMS
     mechanism = named(str(folder / document.model) if beside else document.model)
-    settings = {name: it for name, it in mechanism.settings.items() if name != "t_end"}
+    settings = mechanism.settings_beside(document.simulation)
+    settings.pop("t_end", None)
     return {
-        **({} if {"rtol", "atol"} & document.simulation.keys() else settings),
+        **settings,
         **document.simulation,
         **given,
         "model": mechanism.function(),

@@ -314,7 +314,7 @@ def _unit(steps: Sequence[Step], result: Result) -> str:
 def _at_times(label: str, t: Floats, values: Floats, times: Floats) -> Floats:
     """Rows at the times; NaN beyond the end of a run that an event ended. OptionError: no frame there."""
     at = np.abs(t[None, :] - times[:, None]).argmin(axis=1)
-    tolerance = SAME_TIME * max(1.0, float(np.abs(times).max()))
+    tolerance = SAME_TIME * max(abs(float(t[-1])), float(np.abs(times).max()))
     over = times > t[-1] + tolerance
     off = ~over & (np.abs(t[at] - times) > tolerance)
     if off.any():

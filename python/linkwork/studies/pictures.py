@@ -236,12 +236,19 @@ def _bands(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
     figure, axes = _panels(min(len(pieces), PANELS))
     for ax, (name, place) in zip(axes, pieces, strict=False):
         values = study.outputs[name][(slice(None), slice(None), *place)]
-        values = values[np.isfinite(values).all(axis=1)]
-        least, low, quarter, middle, most, high, largest = np.percentile(
-            values, [0, LOW, 25, 50, 75, HIGH, 100], axis=0
+        values = np.where(np.isfinite(values), values, np.nan)
+        known = ~np.isnan(values)
+        if not known.any():
+            raise OptionError(f"plot 'bands': output '{name}' has no number in any case", code="outputs")
+        edges = np.full((7, len(times)), np.nan)  # cases count at each time that they reach
+        edges[:, known.any(axis=0)] = np.nanpercentile(
+            values[:, known.any(axis=0)], [0, LOW, 25, 50, 75, HIGH, 100], axis=0
         )
+        least, low, quarter, middle, most, high, largest = edges
         unit = study.units.get(name, "")
         style(ax, name + "".join(f"[{k}]" for k in place) + (f" [{unit}]" if unit else ""))
+        if short := int((known.any(axis=1) & ~known.all(axis=1)).sum()):
+            ax.set_title(f"{counted(short, 'case')} not at all times", fontsize=8)
         ax.fill_between(times, low, high, color=COLORS[0], alpha=0.2, lw=0, label="9 of 10")
         ax.fill_between(times, quarter, most, color=COLORS[0], alpha=0.35, lw=0, label="half")
         ax.plot(times, middle, color=COLORS[0], label="median")

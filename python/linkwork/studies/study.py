@@ -210,7 +210,7 @@ class Study:
 
             study.to_frame().sort_values("height")
 
-        OptionError: pandas is not installed.
+        OptionError: pandas is not installed, or two columns have one name.
         """
         package = optional_package("pandas", "pandas", "to_frame", instead="to_table needs nothing")
         columns = dict(self._flat())
@@ -242,11 +242,18 @@ class Study:
             raise unwritable("table", target, error) from error
 
     def _flat(self) -> Iterator[tuple[str, NDArray[Any]]]:
-        """Columns (n,) of the table; of arrays one a number."""
+        """Columns (n,) of the table; of arrays one a number. OptionError: two of one name."""
+        seen = set()
         for name in (table := self.to_table()).dtype.names or ():
             values = table[name]
             for place in np.ndindex(values.shape[1:]):
-                yield name + "".join(f"[{k}]" for k in place), values[(slice(None), *place)]
+                label = name + "".join(f"[{k}]" for k in place)
+                if label in seen:
+                    raise OptionError(
+                        f"table: two columns are '{label}': give an output another name", code="outputs"
+                    )
+                seen.add(label)
+                yield label, values[(slice(None), *place)]
 
     def to_xarray(self) -> xarray.Dataset:
         """A data set of xarray over the dimension "case": parameters, status, verdict, ... as coordinates,

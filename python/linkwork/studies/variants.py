@@ -283,7 +283,7 @@ def _address(name: str, record: Record) -> _Address:
         raise OptionError(
             f"parameter {name!r:.80} is no path such as 'crank.mass' or 'gravity[2]'", code="parameters"
         )
-    where, rest = ((), name) if re.match(r"gravity\b", name) else _object(name, record)
+    where, rest = ((), name) if re.fullmatch(r"gravity(\[.*)?", name) else _object(name, record)
     found = FIELD.match(rest)
     fields = {"gravity": "m/s2"} if not where else _fields(record, where)
     if found is None or found[1] not in fields:
