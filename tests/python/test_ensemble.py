@@ -507,6 +507,19 @@ def test_mechanisms_without_joints_run_in_lanes(stabilization: str, inertance: f
         assert single.verdict is not None and found.accuracy[k] == single.verdict.error
 
 
+def test_frames_at_other_times_are_not_put_beside_each_other() -> None:
+    """Steps that follow tolerances are each member's own: frame k of two members is at two times."""
+    model = mechanisms.four_bar(1)
+    own = many(variants(model, 3, seed=1), 0.3, rtol=1e-6, record_every=1)
+    for ask in (lambda: own.q, lambda: own.v, own.to_xarray):
+        with pytest.raises(lw.OptionError, match="times of their own"):
+            ask()
+    assert [own.member(k).t[-1] for k in range(3)] == [0.3] * 3
+    same = many(variants(model, 3, seed=1), 0.3, 1e-3)
+    assert len(same.t) == same.q.shape[1] and np.isfinite(same.q).all()
+    assert all(np.array_equal(same.q[k], same.member(k).q) for k in range(3))
+
+
 def test_mechanisms_without_joints_follow_tolerances_in_lanes() -> None:
     models = [*variants(mechanisms.torque_free_top(), 5, seed=2), *(tumbling(seed) for seed in range(5))]
     for same in (models[:5], models[5:]):
@@ -579,8 +592,9 @@ def test_members_may_differ_in_the_number_of_bodies() -> None:
     found = many(models, 0.02, 1e-3)
     assert found.alone == {} and found.status.tolist() == ["finished"] * 3
     assert bits(found.member(1)) == bits(alone(models[1], 0.02, 1e-3))
-    assert np.array_equal(found.q[0], found.member(0).recorded("q"))
-    assert np.isnan(found.q[1]).all()  # of another shape: member(1) has it
+    with pytest.raises(lw.OptionError, match="or other bodies: ask for member"):
+        found.q  # noqa: B018
+    assert found.trajectories["energy"].shape == (3, len(found.t))
 
 
 @pytest.mark.parametrize(

@@ -379,7 +379,7 @@ class _Kept:
             remarks={k: "; ".join(it.remarks) for k, it in members.items() if it.remarks},
             accuracy=np.array([self._verdicts[k].error if k in self._verdicts else np.nan for k in members]),
             t=np.asarray(longest),
-            trajectories=dict(_trajectories(results, len(members), len(longest))),
+            trajectories=dict(_trajectories(results, len(members), longest)),
             outputs=outputs,
             units={**ensemble._members.units, **{it.label: it.unit for it in asked}},
             times=self._times,
@@ -389,16 +389,20 @@ class _Kept:
         )
 
 
-def _trajectories(results: Mapping[int, Result], count: int, frames: int) -> Iterator[tuple[str, Floats]]:
-    """Of members with the same bodies, rows and times as the first; others have their own in `results`."""
-    if not results:
+def _trajectories(results: Mapping[int, Result], count: int, times: Floats) -> Iterator[tuple[str, Floats]]:
+    """Of members with the same bodies and rows, and frames at the same times, as long as each lasts. Nothing
+    where a member has others: each has its own in `results`."""
+    if any(not np.array_equal(it.t, times[: len(it)]) for it in results.values()):
         return
-    first = next(iter(results.values()))
-    for name in TRAJECTORIES:
+    for name in TRAJECTORIES if results else ():
         values = {k: _of(it, name) for k, it in results.items()}
-        shape = _of(first, name).shape
-        alike = {k: it for k, it in values.items() if it.shape == shape and len(it) == frames}
-        yield name, _stacked(alike, count)
+        shapes = {it.shape[1:] for it in values.values()}
+        if len(shapes) > 1:
+            continue
+        found = np.full((count, len(times), *shapes.pop()), np.nan)
+        for k, value in values.items():
+            found[k, : len(value)] = value
+        yield name, found
 
 
 def _of(result: Result, name: str) -> Floats:

@@ -41,9 +41,10 @@ class EnsembleResult:
     alone         by member: why it was simulated by itself and not in a lane
     remarks       by member: warnings
     accuracy      (n,) estimated relative errors, those of their verdicts; NaN in members that failed
-    t             (k,) times of the frames [s]; empty where outputs were asked for
+    t             (k,) times of the frames [s] of the member that has most; empty where outputs were asked for
     trajectories  without outputs "q" (n, k, bodies, 7), "v" and "vdot" (n, k, bodies, 6), "lambda"
-                  (n, k, rows), "energy" (n, k) [J]: NaN in members that failed
+                  (n, k, rows), "energy" (n, k) [J]: NaN in members that failed, and after the end of one that
+                  an event ended; empty where members have frames at times of their own, see `member`
     outputs       by label: (n, ...); NaN in members that failed
     units         of parameters and outputs that are known
     times         (j,) [s] of outputs that are arrays over time
@@ -93,6 +94,12 @@ class EnsembleResult:
         return self._trajectory("v")
 
     def _trajectory(self, name: str) -> Floats:
+        if self.results and name not in self.trajectories:
+            raise OptionError(
+                f"{name}: members have frames at times of their own, or other bodies: ask for member(k), or "
+                "for outputs with times",
+                code="times",
+            )
         if not self.trajectories:
             raise OptionError(f"{name}: outputs were kept instead of motions", code="outputs")
         return self.trajectories[name]
@@ -116,9 +123,11 @@ class EnsembleResult:
 
             many.to_xarray().q.mean("member")
 
-        OptionError: xarray is not installed.
+        OptionError: xarray is not installed, or members have frames at times of their own.
         """
         package = optional_package("xarray", "xarray", "to_xarray", instead="the arrays need nothing")
+        if self.results:
+            self._trajectory("q")
         n = len(self)
         coordinates: dict[str, Any] = {"member": np.arange(n), "status": ("member", self.status)}
         coordinates["accuracy"] = "member", self.accuracy
