@@ -68,27 +68,37 @@ def canonical(value: Any, inside: frozenset[int] = frozenset()) -> str:
     return f"{kind}({','.join(parts)})" if parts else ADDRESS.sub("", f"{kind} {value!r}")
 
 
-def _globals_of(function: FunctionType) -> list[tuple[str, Any]]:
-    """What a function reads of its module: data, functions and objects of that module, data classes, and
-    others that hold nothing but data."""
-    own = function.__module__
+def _read_by(function: FunctionType) -> list[tuple[str, Any]]:
+    """What a function reads of its module, itself or by functions of that module, each once: the code of
+    these, data, objects of that module, data classes, and others that hold nothing but data."""
+    own, found, todo = function.__module__, dict[str, Any](), [function]
+    while todo:
+        code, read = (it := todo.pop()).__code__, it.__globals__
+        for name in _names(code) & read.keys() - found.keys():
+            value = read[name]
+            if isinstance(value, FunctionType) and value.__module__ == own:
+                cells = [_content(cell) for cell in value.__closure__ or ()]
+                inner = [cell for cell in cells if isinstance(cell, FunctionType)]  # what is decorated
+                given = [
+                    value.__defaults__,
+                    value.__kwdefaults__,
+                    *(it for it in cells if isinstance(it, _DATA)),
+                ]
+                found[name] = [*(it.__code__ for it in (value, *inner)), *given]
+                todo += [value, *inner]
+            elif _counts(value, own):
+                found[name] = value
+    return sorted(found.items())
 
-    def counts(value: Any) -> bool:
-        if isinstance(value, FunctionType | MethodType | functools.partial):
-            return _module_of(value) == own
-        if isinstance(value, _DATA) or type(value).__module__ == own or dataclasses.is_dataclass(value):
-            return not isinstance(value, type)
-        state = _state(value)
-        return bool(state) and all(it is None or callable(it) or isinstance(it, _DATA) for _, it in state)
 
-    found = ((name, function.__globals__.get(name)) for name in sorted(_names(function.__code__)))
-    return [(name, value) for name, value in found if counts(value)]
-
-
-def _module_of(value: Any) -> str | None:
-    while isinstance(value, functools.partial):
-        value = value.func
-    return getattr(value, "__module__", None)
+def _counts(value: Any, own: str) -> bool:
+    if isinstance(value, type | FunctionType):
+        return False
+    known = isinstance(value, (*_DATA, functools.partial, MethodType)) or type(value).__module__ == own
+    if known or dataclasses.is_dataclass(value):
+        return True
+    state = _state(value)
+    return bool(state) and all(it is None or callable(it) or isinstance(it, _DATA) for _, it in state)
 
 
 def _state(value: Any) -> list[tuple[str, Any]]:
@@ -160,7 +170,7 @@ def _parts(value: Any) -> list[Any]:
     if isinstance(value, FunctionType):
         cells = [_content(cell) for cell in value.__closure__ or ()]
         parts = [value.__qualname__, value.__code__, value.__defaults__, value.__kwdefaults__, cells]
-        return [*parts, *_globals_of(value)]
+        return [*parts, *_read_by(value)]
     if isinstance(value, CodeType):
         return [value.co_code, value.co_consts, value.co_names, value.co_varnames]
     if isinstance(value, MethodType):

@@ -806,6 +806,18 @@ def test_cases_that_differ_in_an_object_are_told_apart(kind: str) -> None:
     assert len(set(found.tolist())) == 3
 
 
+def test_functions_that_use_each_other_are_read_once_each() -> None:
+    """By paths from function to function 40 of them would take forever."""
+    names = [f"f{k}" for k in range(40)]
+    module: dict[str, Any] = {"__name__": "interwoven", "SIZE": 1.0}
+    for name in names:
+        exec(f"def {name}(x): return SIZE * sum(f(x) for f in ({', '.join(names)}))", module)
+    before = digest(module["f0"])
+    assert digest(module["f0"]) == before
+    module["SIZE"] = 2.0
+    assert digest(module["f0"]) != before
+
+
 def test_columns_of_one_name_are_refused() -> None:
     outputs = {"a": lambda r: np.array([1.0, 2.0]), "a[0]": lambda r: 9.0}
     study = lw.sweep(rod(), {"rod.mass": [1]}, outputs, **FEW)
