@@ -358,7 +358,7 @@ py::dict statistics(const Dynamics& dynamics) {
   out["factor_nonzeros"] = dynamics.factorization_cost().factor_nonzeros;
   out["iterations"] = iterations.iterations;
   out["most_iterations"] = iterations.most;
-  out["raised_penalties"] = iterations.raised;
+  out["accelerated_solves"] = iterations.accelerated;
   out["stagnations"] = iterations.stagnations;
   out["iteration_change"] = iterations.last_change;
   out["iteration_residual"] = iterations.last_residual;

@@ -6,9 +6,12 @@ against those of the mechanism and of its bodies without joints, M^-1 g: some me
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given
+from hypothesis import strategies as st
 from linkwork import _core
 from linkwork.arrays import Floats
 from random_mechanisms import Equations, Mechanism, examples, make, mean_delassus_diagonal, mechanisms
@@ -116,6 +119,28 @@ def test_slow_convergence_of_the_augmented_lagrangian_is_not_taken_for_its_end()
     force_error = largest(force - exact_force) / largest(exact_force)
     assert error <= 1e-9
     assert force_error <= 1e-9
+
+
+@pytest.mark.parametrize("decades", [4, 8, 12])
+@examples(20)
+@given(mechanism=mechanisms(most=12), seed=st.integers(0, 2**32 - 1))
+def test_the_augmented_lagrangian_takes_bodies_of_any_masses(
+    mechanism: Mechanism, decades: int, seed: int
+) -> None:
+    """Between very heavy bodies that a very light one connects, a penalty changes hardly anything."""
+    factors = 10 ** np.random.default_rng(seed).uniform(-decades / 2, decades / 2, len(mechanism.bodies))
+    bodies = [
+        replace(body, mass=factor * body.mass, inertia=factor * body.inertia)
+        for body, factor in zip(mechanism.bodies, factors, strict=True)
+    ]
+    uneven = replace(mechanism, bodies=tuple(bodies))
+    at = Equations.of(uneven)
+    v_dot, multipliers = solve(uneven, formulation="augmented_lagrangian")
+    exact_v_dot, exact_multipliers = solve(uneven)
+    force, exact_force = at.D.T @ multipliers, at.D.T @ exact_multipliers
+    roundoff = 1e-13 * largest(at.free_v_dot)
+    assert largest(v_dot - exact_v_dot) <= 1e-7 * largest(exact_v_dot) + roundoff
+    assert largest(force - exact_force) <= 1e-7 * largest(exact_force)
 
 
 @examples(20)

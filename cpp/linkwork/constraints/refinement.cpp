@@ -38,18 +38,18 @@ Refinement::Refinement(const System& system, const VectorXd& lengths) : system_(
   for (VectorXd* rows : {&r_2_, &dlambda_, &p_lambda_}) rows->setZero(system.row_count());
 }
 
-void Refinement::find_residuals(const Evaluation& at, const ConstVector& a, const ConstVector& b, const ConstVector& x,
-                                const ConstVector& lambda) {
-  system_->multiply_mass(at, x, dx_);
-  r_1_ = a - dx_;
-  system_->add_D_transposed(at, lambda, r_1_);
-  system_->multiply_D(at, x, r_2_);
-  r_2_ = b - r_2_;
+void find_saddle_residuals(const System& system, const Evaluation& at, const ConstVector& a, const ConstVector& b,
+                           const ConstVector& x, const ConstVector& lambda, VectorXd& r_1, VectorXd& r_2) {
+  system.multiply_mass(at, x, r_1);
+  r_1 = a - r_1;
+  system.add_D_transposed(at, lambda, r_1);
+  system.multiply_D(at, x, r_2);
+  r_2 = b - r_2;
 }
 
 void Refinement::correct(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x,
                          MutableVector lambda, const Nearby& nearby) {
-  find_residuals(at, a, b, x, lambda);
+  find_saddle_residuals(*system_, at, a, b, x, lambda, r_1_, r_2_);
   nearby(r_1_, r_2_, dx_, dlambda_);
   x += dx_;
   lambda += dlambda_;
@@ -79,7 +79,7 @@ bool Refinement::accelerate(const Evaluation& at, const ConstVector& a, const Co
   p_.setZero();
   p_lambda_.setZero();
   for (int k = 0; k < most_accelerated; ++k) {
-    find_residuals(at, a, b, x, lambda);
+    find_saddle_residuals(*system_, at, a, b, x, lambda, r_1_, r_2_);
     nearby(r_1_, r_2_, dx_, dlambda_);
     const double residual = size_of(dx_), before = square;
     square = r_1_.dot(dx_);

@@ -27,6 +27,10 @@ class Corrections {
   int count_ = 0;
 };
 
+/// r_1 = a - M x + D^T lambda and r_2 = b - D x.
+void find_saddle_residuals(const System& system, const Evaluation& at, const ConstVector& a, const ConstVector& b,
+                           const ConstVector& x, const ConstVector& lambda, VectorXd& r_1, VectorXd& r_2);
+
 /// THE iterative refinement of solutions of
 ///   M x - D^T lambda = a,   D x = b:
 /// with the residuals r_1 = a - M x + D^T lambda and r_2 = b - D x a solver for a nearby matrix, M^ for M or roundoff
@@ -64,8 +68,6 @@ class Refinement {
  private:
   bool accelerate(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x,
                   MutableVector lambda, const Nearby& nearby, double size);
-  void find_residuals(const Evaluation& at, const ConstVector& a, const ConstVector& b, const ConstVector& x,
-                      const ConstVector& lambda);
   double size_of_body(const ConstVector& x, int body) const;
   double size_of(const ConstVector& x) const;
   double size_of_free_motion(const ConstVector& a) const;

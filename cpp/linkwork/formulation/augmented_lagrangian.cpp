@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "linkwork/constraints/conjugate_residuals.hpp"
 #include "linkwork/constraints/natural_size.hpp"
 #include "linkwork/constraints/refinement.hpp"
 #include "linkwork/formulation/formulation.hpp"
@@ -16,8 +17,7 @@ constexpr double stagnation = 0.95, roundoff_change = 1e-7;  // a change that no
 constexpr double first_scale = 1e8, last_scale = 1e10, scale_factor = 10.0;
 constexpr int slow_iterations = 15;
 constexpr double quick_change = 1e-10;
-constexpr double raise_factor = 100.0, most_raised = 1e6;
-constexpr int patience = 10;  // times max_iterations, in the few evaluations where the penalty is raised
+constexpr double least_enough = 1e-10;  // of the changes by conjugate residuals, which go on to roundoff where they can
 
 /// The iteration (12.16)-(12.18): from lambda_k the accelerations, and from them the next multipliers,
 ///   (M + D^T alpha D) v_dot_{k+1} = a + D^T (lambda_k + alpha b)                               (12.17)
@@ -25,6 +25,9 @@ constexpr int patience = 10;  // times max_iterations, in the few evaluations wh
 /// in incremental form: with the residuals r_1 = a - M v_dot + D^T lambda and r_2 = b - D v_dot,
 ///   (M + D^T alpha D) dv = r_1 + D^T alpha r_2,   dlambda = alpha (r_2 - D dv),
 /// which has the same limit and loses no digits to the size of alpha. It begins with lambda_0 = 0.
+///
+/// Where it is slow, or what no longer changes is not the limit, ConjugateResiduals go on: such a motion is between very
+/// heavy and very light bodies, or near a singular pose.
 class AugmentedLagrangian final : public Formulation {
  public:
   AugmentedLagrangian(std::unique_ptr<SaddleSolver> saddle, const Options& options)
@@ -36,6 +39,7 @@ class AugmentedLagrangian final : public Formulation {
     saddle_->analyze(system, typical);
     refinement_ = Refinement(system);
     size_ = std::make_unique<NaturalSize>(system);
+    residuals_ = std::make_unique<ConjugateResiduals>(system, typical);
     choose_penalties(typical, rows);
   }
 
@@ -45,8 +49,13 @@ class AugmentedLagrangian final : public Formulation {
   }
 
   void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override {
-    if (iterate(a, b, v_dot, lambda, *options_.max_iterations)) return;
-    if (!raise_penalties(a, b, v_dot, lambda)) throw_not_converged();
+    const int most = *options_.max_iterations;
+    const bool given = options_.penalty || options_.penalty_scale;
+    if (!iterate(a, b, v_dot, lambda, given ? most : std::min(most, slow_iterations)) && given)
+      throw_not_converged(refinement_.r_2());
+    const double enough = std::max(least_enough, *options_.tolerance);
+    if (!residuals_->solve(*at_, a, b, v_dot, lambda, nearby_, enough, most)) throw_not_converged(residuals_->r_2());
+    count(residuals_->steps(), residuals_->r_2());
   }
 
   SaddleSolver& saddle() const override { return *saddle_; }
@@ -67,56 +76,39 @@ class AugmentedLagrangian final : public Formulation {
     iterations_ = {};
   }
 
-  /// Near a singular pose a constraint hardly moves anything and the iteration is slow: a larger penalty for this
-  /// evaluation alone. False where it did not help, or where the penalty is the user's.
-  bool raise_penalties(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {
-    if (options_.penalty || options_.penalty_scale) return false;
-    const VectorXd usual = compliance_;
-    bool converged = false;
-    iterations_.raised += 1;
-    for (double raised = raise_factor; !converged && raised <= most_raised; raised *= raise_factor) {
-      compliance_ = usual / raised;
-      saddle_->factorize(*at_, compliance_);
-      converged = iterate(a, b, v_dot, lambda, patience * *options_.max_iterations);
-    }
-    compliance_ = usual;
-    saddle_->factorize(*at_, compliance_);  // whatever is solved next begins as if nothing had been raised
-    return converged;
-  }
-
   /// False where `most` iterations were not enough.
   bool iterate(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda, int most) {
-    const auto nearby = [this](const ConstVector& r_1, const ConstVector& r_2, MutableVector dv,
-                               MutableVector dlambda) { saddle_->solve(r_1, r_2, dv, dlambda); };
     saddle_->solve(a, b, v_dot, lambda);  // (12.16): the first, from lambda_0 = 0
     const double free = size_->of_free_motion(a);
     double last_change = INFINITY;
     for (int iteration = 2; iteration <= most; ++iteration) {
-      refinement_.correct(*at_, a, b, v_dot, lambda, nearby);  // (12.17), (12.18)
+      refinement_.correct(*at_, a, b, v_dot, lambda, nearby_);  // (12.17), (12.18)
       const double change = NaturalSize::ratio(size_->of(refinement_.dx()), free + size_->of(v_dot));
       const bool stagnated = change > stagnation * last_change && change < roundoff_change;
       last_change = iterations_.last_change = change;
-      if (change > *options_.tolerance && !stagnated) continue;
-      count(iteration, change > *options_.tolerance);
-      return true;
+      if (change > *options_.tolerance && !stagnated && iteration < most) continue;
+      iterations_.iterations += iteration;
+      iterations_.most = std::max(iterations_.most, iteration);
+      iterations_.stagnations += change > *options_.tolerance && stagnated ? 1 : 0;
+      return change <= *options_.tolerance || stagnated;
     }
     return false;
   }
 
-  void count(int iteration, bool stagnated) {
-    iterations_.iterations += iteration;
-    iterations_.most = std::max(iterations_.most, iteration);
-    iterations_.stagnations += stagnated ? 1 : 0;
-    iterations_.last_residual = refinement_.r_2().size() > 0 ? refinement_.r_2().cwiseAbs().maxCoeff() : 0.0;
+  /// Of conjugate residuals, and what they have left.
+  void count(int steps, const VectorXd& r_2) {
+    iterations_.iterations += steps;
+    iterations_.accelerated += steps > 0 ? 1 : 0;
+    iterations_.last_residual = r_2.size() > 0 ? r_2.cwiseAbs().maxCoeff() : 0.0;
     iterations_.worst_residual = std::max(iterations_.worst_residual, iterations_.last_residual);
   }
 
-  [[noreturn]] void throw_not_converged() const {
+  [[noreturn]] void throw_not_converged(const VectorXd& r_2) const {
     Eigen::Index row = -1;
     ErrorDetails details;
     std::string where;
-    if (refinement_.r_2().size() > 0) {
-      const double residual = refinement_.r_2().cwiseAbs().maxCoeff(&row);
+    if (r_2.size() > 0) {
+      const double residual = r_2.cwiseAbs().maxCoeff(&row);
       details.joints = {system_->model().joint_name(system_->model().joint_of_row(static_cast<int>(row)))};
       details.residuals = {{details.joints.front(), residual}};
       where = "; the largest residual is at " + system_->model().describe_row(static_cast<int>(row));
@@ -126,7 +118,7 @@ class AugmentedLagrangian final : public Formulation {
     throw NotConvergedError("augmented_lagrangian",
                             "augmented Lagrangian: relative change " + std::string(number) + " after " +
                                 std::to_string(*options_.max_iterations) + " iterations" + where +
-                                "; raise penalty or max_iterations",
+                                "; raise penalty or max_iterations, or use formulation 'standard'",
                             details);
   }
 
@@ -136,6 +128,9 @@ class AugmentedLagrangian final : public Formulation {
   Options options_;
   VectorXd compliance_;
   Refinement refinement_;
+  Refinement::Nearby nearby_ = [this](const ConstVector& r_1, const ConstVector& r_2, MutableVector dv,
+                                      MutableVector dlambda) { saddle_->solve(r_1, r_2, dv, dlambda); };
+  std::unique_ptr<ConjugateResiduals> residuals_;
   std::unique_ptr<NaturalSize> size_;
 };
 

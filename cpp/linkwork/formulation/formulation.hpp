@@ -16,7 +16,7 @@ namespace linkwork {
 struct IterationStatistics {
   std::int64_t iterations = 0;
   int most = 0;                  ///< in one solve
-  std::int64_t raised = 0;       ///< evaluations that needed a larger penalty
+  std::int64_t accelerated = 0;  ///< solves that went on by conjugate residuals
   std::int64_t stagnations = 0;  ///< solves that ended at roundoff above the tolerance
   double last_change = 0.0;      ///< |d v_dot| / (|v_dot| + |M^-1 a|) of the last solve
   double last_residual = 0.0;    ///< max |b - D v_dot| of the last solve

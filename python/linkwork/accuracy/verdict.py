@@ -243,6 +243,13 @@ def leaping(verdict: Verdict, moments: Iterable[tuple[float, str]]) -> Verdict:
     return verdict
 
 
+def loose(verdict: Verdict, formulation: str) -> Verdict:
+    """Says that it is the formulation that is inexact: shorter steps would not help."""
+    remedy = "a larger penalty" if formulation == "penalty" else "a smaller tolerance"
+    what = f"formulation '{formulation}' is not exact enough here"
+    return replace(verdict, sentence=f"{what}: {_off(verdict.error)}; use 'standard', or {remedy}")
+
+
 def say(verdict: Verdict, name: str | None) -> str:
     """For messages: what is wrong with which run."""
     return f"{name or 'model'}: {verdict.sentence}"

@@ -16,6 +16,7 @@ from linkwork.accuracy.verdict import (
     Verdict,
     estimate,
     leaping,
+    loose,
     say,
     verified,
     without_steps,
@@ -41,6 +42,9 @@ TRUSTED = "dop853"
 
 #: Steps after which a run that may be stopped is looked at first, and then whenever they have doubled.
 FIRST_LOOK = 200
+
+#: Of an error: what is left of it by the run's own equations is not theirs.
+CAUSE = 0.5
 
 #: Of the size of a mechanism: what moves or falls less in a run is at rest.
 STILL, FALLEN = 1e-10, 1e-12
@@ -75,6 +79,7 @@ class ErrorEstimator:
         stabilization: Any = system.compiled().options.stabilization
         self._options: Options = {**options, "stabilization": stabilization}
         self._plan = plan
+        self._inexact = False  # the formulation
         self._before = start.error if start is not None else 0.0
         self._energies = Energies(
             _at_rest(system.model, plan.t_end - (start.t if start is not None else 0.0))
@@ -135,7 +140,7 @@ class ErrorEstimator:
         verdict = result.verdict
         if verdict is not None:
             new = verified(verdict, state_error(result, finer), self._resolution())
-            result.statistics["verdict"] = new.numbers()
+            result.statistics["verdict"] = self._explained(new).numbers()
         if output is not None:
             from linkwork.results.writing import add_finer
 
@@ -157,16 +162,32 @@ class ErrorEstimator:
             why = f"no step was taken again, as {names} may remember the calls before"
             return self._by_balance(why, statistics)
         try:
-            system = self._strict(system)
-            if isinstance(self._run, _core.LaneRun):
-                listed = steps or bool(self._pulses)
-                found = self._run.judge(system.compiled(), *self._compiled(), steps=listed)
-            else:
-                found = self._run.judge(system.compiled(), *self._compiled(), progress=report)
+            verdict = self._judged(self._strict(system), statistics, steps=steps, report=report)
+            if verdict.level != "good" and strict(self._options) != self._options:
+                by_steps = self._judged(system, statistics, steps=steps, report=report)
+                self._inexact = by_steps.error < CAUSE * verdict.error
         except Exception as error:  # also of the user's functions
             return self._by_balance(f"no step could be taken again ({error})", statistics)
-        verdict = estimate(found, self._energies, self._resolution(), statistics, self._before)
-        return leaping(verdict, self._pulses)
+        return self._explained(leaping(verdict, self._pulses))
+
+    def _explained(self, verdict: Verdict) -> Verdict:
+        inexact = self._inexact and verdict.level != "good"
+        return loose(verdict, self._options.get("formulation", "")) if inexact else verdict
+
+    def _judged(
+        self,
+        system: System,
+        statistics: Mapping[str, Any],
+        *,
+        steps: bool,
+        report: Callable[[float], None] | None,
+    ) -> Verdict:
+        if isinstance(self._run, _core.LaneRun):
+            listed = steps or bool(self._pulses)
+            found = self._run.judge(system.compiled(), *self._compiled(), steps=listed)
+        else:
+            found = self._run.judge(system.compiled(), *self._compiled(), progress=report)
+        return estimate(found, self._energies, self._resolution(), statistics, self._before)
 
     def _strict(self, system: System) -> System:
         """One without loose tolerances or penalties, whose errors the parts of a step would share."""
@@ -207,8 +228,8 @@ def strict(options: Options) -> Options:
     Penalties leave constraints violated and reactions wrong at any step, loose iterations likewise: the
     augmented Lagrangian has the same right-hand side without that.
     """
-    loose = "tolerance" in options or "max_iterations" in options
-    if options.get("formulation") != "penalty" and not loose:
+    iterates_loosely = "tolerance" in options or "max_iterations" in options
+    if options.get("formulation") != "penalty" and not iterates_loosely:
         return options
     out = options.copy()
     out["formulation"] = "augmented_lagrangian"

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "linkwork/constraints/natural_size.hpp"
+#include "linkwork/constraints/refinement.hpp"
+
+namespace linkwork {
+
+/// Conjugate residuals on the multipliers of
+///   M x - D^T lambda = a,   D x = b,
+/// which are those of D M^-1 D^T lambda = b - D M^-1 a, preconditioned by a factorization with penalties,
+///   M dx - D^T dlambda = r_1,   D dx + E dlambda = r_2.
+/// Such a correction shrinks errors by e / (s + e) only, s an eigenvalue of D M^-1 D^T and e that of E: where joints
+/// connect very heavy and very light bodies, or a pose is nearly singular, it changes hardly anything far from the
+/// solution. Conjugate residuals need about one iteration for each such s, and unlike conjugate gradients stay bounded
+/// where rows contradict each other (E. Stiefel, Comment. Math. Helv. 29, 157-179, 1955).
+class ConjugateResiduals {
+ public:
+  /// `typical`: for the lengths of rows.
+  ConjugateResiduals(const System& system, const Evaluation& typical);
+
+  /// From x and lambda that satisfy the first equation until D x = b but for roundoff, until steps change them by less
+  /// than `enough`, or until what is left is a motion that joints do not resist, as in a singular pose; after `most`
+  /// steps it is false. Iterations that were no more than a look are not counted.
+  bool solve(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda,
+             const Refinement::Nearby& nearby, double enough, int most);
+  int steps() const { return steps_; }          ///< of the last solution
+  const VectorXd& r_2() const { return r_2_; }  ///< before its last step
+
+ private:
+  double residual_of_terms(const Evaluation& at, const ConstVector& b, const ConstVector& x);
+  bool find_step(const Evaluation& at, const Refinement::Nearby& nearby);
+  double largest(const ConstVector& multipliers) const;
+  double largest_rate(const VectorXd& rows) const;
+  double largest_force(const Evaluation& at);
+
+  const System* system_ = nullptr;
+  NaturalSize size_;
+  VectorXd row_lengths_;
+  VectorXd r_1_, r_2_, none_, no_rows_, terms_, dx_, dlambda_;
+  VectorXd p_, p_lambda_, Mx_, Dp_;
+  double square_ = 0.0, step_ = 0.0;
+  int steps_ = 0;
+};
+
+}  // namespace linkwork
