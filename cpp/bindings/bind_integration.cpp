@@ -119,13 +119,9 @@ py::dict judge_lane(const LaneRun& run, Dynamics& dynamics, const py::object& me
   });
 }
 
-py::dict advance(Run& run, std::int64_t max_frames, double max_seconds) {
-  Frames frames;
-  {
-    const py::gil_scoped_release release;
-    frames = run.advance(max_frames, max_seconds);
-  }
-  return frames_to_dict(std::move(frames), run.dynamics().system());
+void advance(Run& run, std::int64_t max_frames, double max_seconds) {
+  const py::gil_scoped_release release;
+  run.run_on(max_frames, max_seconds);
 }
 
 py::list excesses(const Run& run) {
@@ -260,10 +256,14 @@ void bind_runs(py::module_& module) {
              "Time that a run of so many steps spends on following them for its verdict [s].");
   py::class_<Run> run(module, "Run", "A simulation on its way, advanced in pieces.");
   run.def("advance", exclusive(&advance), py::arg("max_frames"), py::arg("max_seconds"),
-          "Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation, "
-          "history.")
-      .def("take_frames",
-           exclusive(+[](Run& run) { return frames_to_dict(run.take_frames(), run.dynamics().system()); }))
+          "Runs on until so many frames are there, or so much time has passed.")
+      .def("take_frames", exclusive(+[](Run& run, bool at_the_end) {
+             return frames_to_dict(run.take_frames(at_the_end), run.dynamics().system());
+           }),
+           py::arg("at_the_end") = false,
+           "The frames recorded since the last call: t, q, v, vdot, lambda, kinetic, potential, work, violation, "
+           "history. At the end also one that waits for a step which will not come. In a call of its own, as an "
+           "interrupt may take away what `advance` would return.")
       .def("record_reactions", exclusive(+[](Run& run) { run.record_reactions(); }),
            "Frames have reaction_force and reaction_torque (k, joints, 3), too: as Dynamics.reactions finds them, for "
            "less. Before the first frame.")

@@ -1047,9 +1047,9 @@ class Run:
         self,
         max_frames: typing.SupportsInt | typing.SupportsIndex,
         max_seconds: typing.SupportsFloat | typing.SupportsIndex,
-    ) -> dict:
+    ) -> None:
         """
-        Runs on and returns the frames recorded: t, q, v, vdot, lambda, kinetic, potential, work, violation, history.
+        Runs on until so many frames are there, or so much time has passed.
         """
     def expect_breaks(
         self, times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]
@@ -1080,7 +1080,10 @@ class Run:
         Before the first step: goes on from a checkpoint at or before the start, of a run of the same mechanism by the same method, as that one would have gone on; `work` [J] at the start.
         """
     def statistics(self) -> dict: ...
-    def take_frames(self) -> dict: ...
+    def take_frames(self, at_the_end: bool = False) -> dict:
+        """
+        The frames recorded since the last call: t, q, v, vdot, lambda, kinetic, potential, work, violation, history. At the end also one that waits for a step which will not come. In a call of its own, as an interrupt may take away what `advance` would return.
+        """
     @property
     def checkpoint(self) -> typing.Any:
         """

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import os
+import signal
 import subprocess
 import sys
 import textwrap
+import threading
 from pathlib import Path
 from typing import Any
 
@@ -43,6 +46,26 @@ def test_every_integrator_goes_on_in_the_middle_of_a_step_that_the_end_had_short
 ) -> None:
     assert_goes_on(mechanisms.four_bar(), 0.333, 0.5, step=1e-2, integrator=integrator,
                    formulation=formulation, record_every=3)  # fmt: skip
+
+
+@pytest.mark.parametrize("integrator", ["rk4", "ab4", "dopri5"])
+@pytest.mark.parametrize("seconds", [0.03, 0.1, 0.17])
+def test_an_interrupted_run_goes_on_from_its_last_frame(
+    integrator: str, seconds: float, tmp_path: Path
+) -> None:
+    """The key is pressed while steps are taken; what they had recorded by then is not lost."""
+    how: dict[str, Any] = {"step": 1e-3, "integrator": integrator, "record_every": 7}
+    model, output = mechanisms.spatial_slider_crank(), tmp_path / "run.h5"
+    key = threading.Timer(seconds, lambda: os.kill(os.getpid(), signal.SIGINT))
+    key.start()
+    with pytest.raises(KeyboardInterrupt):
+        run(model, 1e4, output=output, **how)
+    key.join()
+    last = lw.Result.load(output).snapshot()
+    assert last.resume is not None
+    t_end = last.t + 0.1
+    rest = bits_after(run(model, t_end, start=last, **how), last.t)
+    assert rest == bits_after(run(model, t_end, **how), last.t)
 
 
 @pytest.mark.parametrize("integrator", PAIRS)

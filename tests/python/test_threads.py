@@ -98,7 +98,8 @@ def test_a_run_on_its_way_refuses_a_second_thread() -> None:
                     call()
         finally:
             door.open.set()
-        assert len(working.result(60)["t"]) == 11
+        working.result(60)
+        assert len(run.take_frames()["t"]) == 11
 
 
 def test_a_function_that_calls_the_system_which_calls_it_is_told() -> None:

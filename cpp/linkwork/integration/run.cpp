@@ -37,7 +37,7 @@ constexpr double unbearable = 1e-3, unbearable_speed = 1e-2, certain = 1e-7;
 
 }  // namespace
 
-Frames Run::advance(std::int64_t max_frames, double max_seconds) {
+void Run::run_on(std::int64_t max_frames, double max_seconds) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   due_ = true;
@@ -46,11 +46,11 @@ Frames Run::advance(std::int64_t max_frames, double max_seconds) {
     stop_at_singular_pose();
     if (std::chrono::duration<double>(Clock::now() - start).count() > max_seconds) break;
   }
-  return taken();
 }
 
 /// A checkpoint counts with the first frame that is not before it.
-Frames Run::taken() {
+Frames Run::take_frames(bool at_the_end) {
+  if (at_the_end) recorder_.finish();
   Frames frames = recorder_.take();
   if (!frames.t.empty() && frames.t.back() >= latest_.t) settled_ = std::exchange(latest_, {});
   due_ = true;

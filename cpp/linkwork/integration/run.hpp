@@ -47,12 +47,15 @@ class Run {
   Run& operator=(const Run&) = delete;
 
   /// Runs until finished, `max_frames` are there, or `max_seconds` have passed (looked at after each step).
-  Frames advance(std::int64_t max_frames, double max_seconds);
+  void run_on(std::int64_t max_frames, double max_seconds);
 
-  /// What was recorded since the last call.
-  Frames take_frames() {
-    recorder_.finish();
-    return taken();
+  /// What was recorded since the last call. At the end also a frame that waits for a step which will not come.
+  Frames take_frames(bool at_the_end);
+
+  /// Both.
+  Frames advance(std::int64_t max_frames, double max_seconds) {
+    run_on(max_frames, max_seconds);
+    return take_frames(false);
   }
 
   /// Frames have reactions. Before the first of them.
@@ -137,7 +140,6 @@ class Run {
   bool bounded_ = false;  ///< steps are no longer those of a run that goes on longer
 
  private:
-  Frames taken();
   void watch_redundant_rows(double t);
   void take_up_rows(double t, RedundancyExamination found);
   std::vector<int> left_joints() const;

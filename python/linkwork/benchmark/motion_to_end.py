@@ -67,8 +67,10 @@ def try_steps(model: Model, step: float, method: str, most: int, limit: float, *
         ready.run.advance(PIECE_FRAMES, 0.0)
         cpu.append(time.process_time() - before[0])
         clock.append(time.perf_counter() - before[1])
+        ready.run.take_frames()
     while not ready.run.finished and sum(cpu) < limit:
         ready.run.advance(PIECE_FRAMES, 0.0)
+        ready.run.take_frames()
     rank = ready.facts["constraints"]
     return Trial(len(cpu), float(np.median(cpu)), float(np.median(clock)), setup, rank)
 
@@ -108,7 +110,8 @@ def move(
         if time.process_time() - cpu > limit:
             reached = f"{run.steps_done} of {steps} steps"
             raise LinkworkError(f"{reached} took {limit:.0f} s, the limit", code="time")
-        frames = run.advance(PIECE_FRAMES, PIECE_SECONDS)
+        run.advance(PIECE_FRAMES, PIECE_SECONDS)
+        frames = run.take_frames()
         if len(frames["t"]):
             energies.append([frames[name] for name in ("kinetic", "potential", "work")])
             violation = max(violation, run.relative_violation())

@@ -121,7 +121,7 @@ class ResultWriter:
         pause: Callable[[], None] = lambda: None,
     ) -> None:
         """
-        checkpoint  for the last frame that was written
+        checkpoint  for the last frame that the run gave out: it is left out where that could not be written
         pause       called between the pieces of the head, of large frames, and of what is written after
                     them. What it raises goes through: the frame in which that was is not kept, and `close`
                     in a hurry is to follow
@@ -130,6 +130,7 @@ class ResultWriter:
         self._header = header
         self._frames = 0
         self._pending: list[Floats] = []
+        self._last_t = -math.inf  # of the frames [s]
         self._failure: FileError | None = None
         self._checkpoint, self._checkpoint_due = checkpoint, 0.0
         self._pause = pause
@@ -172,6 +173,7 @@ class ResultWriter:
         self._frames = end
         self._blocks.add_frames(values, len(t))
         self._pending.append(t)
+        self._last_t = float(t[-1])
         if self._large or time.monotonic() - self._flushed_at > FLUSH_SECONDS:
             self.flush()
 
@@ -260,6 +262,9 @@ class ResultWriter:
         if not self._file:
             return
         stays = hurried and self._beside_bytes > LARGE_CHECKPOINT_BYTES
+        checkpoint = None if stays else self._checkpoint()
+        if self._frames and checkpoint is not None and checkpoint.t > self._last_t:
+            stays = True  # the later one is of frames that did not get here
         try:
             self._flush_frames()
         except FileError:
@@ -267,8 +272,8 @@ class ResultWriter:
             raise
         with self._failures():
             try:
-                if not stays and (self._frames or not hurried):
-                    self._write_checkpoint()
+                if checkpoint is not None and not stays and (self._frames or not hurried):
+                    self._write_checkpoint(checkpoint)
                 self._write_end(statistics)
             finally:
                 self._release()
@@ -287,11 +292,8 @@ class ResultWriter:
         self._file.close()
         os.close(self._descriptor)
 
-    def _write_checkpoint(self) -> None:
+    def _write_checkpoint(self, checkpoint: Checkpoint) -> None:
         """Where there is room for it."""
-        checkpoint = self._checkpoint()
-        if checkpoint is None:
-            return
         needed = self._file.id.get_filesize() + 2 * len(checkpoint.state) + MARGIN_BYTES
         if needed > self._reserved:
             try:

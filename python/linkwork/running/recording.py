@@ -253,7 +253,7 @@ def _abandon(
     try:
         to.note(_occurrences(run, labels))
         if to.takes_more(error):
-            to.write(run.take_frames())
+            to.write(run.take_frames(at_the_end=True))
     finally:
         result = to.abandon(error)
         if isinstance(error, KeyboardInterrupt):
@@ -299,11 +299,11 @@ def _compiled_pieces(run: _core.Run, interrupts: Interrupts, frame_bytes: int) -
     """The compiled driver, which returns now and then so that signals are honored and progress is shown."""
     most_frames = max(1, min(PIECE_FRAMES, PIECE_BYTES // frame_bytes))
     if run.finished:  # by somebody who took its steps beside those of other runs
-        yield run.take_frames()
+        yield run.take_frames(at_the_end=True)
     while not run.finished:
         with interrupts.computing(), StopIterationIsError():
-            frames = run.advance(most_frames, PIECE_SECONDS)
-        yield frames
+            run.advance(most_frames, PIECE_SECONDS)
+        yield run.take_frames()
 
 
 class StopIterationIsError(AbstractContextManager[None]):
@@ -327,7 +327,7 @@ def _python_pieces(
     while not finished:
         with interrupts.computing(), StopIterationIsError():
             finished = _steps(run, step, system, time.perf_counter() + PIECE_SECONDS)
-        yield run.take_frames()
+        yield run.take_frames(at_the_end=True)
 
 
 def _steps(run: _core.Simulation, step: PythonStep, system: System, until: float) -> bool:
