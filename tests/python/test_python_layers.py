@@ -14,10 +14,10 @@ import linkwork as lw
 
 #: Modules and packages in python/linkwork; "linkwork" itself, the public names, stands before the commands.
 ROOMS = [
-    "_core", "former", "arrays", "memory", "errors", "fingerprints", "arguments", "rotation", "functions",
-    "integrators", "options", "modeling", "equations", "motion", "accuracy", "plots", "view", "results",
-    "running", "analyses", "importers", "mechanisms", "comparison", "studies", "ensemble", "validation",
-    "benchmark", "linkwork", "cli",
+    "_core", "former", "arrays", "memory", "errors", "replacement", "fingerprints", "arguments",
+    "rotation", "functions", "integrators", "options", "modeling", "equations", "motion", "accuracy",
+    "plots", "view", "results", "running", "analyses", "importers", "mechanisms", "comparison", "studies",
+    "ensemble", "validation", "benchmark", "linkwork", "cli",
 ]  # fmt: skip
 
 #: What everything speaks of: an earlier room may import these for type checkers.

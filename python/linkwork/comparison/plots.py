@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from linkwork.comparison.runs import WRONG, Outcome
 from linkwork.errors import OptionError, nearest
-from linkwork.plots.figures import COLORS, check_format, new_figure
+from linkwork.plots.figures import COLORS, new_figure, written
 
 if TYPE_CHECKING:
     from linkwork.comparison.table import Comparison
@@ -34,7 +34,7 @@ def plot(comparison: Comparison, kind: str, path: str | os.PathLike[str] | None 
     KINDS[kind](ax, comparison)
     _dress(ax, comparison)
     if path is not None:
-        _save(figure, path)
+        written(figure, path, dpi=130)
     return figure
 
 
@@ -156,13 +156,3 @@ def _dress(ax: Axes, comparison: Comparison) -> None:
                   title_fontsize=7)  # fmt: skip
     else:
         ax.text(0.5, 0.5, "nothing to show", transform=ax.transAxes, ha="center", color="0.5")
-
-
-def _save(figure: Figure, path: str | os.PathLike[str]) -> None:
-    from linkwork.errors import unwritable
-
-    check_format(path)
-    try:
-        figure.savefig(path, dpi=130)
-    except OSError as error:
-        raise unwritable("picture", path, error) from error

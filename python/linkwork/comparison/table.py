@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import csv
 import io
 import json
@@ -18,7 +17,8 @@ from linkwork.arguments import path as path_of
 from linkwork.comparison.order import OrderStudy
 from linkwork.comparison.reference import Reference
 from linkwork.comparison.runs import ERRORS, Outcome
-from linkwork.errors import OptionError, nearest, unwritable
+from linkwork.errors import OptionError, nearest
+from linkwork.replacement import replacing
 
 if TYPE_CHECKING:
     import pandas
@@ -361,17 +361,9 @@ def _plain(value: Any) -> Any:
 
 
 def _written(text: str, path: str | os.PathLike[str] | None) -> str:
-    """To a file beside, then renamed, so that `path` is never half written."""
+    """Also to a file, if one is named."""
     if path is None:
         return text
-    path = path_of(path, "output")
-    beside = path.with_name(f".{path.name}.{os.getpid()}.part")
-    try:
+    with replacing(path_of(path, "output"), "output") as beside:
         beside.write_text(text, encoding="utf-8")
-        os.replace(beside, path)
-    except OSError as error:
-        raise unwritable("output", path, error) from error
-    finally:
-        with contextlib.suppress(OSError):
-            beside.unlink(missing_ok=True)
     return text

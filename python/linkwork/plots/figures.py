@@ -14,8 +14,9 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from linkwork.arrays import Floats
-from linkwork.errors import FileError, nearest, unwritable
+from linkwork.errors import FileError, nearest
 from linkwork.options import LEVELS
+from linkwork.replacement import replacing
 
 if TYPE_CHECKING:
     from linkwork.results.result import Result
@@ -292,11 +293,10 @@ def check_format(path: str | os.PathLike[str]) -> None:
         )
 
 
-def written(figure: Figure, path: str | os.PathLike[str] | None) -> Figure:
+def written(figure: Figure, path: str | os.PathLike[str] | None, dpi: float = 110) -> Figure:
     if path is not None:
         check_format(path)
-        try:
-            figure.savefig(path, dpi=110)
-        except OSError as error:
-            raise unwritable("picture", path, error) from error
+        named = path if os.path.splitext(path)[1] else f"{os.fspath(path)}.png"
+        with replacing(named, "picture") as beside:
+            figure.savefig(beside, dpi=dpi)
     return figure

@@ -11,16 +11,16 @@ import json
 import os
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
 from linkwork.arguments import check_new, is_iterable, one_of, optional_package
 from linkwork.arrays import Floats
-from linkwork.errors import OptionError, unwritable
+from linkwork.errors import OptionError
 from linkwork.modeling.coordinates import known_coordinates
 from linkwork.modeling.handles import Named
+from linkwork.replacement import replacing
 
 if TYPE_CHECKING:
     import pandas
@@ -167,15 +167,9 @@ def to_csv(result: Result, path: str | os.PathLike[str] | None, choice: Choice, 
     table = np.column_stack([result.t, *(it.values for it in found)])
     writer.writerows([repr(number) for number in row] for row in table.tolist())
     if target is not None:
-        _write(target, out.getvalue())
+        with replacing(target, "table") as beside:
+            beside.write_text(out.getvalue(), encoding="utf-8")
     return out.getvalue()
-
-
-def _write(path: Path, text: str) -> None:
-    try:
-        path.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise unwritable("table", path, error) from error
 
 
 def to_xarray(result: Result, choice: Choice) -> xarray.Dataset:

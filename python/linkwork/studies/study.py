@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from linkwork.arguments import check_new, optional_package
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError, unwritable
+from linkwork.replacement import replacing
 from linkwork.results.result import Result
 from linkwork.studies.cases import Runner
 from linkwork.studies.collected import Collected
@@ -231,15 +232,11 @@ class Study:
         target = check_new(path, "table", overwrite)
         columns = dict(self._flat())
         columns["error"] = np.array([self.errors.get(k, {}).get("message", "") for k in range(len(self))])
-        try:
-            with open(target, "w", newline="", encoding="utf-8") as file:
-                writer = csv.writer(file, lineterminator="\n")
-                writer.writerow(["case", *columns])
-                writer.writerows(
-                    zip(range(len(self)), *(it.tolist() for it in columns.values()), strict=True)
-                )
-        except OSError as error:
-            raise unwritable("table", target, error) from error
+        rows = zip(range(len(self)), *(it.tolist() for it in columns.values()), strict=True)
+        with replacing(target, "table") as beside, open(beside, "w", newline="", encoding="utf-8") as file:
+            writer = csv.writer(file, lineterminator="\n")
+            writer.writerow(["case", *columns])
+            writer.writerows(rows)
 
     def _flat(self) -> Iterator[tuple[str, NDArray[Any]]]:
         """Columns (n,) of the table; of arrays one a number. OptionError: two of one name."""
@@ -300,12 +297,12 @@ class Study:
         """
         target = check_new(path, "data set", overwrite)
         data = self.to_xarray()
-        try:
-            with warnings.catch_warnings():
-                warnings.filterwarnings("ignore", "coordinate .* has a space in its name")
-                data.to_netcdf(target)
-        except (OSError, ValueError) as error:
-            raise unwritable("data set", target, error) from error
+        with replacing(target, "data set") as beside, warnings.catch_warnings():
+            warnings.filterwarnings("ignore", "coordinate .* has a space in its name")
+            try:
+                data.to_netcdf(beside)
+            except ValueError as error:
+                raise unwritable("data set", target, error) from error
 
 
 # --- from runs ---

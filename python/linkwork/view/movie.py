@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 
 from linkwork import arguments, rotation
 from linkwork.arrays import Floats
-from linkwork.errors import FileError, OptionError, unwritable
+from linkwork.errors import FileError, OptionError
+from linkwork.replacement import replacing
 from linkwork.view.appearance import RAMPED, Scene, Solid, Span, at_least, scene
 from linkwork.view.camera import Camera, floor
 from linkwork.view.raster import Raster
@@ -66,12 +67,9 @@ def movie(
     times = result.t[0] + duration * np.linspace(0, 1, max(2, round(lasts * frames_per_second)))
     pictures = Painter(result, size).pictures(times)
     write = _write_gif if file.suffix.lower() == ".gif" else _write_mp4
-    try:
-        with open(file, "ab"):  # before the work, not after it
-            pass
-        write(file, pictures, frames_per_second, size)
-    except OSError as error:
-        raise unwritable("movie", path, error) from error
+    with replacing(file, "movie") as beside:
+        beside.touch()  # what cannot be written is told before the work
+        write(beside, pictures, frames_per_second, size)
 
 
 def _is_size(size: object) -> bool:

@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from linkwork.arguments import check_suffix, is_number
-from linkwork.errors import OptionError, unwritable
+from linkwork.errors import OptionError
+from linkwork.replacement import replacing
 from linkwork.view.run import LIMIT, Document, document
 
 if TYPE_CHECKING:
@@ -48,10 +49,8 @@ class Page:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """FileError: it has the suffix of another kind of file, or cannot be written."""
-        try:
-            check_suffix(path, "page").write_text(self.html, encoding="utf-8")
-        except OSError as error:
-            raise unwritable("page", path, error) from error
+        with replacing(check_suffix(path, "page"), "page") as beside:
+            beside.write_text(self.html, encoding="utf-8")
 
     def open(self) -> Path:
         """In the web browser, from a temporary file that stays."""

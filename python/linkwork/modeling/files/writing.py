@@ -6,7 +6,6 @@ import dataclasses
 import json
 import os
 import re
-import tempfile
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from itertools import repeat
@@ -25,6 +24,7 @@ from linkwork.modeling.files import packed, schema
 from linkwork.modeling.files.collection import collection_paused
 from linkwork.modeling.files.syntax import check_suffix
 from linkwork.modeling.shapes import Shape
+from linkwork.replacement import replacing
 
 _COMMENT = """\
 # SI units, angles in rad. Positions and velocities are inertial; omega and the inertia refer to body axes
@@ -279,26 +279,9 @@ def _word(text: str) -> str:
 
 def _write_whole(path: Path, lines: Iterator[str]) -> None:
     """All or nothing: a file that is there stays as it is until the new one is complete."""
-    temporary = None
     try:
-        with tempfile.NamedTemporaryFile(
-            "w", encoding="utf-8", dir=path.absolute().parent, prefix=f".{path.name}.", delete=False
-        ) as file:
-            temporary = file.name
+        with replacing(path, "model file") as beside, open(beside, "w", encoding="utf-8") as file:
             file.writelines(lines)
-        os.chmod(temporary, 0o666 & ~_umask())
-        os.replace(temporary, path)
     except UnicodeEncodeError as error:
         no_text = ValueError("a name is no valid text; rename what has it")
         raise unwritable("model file", path, no_text) from error
-    except OSError as error:
-        raise unwritable("model file", path, error) from error
-    finally:
-        if temporary is not None and os.path.exists(temporary):
-            os.unlink(temporary)
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
