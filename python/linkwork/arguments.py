@@ -40,6 +40,7 @@ SUFFIXES = {
     "movie": (".mp4", ".gif"), "data set": (".nc",),
     "picture": (".png", ".pdf", ".svg", ".eps", ".ps", ".jpg", ".jpeg", ".tif", ".tiff", ".webp"),
     "model": (".yaml", ".yml", ".json"), "robot": (".urdf", ".sdf", ".xml"),
+    "spreadsheet": (".xlsx", ".xls", ".ods"), "column store": (".parquet", ".feather", ".arrow"),
 }  # fmt: skip
 
 #: What NumPy and Python raise for what is not made of numbers.

@@ -123,6 +123,13 @@ def test_a_scheduler_that_is_lost_is_told_and_the_study_goes_on(
     same(lw.sweep(MODEL, MASSES, OUTPUTS, processes=1, directory=where, **RUN), expected)
 
 
+def test_a_client_that_is_closed_is_told() -> None:
+    client = distributed.Client(n_workers=1, processes=False, dashboard_address=None)
+    client.close()
+    with pytest.raises(lw.OptionError, match="the client of Dask is closed"):
+        lw.sweep(MODEL, MASSES, OUTPUTS, executor=client, **RUN)
+
+
 def test_jobs_of_submitit(tmp_path: Path, expected: lw.Study) -> None:
     few = {"gravity[2]": MASSES["gravity[2]"][:3]}
     for cluster in ("debug", "local"):

@@ -92,6 +92,17 @@ def test_termination_of_a_command_is_a_line_and_its_exit_code(tmp_path: Path) ->
     assert lw.Result.load(output).status == "interrupted"
 
 
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no such device here")
+@pytest.mark.parametrize("words", [["list", "joints"], ["run", "pendulum", "--json"]])
+def test_output_for_which_there_is_no_room_is_an_error_in_one_line(words: list[str]) -> None:
+    command = [sys.executable, "-c", "from linkwork.cli import main; main()", *words]
+    with open("/dev/full", "w") as full:
+        done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, check=False)
+    assert done.returncode == 1
+    assert done.stderr.decode().startswith("error: standard output: no space left on device")
+    assert done.stderr.count(b"\n") == 1
+
+
 HEAP = b"GCOL\x01\x00\x00\x00"
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import concurrent.futures
+import enum
 import json
 import multiprocessing
 import os
@@ -467,9 +468,14 @@ def test_a_directory_of_another_study_is_refused(tmp_path: Path) -> None:
                    {"parameters": {"gravity[2]": [1]}}):  # fmt: skip
         usual: dict[str, Any] = {"model": rod(), "parameters": {"rod.mass": [1]}, "outputs": "final"}
         given: dict[str, Any] = {**usual, **FEW, **change}
-        with pytest.raises(lw.FileError, match="holds a study with another"):
+        with pytest.raises(lw.FileError, match="holds a study with (another|other)"):
             lw.sweep(given.pop("model"), given.pop("parameters"), given.pop("outputs"), **given,
                      directory=tmp_path / "a")  # fmt: skip
+    with pytest.raises(
+        lw.FileError, match="other options: integrator none, not 'rk4'; step 0.005, not 0.01;"
+    ):
+        lw.sweep(rod(), {"rod.mass": [1]}, "final", **{**FEW, "step": 0.01}, integrator="rk4",
+                 directory=tmp_path / "a")  # fmt: skip
     (tmp_path / "c" / "cases").mkdir(parents=True)  # one who begins it now comes so far
     (tmp_path / "c" / ".study.json.1f").touch()
     lw.sweep(rod(), {"rod.mass": [1]}, "final", **FEW, directory=tmp_path / "c")
@@ -530,7 +536,7 @@ def test_an_output_that_says_something_else_now_is_refused(
 
     first = study(1.0)
     assert study(1.0) == first
-    with pytest.raises(lw.FileError, match="holds a study with another outputs"):
+    with pytest.raises(lw.FileError, match="holds a study with other outputs"):
         study(2.0)
 
 
@@ -729,6 +735,33 @@ def test_command_runs_shards_and_gathers_them(folder: Path, capsys: pytest.Captu
     assert set(keys_in(folder / "kept").values()) == {1}
 
 
+def test_command_says_that_all_have_failed(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "study.yaml").write_text(STUDY.replace("[1.0, 2.0, -3.0]", "[-2.0, -3.0]"))
+    file = str(folder / "study.yaml")
+    assert run(["sweep", file, "--shard", "0/2"], False) == 0  # other shards may do better
+    capsys.readouterr()
+    assert run(["sweep", file, "--json"], False) == 1
+    said = capsys.readouterr()
+    assert json.loads(said.out)["failed"] == 2
+    assert said.err.startswith("error: no case has finished, 2 failed: body 'rod': mass")
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["--output", "cases.xlsx"], "xlsx is the suffix of a spreadsheet: a table is written to .csv"),
+        (["--output", "cases.parquet"], "parquet is the suffix of a column store"),
+        (["--plot", "p.png", "--kind", "bands"], "no output is an array over time"),
+        (["--plot", "p.png", "--kind", "surface"], "needs two parameters, and the study has 1"),
+    ],
+)
+def test_command_refuses_before_the_first_case_what_it_could_not_write_or_draw(
+    options: list[str], message: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(["sweep", str(folder / "study.yaml"), *options], False) == 1
+    assert message in capsys.readouterr().err and not (folder / "kept").exists()
+
+
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
@@ -861,3 +894,47 @@ def test_a_file_has_samplers_and_distributions(folder: Path) -> None:
                       cases=4, seed=3, **FEW)  # fmt: skip
     same(study, direct)
     assert given["directory"] == folder / "kept"
+
+
+class Material(enum.Enum):
+    STEEL = 7850.0
+    OAK = 700.0
+
+
+@pytest.mark.parametrize("values", [list(Material), [Path("a"), Path("b")], [{1: 2.0}, {1: 3.0}]])
+def test_values_that_a_directory_cannot_hold_are_refused_and_run_without_one(
+    values: list[Any], tmp_path: Path
+) -> None:
+    def build(it: Any) -> lw.Model:
+        return rod()
+
+    assert (lw.sweep(build, {"it": values}, "final", **FEW).status == "finished").all()
+    with pytest.raises(lw.OptionError, match="parameter 'it': .* cannot be kept in a directory"):
+        lw.sweep(build, {"it": values}, "final", **FEW, directory=tmp_path / "kept")
+
+
+def test_an_output_that_raises_is_named() -> None:
+    study = lw.sweep(rod(), {"rod.mass": [1]}, {"quotient": lambda result: 1 / 0}, **FEW)
+    assert study.errors[0]["message"] == "output 'quotient': division by zero"
+
+
+def test_samplers_and_distributions_that_give_something_else_are_told() -> None:
+    from linkwork.studies.sampling import cases_of
+    from scipy import stats
+    from scipy.stats import qmc
+
+    few = qmc.PoissonDisk(1, radius=0.3, seed=1)
+    with pytest.warns(lw.LinkworkWarning, match="cases 50: PoissonDisk gives 3 only"):
+        assert len(cases_of({"x": (0, 1)}, few, 50, None)) == 3
+    with pytest.raises(lw.OptionError, match="parameter 'x': its distribution is of 2 numbers"):
+        cases_of({"x": stats.norm([1, 2], 0.1)}, None, 5, 1)
+
+
+def test_names_that_netcdf_does_not_take_are_told(tmp_path: Path) -> None:
+    pytest.importorskip("xarray")
+    study = lw.sweep(rod(), {"rod.mass": [1]}, {"\u043c\u0430\u0441\u0441\u0430": "energy.max"}, **FEW)
+    try:
+        study.save(tmp_path / "cases.nc")
+    except lw.FileError as error:  # of SciPy, where no other package is there
+        assert "not of Latin letters" in str(error) and not list(tmp_path.iterdir())
+    study.to_csv(tmp_path / "cases.csv")

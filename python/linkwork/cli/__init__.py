@@ -21,7 +21,7 @@ import click
 
 from linkwork.cli import base, shells
 from linkwork.cli.commands import linkwork
-from linkwork.errors import LinkworkError
+from linkwork.errors import LinkworkError, cause
 from linkwork.running.interrupts import Terminated, honor_termination
 
 __all__ = ["main"]
@@ -66,6 +66,7 @@ def run(words: list[str], debug: bool) -> int:
     try:
         with linkwork.make_context("linkwork", words) as context:  # not main(), which prints at Ctrl-C
             linkwork.invoke(context)
+        sys.stdout.flush()  # what is wrong with it is to be told here, not at the end of Python
         return 0
     except click.exceptions.Exit as end:
         return end.exit_code
@@ -74,7 +75,7 @@ def run(words: list[str], debug: bool) -> int:
     except (KeyboardInterrupt, click.Abort) as stop:
         return tell(str(stop) or "interrupted", INTERRUPTED[isinstance(stop, Terminated)])
     except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _print_no_more()
         return 1
     except LinkworkError as error:
         if debug:
@@ -85,7 +86,15 @@ def run(words: list[str], debug: bool) -> int:
     except Exception as error:
         if debug:
             raise
+        if isinstance(error, OSError) and error.filename is None:
+            _print_no_more()
+            return tell(f"standard output: {cause(error)}", 1)
         return tell(f"{type(error).__name__}: {error} (unexpected; --debug shows where)", 1)
+
+
+def _print_no_more() -> None:
+    """To where nobody listens, or nothing can be written."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def _complain(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import sys
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -61,6 +62,10 @@ def sweep(file: str, shard: str | None, gather: bool, processes: int | None, cas
     if page is not None:
         out.check_writable(page, "page")
     given = read_study(file)
+    if picture is not None:
+        from linkwork.studies.pictures import check_possible
+
+        check_possible(kind, len(given["parameters"]), given.get("times"))
     study = run(**given, shard=part, gather=gather, processes=processes, case_seconds=case_seconds)
     if output is not None:
         save = study.save if output.endswith(".nc") else study.to_csv
@@ -75,6 +80,16 @@ def sweep(file: str, shard: str | None, gather: bool, processes: int | None, cas
         _print(study)
         files = [("output", output or ""), ("picture", picture or ""), ("page", page or "")]
         out.print_pairs([("directory", str(given["directory"])), *files])
+    _say_if_none(study)
+
+
+def _say_if_none(study: Study) -> None:
+    """Exit code 1 where all cases of a study have failed, other than a shard's."""
+    failed = int((study.status == "failed").sum())
+    if failed == len(study):
+        first = study.errors[min(study.errors)]["message"]
+        print(f"error: no case has finished, {failed} failed: {first}", file=sys.stderr)
+        raise click.exceptions.Exit(1)
 
 
 def _shard(text: str) -> tuple[int, int]:

@@ -55,7 +55,7 @@ def _at_rest(model: Model, duration: float) -> float:
     core, length = model.compiled(), size(model)
     speed = STILL * length / duration if duration > 0 else 0.0
     falling = float(np.linalg.norm(core.gravity)) * FALLEN * length
-    return float(np.sum(core.mass)) * (0.5 * speed**2 + falling)
+    return float(np.sum(core.mass)) * (0.5 * speed * speed + falling)
 
 
 class ErrorEstimator:

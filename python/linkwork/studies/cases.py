@@ -100,10 +100,15 @@ class Runner:
 
     def kept(self, result: Result | LastState) -> dict[str, Any]:
         """Status, outputs and verdict of one that came to its end; failed where an output cannot be told."""
-        try:
-            outputs = {output.label: output.value(result, self.times).tolist() for output in self.outputs}
-        except Exception as error:
-            return {"status": "failed", "error": facts_of(error)}
+        outputs = {}
+        for output in self.outputs:
+            try:
+                outputs[output.label] = output.value(result, self.times).tolist()
+            except Exception as error:
+                facts, named = facts_of(error), f"output '{output.label}': "
+                text = str(facts["message"])
+                message = text if text.startswith(named) else named + text
+                return {"status": "failed", "error": {**facts, "message": message}}
         return {"status": "finished", "outputs": outputs, "verdict": _verdict(result)}
 
     def result(self, values: Mapping[str, Any]) -> Result:

@@ -35,6 +35,8 @@ def check_executor(executor: Any, processes: int | None, runner: Any) -> None:
         )
     if processes is not None:
         raise OptionError("processes is of the local ones: with an executor leave it out", code="conflict")
+    if getattr(getattr(executor, "_client", executor), "status", "running") in ("closing", "closed"):
+        raise OptionError("executor: the client of Dask is closed; make a new one", code="executor")
     if isinstance(executor, futures.ThreadPoolExecutor):
         return
     try:

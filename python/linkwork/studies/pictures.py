@@ -20,7 +20,7 @@ from linkwork.plots.figures import COLORS, check_format, new_figure, style, writ
 if TYPE_CHECKING:
     from linkwork.studies.study import Study
 
-__all__ = ["KINDS", "Column", "Swing", "numbers_of", "plot", "swings"]
+__all__ = ["KINDS", "Column", "Swing", "check_possible", "numbers_of", "plot", "swings"]
 
 #: Columns of a scatter matrix, panels of the other pictures; the title tells what is left out.
 COLUMNS, PANELS = 6, 6
@@ -29,6 +29,8 @@ COLUMNS, PANELS = 6, 6
 LOW, HIGH = 5.0, 95.0
 
 FAILED = "#d55e00"
+
+NO_BANDS = "plot 'bands': no output is an array over time: give one without .max, and times="
 
 #: Numbers are the same within this, relative to the largest. And bins of a histogram.
 SAME, MOST_BINS = 1e-12, 60
@@ -80,6 +82,17 @@ def plot(
         raise OptionError("study: no case has finished, so that there is nothing to draw", code="outputs")
     chosen = _chosen("output", study.outputs, outputs), _chosen("parameter", study.parameters, parameters)
     return written(KINDS[kind](study, *chosen), path)
+
+
+def check_possible(kind: str, parameters: int, times: object) -> None:
+    """OptionError, before a study: it would have nothing for this picture."""
+    if kind == "bands" and times is None:
+        raise OptionError(NO_BANDS, code="outputs")
+    if kind == "surface" and parameters < 2:
+        raise OptionError(
+            f"plot 'surface': needs two parameters, and the study has {parameters}; use 'scatter'",
+            code="outputs",
+        )
 
 
 def _chosen(what: str, known: Mapping[str, object], names: str | Sequence[str] | None) -> list[str]:
@@ -229,9 +242,7 @@ def _bands(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
     """Outputs over time: median, the middle half and nine tenths of the cases, and the extremes."""
     names, times = [name for name in outputs if name in study.over_time], study.times
     if not names or times is None:
-        raise OptionError(
-            "plot 'bands': no output is an array over time: give one without .max, and times=", code="outputs"
-        )
+        raise OptionError(NO_BANDS, code="outputs")
     pieces = [(name, place) for name in names for place in np.ndindex(study.outputs[name].shape[2:])]
     figure, axes = _panels(min(len(pieces), PANELS))
     for ax, (name, place) in zip(axes, pieces, strict=False):

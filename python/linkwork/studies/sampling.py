@@ -207,6 +207,8 @@ def _points(engine: Any, count: int) -> Floats:
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
         points: Floats = engine.random(count)
+    if len(points) < count:
+        warn(f"cases {count}: {type(engine).__name__} gives {len(points)} only, and so many are run")
     for text in dict.fromkeys(" ".join(str(it.message).split()) for it in told):
         warn(f"cases {count}: {text}")
     return points
@@ -253,7 +255,13 @@ def _is_distribution(given: Any) -> bool:
 def _quantile(name: str, given: Any) -> Callable[[Floats], Floats]:
     """From the unit interval to values. OptionError: neither bounds nor a distribution."""
     if _is_distribution(given):
-        if not np.isfinite(given.ppf(0.5)):
+        middle = given.ppf(0.5)
+        if np.ndim(middle) > 0:
+            raise OptionError(
+                f"parameter '{name}': its distribution is of {np.size(middle)} numbers: give each its own",
+                code="parameters",
+            )
+        if not np.isfinite(middle):
             raise OptionError(f"parameter '{name}': its distribution is none: check its numbers",
                               code="parameters")  # fmt: skip
         return lambda u: np.asarray(given.ppf(u), dtype=float)

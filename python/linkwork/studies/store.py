@@ -113,8 +113,9 @@ class Store:
             ) from error
         for name, value in identity.items():
             if stored.get(name) != value:
+                other = "other" if name.endswith("s") else "another"
                 raise FileError(
-                    f"directory '{self.directory}': holds a study with another {name}"
+                    f"directory '{self.directory}': holds a study with {other} {name}"
                     f"{_difference(stored.get(name), value)}; give another directory, or remove this one",
                     code="other_study",
                 )
@@ -139,8 +140,23 @@ def stored_identity(directory: Any) -> Mapping[str, Any] | None:
 
 
 def _difference(stored: Any, value: Any) -> str:
+    if isinstance(stored, dict) and isinstance(value, dict):
+        names = sorted(name for name in stored.keys() | value.keys() if stored.get(name) != value.get(name))
+        pairs = [f"{name} {_readable(stored, name)}, not {_readable(value, name)}" for name in names]
+        return ": " + "; ".join(pairs)
     short = all(len(str(it)) <= 60 for it in (stored, value)) and not str(value).isalnum()
     return f": {stored!r}, not {value!r}" if short or isinstance(value, int | float) else ""
+
+
+def _readable(options: Mapping[str, Any], name: str) -> str:
+    """A value as it was given, of the text that counts; numbers are in hexadecimal there."""
+    if name not in options:
+        return "none"
+    text = str(options[name])
+    try:
+        return f"{float.fromhex(text):g}" if "0x" in text else text[:60]
+    except ValueError:
+        return text[:60]
 
 
 def _read(file: Path) -> tuple[Mapping[str, Any], Sequence[Run]]:

@@ -301,6 +301,9 @@ class Study:
             warnings.filterwarnings("ignore", "coordinate .* has a space in its name")
             try:
                 data.to_netcdf(beside)
+            except UnicodeEncodeError as error:
+                why = ValueError("a name is not of Latin letters: install h5netcdf, or take to_csv")
+                raise unwritable("data set", target, why) from error
             except ValueError as error:
                 raise unwritable("data set", target, error) from error
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import datetime
 import inspect
+import json
 import logging
 import os
 import time
@@ -23,7 +24,7 @@ from linkwork.arrays import Floats
 from linkwork.comparison.workers import Lost, can_fork
 from linkwork.equations.system import System
 from linkwork.errors import FileError, LinkworkError, LinkworkWarning, OptionError, warn
-from linkwork.fingerprints import canonical, digest, digests
+from linkwork.fingerprints import canonical, digest, digests, plain
 from linkwork.modeling.model import Model
 from linkwork.motion.header import Header
 from linkwork.options import TABLE, check_name, check_number, check_option, without_threads
@@ -152,6 +153,8 @@ def sweep(
     head = digest(identity, _version())
     keys = digests(head, drawn.columns)
     about = _about(runner, drawn, first, seed)
+    if directory is not None:
+        _check_kept(drawn)
     store = None if directory is None else Store(directory, identity, about, new=not gather)
     if store is not None and isinstance(source, Built):
         _check_example(source, store)
@@ -222,6 +225,25 @@ def _check_names(cases: Cases, outputs: Sequence[wanted.Output]) -> None:
                     f"{what} '{name}': is the name of {taken[name]}: choose another", code="names"
                 )
             taken[name] = f"a {what}"
+
+
+def _check_kept(cases: Cases) -> None:
+    """OptionError: a value that does not come back from a file as what it is."""
+    for name, values in cases.columns.items():
+        for value in values:
+            if type(value) in (float, int, str, bool):
+                continue
+            try:
+                same = json.loads(json.dumps(value)) == plain(value)
+            except (TypeError, ValueError):
+                same = False
+            if not same:
+                raise OptionError(
+                    f"parameter '{name}': {value!r:.60} cannot be kept in a directory, which holds numbers, "
+                    "texts, lists, and mappings of texts to these: name it by one of them and look it up "
+                    "in the function that builds the model, or leave directory out",
+                    code="parameters",
+                )
 
 
 def _check_options(options: Mapping[str, Any]) -> None:
