@@ -7,8 +7,10 @@ import dataclasses
 import functools
 import hashlib
 import re
-from collections.abc import Mapping, Sequence, Set
+import sys
+from collections.abc import Iterator, Mapping, Sequence, Set
 from os import PathLike
+from pathlib import Path
 from types import CellType, CodeType, FunctionType, MethodType, ModuleType
 from typing import Any
 
@@ -46,8 +48,9 @@ def digests(head: str, columns: Mapping[str, Sequence[Any]]) -> list[str]:
 
 
 def canonical(value: Any, inside: frozenset[int] = frozenset()) -> str:
-    """A text with every bit of the value. Functions count by their code, defaults, closures, and by the data
-    and functions of their own module that they read, not by other modules; objects by their attributes."""
+    """A text with every bit of the value. Functions count by their code, defaults, closures, and by the data,
+    functions and classes that they read of their own module and others that are not installed; objects by
+    their attributes."""
     if type(value) is float:  # what most are
         return value.hex()
     if type(value) is str:
@@ -69,33 +72,90 @@ def canonical(value: Any, inside: frozenset[int] = frozenset()) -> str:
 
 
 def _read_by(function: FunctionType) -> list[tuple[str, Any]]:
-    """What a function reads of its module, itself or by functions of that module, each once: the code of
-    these, data, objects of that module, data classes, and others that hold nothing but data."""
-    own, found, todo = function.__module__, dict[str, Any](), [function]
+    """What a function reads of its module and of others that are not installed, itself or by functions and
+    classes of these, each once: their code, data, objects of their classes, data classes, and others that
+    hold nothing but data."""
+    own, found = function.__module__, dict[str, Any]()
+    seen, todo = {id(function)}, [function]
     while todo:
-        code, read = (it := todo.pop()).__code__, it.__globals__
-        for name in _names(code) & read.keys() - found.keys():
-            value = read[name]
-            if isinstance(value, FunctionType) and value.__module__ == own:
-                cells = [_content(cell) for cell in value.__closure__ or ()]
-                inner = [cell for cell in cells if isinstance(cell, FunctionType)]  # what is decorated
-                given = [
-                    value.__defaults__,
-                    value.__kwdefaults__,
-                    *(it for it in cells if isinstance(it, _DATA)),
-                ]
-                found[name] = [*(it.__code__ for it in (value, *inner)), *given]
-                todo += [value, *inner]
-            elif _counts(value, own):
-                found[name] = value
+        for label, value in _reads(todo.pop(), function, own):
+            if label in found:
+                continue
+            kind = value if isinstance(value, type) else type(value)
+            parts = [("", value)] if isinstance(value, FunctionType) else []
+            if _is_own(kind.__module__, own):
+                parts = _of_class(kind, own)
+            for name, it in parts:
+                if isinstance(it, FunctionType) and _is_own(it.__module__, own):
+                    inner = [
+                        cell for cell in _cells(it) if isinstance(cell, FunctionType)
+                    ]  # what is decorated
+                    found[label + name] = _code_and_data(it, inner)
+                    todo += [other for other in (it, *inner) if id(other) not in seen]
+                    seen.update(map(id, (it, *inner)))
+                elif name:
+                    found[label + name] = it
+            if _counts(value, own):
+                found[label] = value
     return sorted(found.items())
+
+
+def _reads(it: FunctionType, first: FunctionType, own: str) -> Iterator[tuple[str, Any]]:
+    """Names of the module, and of other modules by these: "FACTOR", "helpers.FACTOR"."""
+    names, known = sorted(_names(it.__code__)), it.__globals__
+    lead = "" if known is first.__globals__ else f"{it.__module__}."
+    for name in names:
+        value = known.get(name)
+        if not isinstance(value, ModuleType):
+            if name in known:
+                yield lead + name, value
+        elif _is_own(value.__name__, own):
+            inside = vars(value)
+            yield from ((f"{value.__name__}.{inner}", inside[inner]) for inner in names if inner in inside)
+
+
+def _of_class(kind: type, own: str) -> list[tuple[str, Any]]:
+    """Functions and data of a class, and of those that it is made from."""
+    found = []
+    for base in kind.__mro__:
+        for name, value in vars(base).items() if _is_own(base.__module__, own) else ():
+            for attribute in ("__func__", "fget", "func"):  # of a class, a property, a cached one
+                value = getattr(value, attribute, value)
+            if isinstance(value, FunctionType) or (isinstance(value, _DATA) and not name.startswith("_")):
+                found.append((f":{base.__name__}.{name}", value))
+    return found
+
+
+def _code_and_data(function: FunctionType, inner: Sequence[FunctionType]) -> list[Any]:
+    given = [function.__defaults__, function.__kwdefaults__]
+    data = [cell for cell in _cells(function) if isinstance(cell, _DATA)]
+    return [*(it.__code__ for it in (function, *inner)), *given, *data]
+
+
+def _cells(function: FunctionType) -> list[Any]:
+    return [_content(cell) for cell in function.__closure__ or ()]
+
+
+def _is_own(module: str, own: str) -> bool:
+    return module == own or _is_users(module)
+
+
+@functools.cache
+def _is_users(module: str) -> bool:
+    """Whether it is a script, or in a file that nobody has installed."""
+    file = getattr(sys.modules.get(module), "__file__", None)
+    if module in ("__main__", "__mp_main__"):
+        return True
+    if file is None or module.split(".")[0] in ("linkwork", *sys.stdlib_module_names):
+        return False
+    return not {"site-packages", "dist-packages"} & set(Path(file).parts)
 
 
 def _counts(value: Any, own: str) -> bool:
     if isinstance(value, type | FunctionType):
         return False
-    known = isinstance(value, (*_DATA, functools.partial, MethodType)) or type(value).__module__ == own
-    if known or dataclasses.is_dataclass(value):
+    known = isinstance(value, (*_DATA, functools.partial, MethodType))
+    if known or _is_own(type(value).__module__, own) or dataclasses.is_dataclass(value):
         return True
     state = _state(value)
     return bool(state) and all(it is None or callable(it) or isinstance(it, _DATA) for _, it in state)
@@ -168,8 +228,7 @@ def _parts(value: Any) -> list[Any]:
     if isinstance(value, Mapping):
         return [*value.items()]
     if isinstance(value, FunctionType):
-        cells = [_content(cell) for cell in value.__closure__ or ()]
-        parts = [value.__qualname__, value.__code__, value.__defaults__, value.__kwdefaults__, cells]
+        parts = [value.__qualname__, value.__code__, value.__defaults__, value.__kwdefaults__, _cells(value)]
         return [*parts, *_read_by(value)]
     if isinstance(value, CodeType):
         return [value.co_code, value.co_consts, value.co_names, value.co_varnames]
@@ -180,11 +239,13 @@ def _parts(value: Any) -> list[Any]:
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
         return [(it.name, getattr(value, it.name)) for it in dataclasses.fields(value)]
     if state := _state(value):
-        call = vars(type(value)).get("__call__")
+        kind = type(value)
+        call = vars(kind).get("__call__")
+        methods = _of_class(kind, kind.__module__) if _is_users(kind.__module__) else []
         numbers = [np.asarray(value)] if hasattr(type(value), "__array__") else []  # of a data frame
         return [
             ADDRESS.sub("", repr(value)),
-            *([call] if isinstance(call, FunctionType) else []),
+            *(methods or ([call] if isinstance(call, FunctionType) else [])),
             *numbers,
             *state,
         ]
