@@ -463,3 +463,15 @@ def test_the_reaction_of_a_coupler_is_that_on_the_second_body_of_its_first_joint
     assert np.abs(multiplier).max() > 0.1
     assert np.abs(reaction.torque - expected[:, None] * [0, 1, 0]).max() < 1e-10
     assert np.abs(reaction.force).max() < 1e-12
+
+
+@pytest.mark.parametrize("length", [1.0, 1e-3, 1e-6, 1e-9])
+def test_a_link_with_two_hinges_may_be_of_any_length(length: float) -> None:
+    """A rod that hangs on it: a double pendulum, whose first link has no mass."""
+    model = lw.Model(gravity=(0, 0, -9.81 * length))
+    rod = model.body("rod", mass=2.0, inertia=(1e-3 * length**2, length**2 / 6, length**2 / 6),
+                     position=(1.5 * length, 0, 0))  # fmt: skip
+    model.revolute_revolute(model.ground, rod, at=[(0, 0, 0), (length, 0, 0)], axis=(0, 1, 0), name="link")
+    v_dot, _ = lw.System(model).accelerations(0.0, model.compiled().q0, model.compiled().v0)
+    fall = [0, 0, -9.81 * length, 0, 0, 0]  # nothing holds it but a link that points along it
+    np.testing.assert_allclose(v_dot, fall, atol=1e-9 * length)

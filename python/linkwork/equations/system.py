@@ -162,6 +162,10 @@ class System:
             system = lw.System(model, formulation="augmented_lagrangian")
             v_dot, multipliers = system.accelerations(0.0, result.q[-1], result.v[-1])
 
+        In a singular pose, where equations depend on each other for a moment, the accelerations are those of
+        independent ones, and the multipliers one choice of many: not that of least norm, as of equations that
+        are redundant everywhere.
+
         t [s], q (n, 7) or (7n,), v (n, 6) or (6n,). OptionError: another shape, no numbers, no finite time.
         """
         v_dot, multipliers = self._dynamics.accelerations(*self._moment(t, q, v), _given(history))

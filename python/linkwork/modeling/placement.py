@@ -410,10 +410,14 @@ def _space_axes(place: Place) -> Pair:
 def _frame(place: Place, z: Floats, x: Floats, what: str) -> Floats:
     """Right-handed axes (k, 3, 3) with the direction of z, and x as near as can be."""
     z = z / np.linalg.norm(z, axis=1, keepdims=True)
+    given = np.linalg.norm(x, axis=1)
     x = x - np.sum(x * z, axis=1, keepdims=True) * z
     length = np.linalg.norm(x, axis=1, keepdims=True)
     place.subject.check(
-        length[:, 0] > ROUNDING, lambda k: f"{what} is parallel to the axis {text(z[k])}", "zero_axis", what
+        length[:, 0] > ROUNDING * given,
+        lambda k: f"{what} is parallel to the axis {text(z[k])}",
+        "zero_axis",
+        what,
     )
     x = x / length
     return np.stack([x, np.cross(z, x), z], axis=2)

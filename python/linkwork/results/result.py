@@ -325,7 +325,9 @@ class Result:
 
             force = result.reaction("pin").force
 
-        The torque is about that point, `joint_points(name)[:, 1]`, which moves with the second body.
+        The torque is about that point, `joint_points(name)[:, 1]`, which moves with the second body. What the
+        first body, or the ground, gets is the opposite moved to its own point: where constraints are violated
+        the two points are apart.
 
         `frame="joint"` gives the components along the joint's own axes, which move with its first body.
         `unique_reactions` says whether it follows from the motion.
