@@ -241,7 +241,7 @@ def _parts(value: Any) -> list[Any]:
     if state := _state(value):
         kind = type(value)
         call = vars(kind).get("__call__")
-        methods = _of_class(kind, kind.__module__) if _is_users(kind.__module__) else []
+        methods: list[Any] = _of_class(kind, kind.__module__) if _is_users(kind.__module__) else []
         numbers = [np.asarray(value)] if hasattr(type(value), "__array__") else []  # of a data frame
         return [
             ADDRESS.sub("", repr(value)),
