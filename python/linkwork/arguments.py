@@ -166,7 +166,7 @@ def check_new(given: Any, what: str, overwrite: bool) -> Path:
     found = check_suffix(given, what)
     if not isinstance(overwrite, bool):
         raise OptionError(f"overwrite {overwrite!r:.80} is not True or False", code="overwrite")
-    if not overwrite and found.is_file():
+    if not overwrite and os.path.isfile(found):
         raise FileError(
             f"{what} '{found}': there is such a file already: choose another name, or replace it by "
             "overwrite=True, --force of a command",

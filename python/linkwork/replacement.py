@@ -26,7 +26,7 @@ def replacing(path: str | os.PathLike[str], what: str) -> Iterator[Path]:
     FileError: it cannot be written.
     """
     target = Path(os.path.realpath(path))
-    kept = target.stem.encode()[:NAME_BYTES].decode(errors="ignore")
+    kept = os.fsencode(target.stem)[:NAME_BYTES].decode(errors="ignore")
     beside = target.with_name(f".{kept}.{uuid.uuid4().hex[:12]}{target.suffix}")
     try:
         _check_replaceable(target)

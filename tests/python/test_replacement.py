@@ -72,3 +72,32 @@ def test_what_cannot_be_replaced_is_said(tmp_path: Path) -> None:
     ):
         with pytest.raises(lw.FileError, match=why), replacing(path, "text"):
             raise AssertionError("not reached")
+
+
+@pytest.mark.parametrize("name", ["n" * 245, "\udcff", "\u00fc" * 120, "name."])
+def test_every_name_that_a_file_can_have_is_written(name: str, tmp_path: Path) -> None:
+    result = lw.simulate(mechanisms.pendulum(), 0.1, step=1e-2, progress=False)
+    for suffix, write in (
+        ("csv", result.to_csv),
+        ("html", result.view),
+        ("png", result.plot),
+        ("h5", result.save),
+    ):
+        write(tmp_path / f"{name}.{suffix}")
+    assert len(list(tmp_path.iterdir())) == 4
+    result.plot(tmp_path / name)  # .png
+    assert len(list(tmp_path.iterdir())) == 4 + (name == "name.")
+
+
+@pytest.mark.parametrize("name", ["n" * 300, "a\0b", "file/inside"])
+def test_what_no_file_can_be_called_is_said(name: str, tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    result = lw.simulate(mechanisms.pendulum(), 0.1, step=1e-2, progress=False)
+    for suffix, write in (
+        ("csv", result.to_csv),
+        ("html", result.view),
+        ("png", result.plot),
+        ("h5", result.save),
+    ):
+        with pytest.raises(lw.FileError):
+            write(f"{tmp_path}/{name}.{suffix}")

@@ -13,6 +13,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from linkwork.arguments import path as path_of
 from linkwork.arrays import Floats
 from linkwork.errors import FileError, nearest
 from linkwork.options import LEVELS
@@ -285,6 +286,7 @@ class Picture(Figure):
 
 def check_format(path: str | os.PathLike[str]) -> None:
     """FileError, before a long run, where the name of a picture asks for a format that there is not."""
+    path = path_of(path, "picture")
     known = FigureCanvasAgg(Figure()).get_supported_filetypes()
     suffix = os.path.splitext(path)[1].removeprefix(".").lower()
     if suffix and suffix not in known:
@@ -296,7 +298,8 @@ def check_format(path: str | os.PathLike[str]) -> None:
 def written(figure: Figure, path: str | os.PathLike[str] | None, dpi: float = 110) -> Figure:
     if path is not None:
         check_format(path)
-        named = path if os.path.splitext(path)[1] else f"{os.fspath(path)}.png"
+        name = os.fspath(path_of(path, "picture"))
+        named = name if os.path.splitext(name)[1].strip(".") else f"{name.rstrip('.')}.png"
         with replacing(named, "picture") as beside:
             figure.savefig(beside, dpi=dpi)
     return figure

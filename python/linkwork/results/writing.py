@@ -48,6 +48,7 @@ from linkwork.arrays import Floats
 from linkwork.errors import FileError, cause, unwritable
 from linkwork.motion.header import MODEL_NAMES, UNITS, Header, record_reactions
 from linkwork.motion.records import Checkpoint, Occurrence
+from linkwork.replacement import replacing
 from linkwork.results import checkpoints, digests
 from linkwork.results.shapes import write_shapes
 
@@ -460,23 +461,17 @@ def save(
     checkpoint: Checkpoint | None = None,
 ) -> None:
     """Write a whole result: to a file beside, then renamed, so that `path` is never half written."""
-    path = Path(path)
-    beside = path.with_name(f".{path.name}.{os.getpid()}.part")
     count = len(frames["t"])
-    try:
-        with ResultWriter(beside, header, run=run, checkpoint=lambda: checkpoint) as writer:
-            block = max(1, 2**26 // _frame_bytes(header))
-            for start in range(0, count, block):
-                writer.write({name: values[start : start + block] for name, values in frames.items()})
-            writer.write_events(events)
-            writer.close(statistics)
-        os.replace(beside, path)
-    except FileError as error:
-        raise FileError(str(error).replace(str(beside), str(path)), code=error.code) from error
-    except OSError as error:
-        raise unwritable("output", path, error) from error
-    finally:
-        beside.unlink(missing_ok=True)
+    with replacing(path, "output") as beside:
+        try:
+            with ResultWriter(beside, header, run=run, checkpoint=lambda: checkpoint) as writer:
+                block = max(1, 2**26 // _frame_bytes(header))
+                for start in range(0, count, block):
+                    writer.write({name: values[start : start + block] for name, values in frames.items()})
+                writer.write_events(events)
+                writer.close(statistics)
+        except FileError as error:
+            raise FileError(str(error).replace(str(beside), str(path)), code=error.code) from error
 
 
 def add_finer(path: str | os.PathLike[str], finer: Finer, statistics: Mapping[str, Any]) -> None:
