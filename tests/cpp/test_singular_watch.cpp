@@ -48,7 +48,10 @@ TEST_CASE("wrong redundant rows are told apart from a singular pose, and better 
 
 TEST_CASE("pivots are compared with the largest of the run") {
   SingularWatch watch;
+  CHECK(watch.doubts_first(1e-12));
+  CHECK_FALSE(watch.doubts_first(1e-3));
   CHECK(watch.usual(1e-12));  // a long chain: its own level
+  CHECK_FALSE(watch.doubts_first(1e-12));
   CHECK(watch.usual(1e-13));
   CHECK_FALSE(watch.usual(1e-18));
   watch.suspect_less();

@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
+import linkwork as lw
 import pytest
+from linkwork.fingerprints import digest
 
 MINE = """
+import dataclasses
+import enum
 import functools
+import pandas
 import helpers
+import package.inner
 from helpers import third
 
 FACTOR = 2.0
@@ -62,6 +70,74 @@ def by_import(result):
 
 object_itself = Spring(1.0)
 method = Spring(1.0).of
+
+@dataclasses.dataclass
+class Peak:
+    limit: float
+
+    def __call__(self, result):
+        return 11.0 * self.limit
+
+data_class = Peak(1.0)
+
+class Hidden:
+    _gain = 12.0
+
+    class Inner:
+        SIZE = 13.0
+
+    def __call__(self, result):
+        return self._gain
+
+stateless = Hidden()
+
+class Limit(enum.Enum):
+    LOW = 14.0
+
+def by_member(result):
+    return Limit.LOW.value
+
+def decorate(function):
+    @functools.wraps(function)
+    def wrapper(*given):
+        return function(*given)
+    return wrapper
+
+@decorate
+@decorate
+def twice(result):
+    return 15.0
+
+@functools.cache
+def remembered(x):
+    return 16.0
+
+LAST, TABLE = slice(17, None), pandas.DataFrame({"a": [18.0]})
+
+def by_global(result):
+    return twice(result) + remembered(1.0) + TABLE.a.sum() + len(result.t[LAST])
+
+def imports_itself(result):
+    import helpers
+    from package import inner
+    return helpers.third(1.0) + inner.nested(1.0)
+
+COUNT, KEPT = 0, {}
+
+def remembers(result):
+    global COUNT
+    COUNT += 1
+    if 1 not in KEPT:
+        KEPT[1] = 20.0
+    return KEPT[1]
+
+REGISTRY = {"spring": Limit}
+
+def by_registry(result):
+    return REGISTRY["spring"]
+
+def by_attribute(result):
+    return result.energy.max()
 """
 
 HELPERS = """
@@ -81,15 +157,29 @@ def unused(x):
     return 8.0
 """
 
-NAMES = ("by_object", "by_class", "by_module", "by_import", "object_itself", "method")
+INNER = """
+def nested(x):
+    return 19.0
+"""
+
+NAMES = (
+    "by_object", "by_class", "by_module", "by_import", "object_itself", "method", "data_class", "stateless",
+    "by_member", "by_global", "imports_itself", "by_registry", "by_attribute",
+    "remembers",
+)  # fmt: skip
 OF_SPRING = {"by_object", "by_class", "object_itself", "method"}
 
 
-def digests(folder: Path, mine: str = MINE, helpers: str = HELPERS) -> dict[str, str]:
+def digests(
+    folder: Path, mine: str = MINE, helpers: str = HELPERS, inner: str = INNER, before: str = ""
+) -> dict[str, str]:
     """Of each, in a process of its own: modules are read once in each."""
+    (folder / "package").mkdir()
+    (folder / "package" / "__init__.py").touch()
+    (folder / "package" / "inner.py").write_text(inner)
     (folder / "mine.py").write_text(mine)
     (folder / "helpers.py").write_text(helpers)
-    program = "import mine\nfrom linkwork.fingerprints import digest\n"
+    program = f"import mine\nfrom linkwork.fingerprints import digest\n{before}\n"
     program += f"for name in {NAMES}: print(name, digest(getattr(mine, name)))"
     command = [sys.executable, "-B", "-c", program]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=True)
@@ -116,7 +206,16 @@ def usual(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
         ("math.sin(6.0)", "math.sin(6.5)", {"by_module"}),
         ("GAIN, OFFSET, UNUSED = 1.0", "GAIN, OFFSET, UNUSED = 1.5", {"by_module"}),
         ("1.0, 0.0, 0.0", "1.0, 0.5, 0.0", {"by_module"}),
-        ("return 7.0", "return 7.5", {"by_import"}),
+        ("return 7.0", "return 7.5", {"by_import", "imports_itself"}),
+        ("11.0", "11.5", {"data_class"}),
+        ("12.0", "12.5", {"stateless"}),
+        ("13.0", "13.5", {"stateless"}),
+        ("14.0", "14.5", {"by_member", "by_registry"}),
+        ("15.0", "15.5", {"by_global"}),
+        ("16.0", "16.5", {"by_global"}),
+        ("17,", "27,", {"by_global"}),
+        ("18.0", "18.5", {"by_global"}),
+        ("19.0", "19.5", {"imports_itself"}),
         ("return 8.0", "return 8.5", set()),
         ("0.0, 0.0", "0.0, 0.5", set()),
     ],
@@ -124,10 +223,60 @@ def usual(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
 def test_an_edit_counts_for_those_that_read_it(
     old: str, new: str, seen_by: set[str], usual: dict[str, str], tmp_path: Path
 ) -> None:
-    assert (old in MINE) != (old in HELPERS)
-    found = digests(tmp_path, MINE.replace(old, new), HELPERS.replace(old, new))
+    texts = MINE, HELPERS, INNER
+    assert sum(old in text for text in texts) == 1
+    found = digests(tmp_path, *(text.replace(old, new) for text in texts))
     assert {name for name in NAMES if found[name] != usual[name]} == seen_by
 
 
-def test_a_digest_is_the_same_in_every_process(usual: dict[str, str], tmp_path: Path) -> None:
-    assert digests(tmp_path) == usual
+def test_a_digest_is_the_same_in_every_process_whatever_else_was_done(
+    usual: dict[str, str], tmp_path: Path
+) -> None:
+    """Among it a global of the name of an attribute, and columns that were looked at."""
+    before = "import asyncio; mine.energy = 3.0; mine.TABLE.a; mine.SPRING.kept; mine.by_object(None)"
+    before += "; mine.remembers(None)"
+    assert digests(tmp_path, before=before) == usual
+
+
+class Node:
+    def __init__(self) -> None:
+        self.near: list[Node] = []
+
+
+def test_meshes_and_shared_lists_take_no_longer_than_their_size() -> None:
+    nodes = [Node() for _ in range(400)]
+    for k, node in enumerate(nodes):
+        node.near = [nodes[k + step] for step in (-20, -1, 1, 20) if 0 <= k + step < 400]
+    shared: list[Any] = []
+    for _ in range(200):
+        shared = [shared, shared]
+    assert digest(nodes) == digest(nodes) and digest(shared) == digest(shared)
+    with pytest.raises(lw.OptionError, match="nested more than"):
+        deep: list[Any] = []
+        for _ in range(100_000):
+            deep = [deep]
+        digest(deep)
+    assert digest(10**5000) != digest(10**5000 + 1)
+
+
+def test_a_set_of_texts_has_one_digest_under_every_seed_of_hashes() -> None:
+    program = "import types\nfrom linkwork.fingerprints import digest\n"
+    program += "print(digest({'a', 'bc', 'd'}, types.SimpleNamespace(x={'e', 'fg', 'h'})))"
+    found = set()
+    for seed in "0", "1", "2":
+        command, environment = [sys.executable, "-c", program], os.environ | {"PYTHONHASHSEED": seed}
+        found.add(subprocess.run(command, env=environment, capture_output=True, text=True, check=True).stdout)
+    assert len(found) == 1
+
+
+def test_a_script_and_the_module_that_it_is_have_one_digest(tmp_path: Path) -> None:
+    (tmp_path / "helpers.py").write_text(HELPERS)
+    (tmp_path / "package").mkdir()
+    (tmp_path / "package" / "inner.py").write_text(INNER)
+    again = f"\nfrom linkwork.fingerprints import digest\nprint([digest(globals()[it]) for it in {NAMES}])\n"
+    (tmp_path / "mine.py").write_text(MINE + again)
+    said = [
+        subprocess.run([sys.executable, "-B", *how], cwd=tmp_path, capture_output=True, text=True, check=True)
+        for how in (["mine.py"], ["-c", "import mine"])
+    ]
+    assert said[0].stdout == said[1].stdout

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import linkwork as lw
 import numpy as np
@@ -387,3 +388,34 @@ def test_a_policy_that_nothing_could_watch_for_is_refused() -> None:
         lw.System(
             mechanisms.four_bar(), formulation="penalty", linear_solver="eigen_ldlt", on_singular="stop"
         )
+
+
+@pytest.mark.parametrize("masses", [(1.0, 2.0, 3.0), (60.0, 1.0, 3.1), (1e-2, 1e2, 1e2)])
+@pytest.mark.parametrize("formulation", ["standard", "augmented_lagrangian"])
+def test_accelerations_are_known_to_all_digits_beside_a_singular_pose(
+    masses: tuple[float, float, float], formulation: str
+) -> None:
+    """A parallelogram turned out of its line by so much, where a model begins, falls as from a little more.
+
+    Of the angles of crank and rocker and the height of the rod, which change by the square of it.
+    """
+
+    def fall(turned: float) -> Any:
+        model = lw.Model(gravity=(0, -9.81, 0))
+        along, up = np.array((2.0, 0, 0)), np.array((np.cos(turned), np.sin(turned), 0))
+        ends = (np.zeros(3), up), (up, up + along), (along, along + up)
+        bars = [
+            model.body(name, mass=mass, inertia=mass * np.array((0.01, 0.1, 0.1)), position=sum(at) / 2)
+            for name, mass, at in zip(("crank", "rod", "rocker"), masses, ends, strict=True)
+        ]
+        model.revolute(model.ground, bars[0], at=np.zeros(3), axis=(0, 0, 1))
+        model.universal(bars[0], bars[1], at=up, axes=((0, 0, 1), (1, 0, 0)))
+        model.spherical(bars[1], bars[2], at=up + along)
+        model.revolute(model.ground, bars[2], at=along, axis=(0, 0, 1))
+        core = model.compiled()
+        return lw.System(model, formulation=formulation).accelerations(0.0, core.q0, core.v0)[0][[5, 17, 7]]
+
+    usual = fall(1e-3)
+    assert np.abs(usual[:2]).max() > 5.0
+    for turned in (1e-5, 1e-6, 1e-7, 3e-8):
+        np.testing.assert_allclose(fall(turned), usual, rtol=1e-5, atol=1e-9)

@@ -11,10 +11,13 @@ namespace {
 constexpr double exact = 1e-13, nearly_exact = 1e-10;  // residuals of rows, relative to their terms
 constexpr double exact_free_motion = 1e-13;            // changes, relative to M^-1 a: all of x where it is at rest
 constexpr double force_margin = 100.0;                 // multipliers are known so much less than accelerations
-constexpr double at_rest = 0.01;     // of the largest terms: those of rows between bodies that are hardly accelerated
-constexpr double unresisted = 1e-8;  // what D makes of a motion, D^T of multipliers, of natural size 1
+constexpr double at_rest = 0.01;      // of the largest terms: those of rows between bodies that are hardly accelerated
+constexpr double unresisted = 1e-11;  // what D makes of a motion, D^T of multipliers, of natural size 1
 constexpr double shrinking = 0.5;
-constexpr int small_steps = 2;  // a step of quick motions hides the slow one that the next is about, if it is large
+constexpr double weakly_resisted = 1e-5;  // likewise: nearly singular
+// Small steps are the end if there are some: quick motions, if they are large, hide the slow one that the next step is
+// about. Near singular poses roundoff does, for more of them, and again.
+constexpr int small_steps = 2, most_small_steps = 5, most_restarts = 3;
 constexpr int patience = 3;
 
 }  // namespace
@@ -29,9 +32,8 @@ bool ConjugateResiduals::solve(const Evaluation& at, const ConstVector& a, const
                                MutableVector lambda, const Refinement::Nearby& nearby, double enough, int most) {
   const double of_free_motion = exact_free_motion * size_.of_free_motion(a);
   double least = INFINITY;
-  int small = 0, waiting = 0;
-  square_ = 0.0;
-  for (VectorXd* direction : {&p_, &p_lambda_, &Dp_}) direction->setZero();
+  int small = 0, waiting = 0, restarts = 0;
+  begin_anew();
   for (steps_ = 0; steps_ <= most; ++steps_) {
     find_saddle_residuals(*system_, at, a, b, x, lambda, r_1_, r_2_);
     const double residual = residual_of_terms(at, b, x);
@@ -43,13 +45,27 @@ bool ConjugateResiduals::solve(const Evaluation& at, const ConstVector& a, const
     if (largest_rate(Dp_) <= unresisted * motion) return true;
     const bool still = step_ * motion <= enough * size_.of(x) + of_free_motion;
     const bool steady = step_ * multipliers <= force_margin * enough * largest(lambda);
-    small = still && (steady || largest_force(at) <= unresisted * multipliers) ? small + 1 : 0;
-    if (small >= (residual <= nearly_exact ? 1 : small_steps)) return true;
+    const double resisted = NaturalSize::ratio(largest_force(at), multipliers);
+    small = still && (steady || resisted <= unresisted) ? small + 1 : 0;
+    const bool hides = resisted > unresisted && resisted < weakly_resisted &&
+                       largest_rate(r_2_) > exact * (size_.of(x) + size_.of_free_motion(a));
+    if (small > 0 && (residual <= nearly_exact || (small >= small_steps && !hides))) return true;
+    if (small == most_small_steps) {
+      if (restarts++ == most_restarts) return false;
+      small = 0;
+      begin_anew();
+      continue;
+    }
     nearby(r_1_, no_rows_, dx_, dlambda_);
     x += dx_ + step_ * p_;
     lambda += dlambda_ + step_ * p_lambda_;
   }
   return false;
+}
+
+void ConjugateResiduals::begin_anew() {
+  square_ = 0.0;
+  for (VectorXd* direction : {&p_, &p_lambda_, &Dp_}) direction->setZero();
 }
 
 /// Along the next direction. False: there is none but for roundoff.

@@ -28,6 +28,7 @@ class ConjugateResiduals {
 
  private:
   double residual_of_terms(const Evaluation& at, const ConstVector& b, const ConstVector& x);
+  void begin_anew();
   bool find_step(const Evaluation& at, const Refinement::Nearby& nearby);
   double largest(const ConstVector& multipliers) const;
   double largest_rate(const VectorXd& rows) const;

@@ -10,7 +10,7 @@ namespace {
 
 // Corrections, relative to the size of the solution: where they are nothing, and where those that no longer shrink are
 // roundoff; what the first one may be where factors are good, because the second is the square of it.
-constexpr double exact = 1e-14, roundoff = 1e-7, shrinking = 0.5;
+constexpr double exact = 1e-14, roundoff = 1e-7, roundoff_in_pose = 1e-10, shrinking = 0.5;
 constexpr double second_order = 1e-8;
 constexpr double slow = 0.1;  // conjugate gradients need fewer
 constexpr int most_corrections = 30, most_accelerated = 100, patience = 3;
@@ -27,7 +27,8 @@ Corrections::Progress Corrections::judge(double solution, double correction) {
   if (correction <= enough_ * size) return Progress::converged;
   if (!std::isfinite(correction)) return Progress::diverged;
   if (inertia && correction > slow * last_) return Progress::slow;
-  if (!inertia && correction > shrinking * last_ && correction <= roundoff * size) return Progress::converged;
+  const double noise = cause_ == Inexactness::singular_pose ? roundoff_in_pose : roundoff;
+  if (!inertia && correction > shrinking * last_ && correction <= noise * size) return Progress::converged;
   last_ = correction;
   enough_ = exact;
   return count_ < most_corrections ? Progress::going_on : Progress::diverged;

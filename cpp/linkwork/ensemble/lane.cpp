@@ -227,6 +227,7 @@ void Lane::note(double t, double pivot, bool first_stage) {
   if (first_stage && looked_) return;
   SingularWatch& watch = dynamics_.formulation().watch();
   watch.note(t, pivot);
+  if (watch.doubts_first(pivot)) dynamics_.formulation().examine_first(pivot);
   if (!watch.usual(pivot)) leave(t, "a small pivot: the pose may be singular");
 }
 

@@ -77,7 +77,8 @@ void LaneRefinement::judge(const double* t, std::vector<Corrections>& correction
     const int lane = static_cast<int>(l);
     const bool other = mechanisms_[l]->formulation().inertia().regularized();
     if (progress == Progress::slow) guard.leave(lane, t[l], "very small inertias, which take conjugate gradients");
-    if (progress == Progress::diverged && other) guard.leave(lane, t[l], "a motion without inertia");
+    if (progress == Progress::diverged)
+      guard.leave(lane, t[l], other ? "a motion without inertia" : "corrections that do not converge");
   }
 }
 

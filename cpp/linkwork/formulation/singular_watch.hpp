@@ -56,6 +56,9 @@ class SingularWatch {
   }
 
   bool suspicious(double pivot) const { return open_ || !(pivot >= suspicious_); }
+  /// A small first pivot, before anything is known of what is usual: of a long chain, or of uneven masses, or of a pose
+  /// that is nearly singular.
+  bool doubts_first(double pivot) const { return level_ == 0.0 && pivot > 0.0 && pivot < doubtful; }
   /// Pivots that are usual and change nothing of what is.
   struct Range {
     double least = INFINITY, most = -INFINITY;
@@ -124,6 +127,7 @@ class SingularWatch {
   void raise(double level);
   void keep(double t, double pivot, std::vector<int> joints, bool rows_changed);
 
+  static constexpr double doubtful = 1e-8;         ///< a first pivot, of which a long chain may have smaller ones
   static constexpr double first_suspicion = 1e-5;  ///< pivots below this part of the level are looked at
   double level_ = 0.0, root_of_level_ = 0.0, suspicious_ = 0.0, untrusted_, suspicion_ = first_suspicion;
   bool open_ = false, lists_ = true;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "linkwork/constraints/refinement.hpp"
@@ -6,6 +7,15 @@
 
 namespace linkwork {
 namespace {
+
+/// What very light bodies hold between very heavy ones is the difference of large numbers.
+bool uneven(const System& system) {
+  constexpr double far_apart = 1e10;
+  double least = INFINITY, most = 0.0;
+  for (int body = 0; body < system.body_count(); ++body)
+    if (const double m = system.mass(body); m > 0.0) least = std::min(least, m), most = std::max(most, m);
+  return most > far_apart * least;
+}
 
 /// Lagrange multipliers: the system as it stands, or for the multipliers first,
 ///   [M  D^T] {  v_dot }   {a}
@@ -28,7 +38,7 @@ class Standard final : public DirectFormulation {
   }
   void require_accuracy(double relative) override {
     accuracy_ = relative;
-    refined_ = inertia_->refined(accuracy_);
+    refined_ = inertia_->refined(accuracy_) || uneven(*system_);
     if (refined_) refinement_ = Refinement(*system_, inertia_->lengths());
   }
   bool refines() const override { return refined_; }
@@ -41,6 +51,18 @@ class Standard final : public DirectFormulation {
     const auto cause = inertia_->regularized() ? Inexactness::inertia : Inexactness::roundoff;
     const bool converged = refinement_.refine(*at_, a, b, v_dot, lambda, nearby, cause);
     if (!converged && inertia_->regularized()) throw_free_motion();
+    if (!converged && uneven(*system_)) throw_uneven();
+  }
+
+  [[noreturn]] void throw_uneven() const {
+    ErrorDetails details;
+    details.bodies = {system_->model().body_name(refinement_.least_certain_body())};
+    throw NotConvergedError("uneven_masses",
+                            "the accelerations are not determined to half of the digits, least of all that of body '" +
+                                details.bodies.front() +
+                                "': masses are too far apart; use another linear_solver, matrix_form 'schur', or "
+                                "formulation 'augmented_lagrangian'",
+                            details);
   }
 
   [[noreturn]] void throw_free_motion() const {

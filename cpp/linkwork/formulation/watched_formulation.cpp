@@ -82,6 +82,7 @@ bool WatchedFormulation::attempt(Factorize factorize) {
   factorizations_ += 1;
   smallest_pivot_ = std::min(smallest_pivot_, std::max(pivot_, 0.0));
   if (!watched_ || !watching_) return true;
+  if (watch_.doubts_first(pivot_)) examine_first(pivot_);
   if (!looking_) {
     watch_.note(now_.t, pivot_);
     return watch_.usual(pivot_) || inspect();
@@ -109,6 +110,8 @@ double WatchedFormulation::try_factorization(Factorize factorize) {
 PoseExamination WatchedFormulation::examine_here(double pivot) const {
   return examine_pose(system_, {now_.t, q(), now_.history}, dropped_.rows(), watch_.near(pivot));
 }
+
+void WatchedFormulation::examine_first(double pivot) { watch_.start(examine_here(pivot).rows.empty() ? pivot : 1.0); }
 
 /// A small pivot, or any inside a crossing. False where the factorization is another one than before.
 bool WatchedFormulation::inspect() {

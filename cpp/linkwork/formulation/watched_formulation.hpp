@@ -61,6 +61,8 @@ class WatchedFormulation final : public Formulation {
   bool fallback() const { return fallback_; }
   void fall_back();
 
+  /// A first pivot that the watch doubts: whether rows are near each other here.
+  void examine_first(double pivot);
   SingularWatch& watch() { return watch_; }
   const SingularWatch& watch() const { return watch_; }
   bool watched() const { return watched_; }

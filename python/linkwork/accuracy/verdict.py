@@ -244,10 +244,12 @@ def leaping(verdict: Verdict, moments: Iterable[tuple[float, str]]) -> Verdict:
 
 
 def loose(verdict: Verdict, formulation: str) -> Verdict:
-    """Says that it is the formulation that is inexact: shorter steps would not help."""
-    remedy = "a larger penalty" if formulation == "penalty" else "a smaller tolerance"
+    """Says that it is the formulation that is inexact, as constraints yield: by no more than that, and less
+    the shorter the steps."""
+    remedy = "a larger penalty or a shorter step" if formulation == "penalty" else "a smaller tolerance"
     what = f"formulation '{formulation}' is not exact enough here"
-    return replace(verdict, sentence=f"{what}: {_off(verdict.error)}; use 'standard', or {remedy}")
+    off = f"up to {_off(verdict.error).removeprefix('about ')}" if verdict.error < 1 else _off(verdict.error)
+    return replace(verdict, sentence=f"{what}: {off}; use 'standard', {remedy}")
 
 
 def say(verdict: Verdict, name: str | None) -> str:

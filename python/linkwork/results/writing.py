@@ -341,6 +341,8 @@ class ResultWriter:
             _allocate(self._descriptor, len(head), self._reserved)
             self._file = h5py.File(begun, "r+")
             self._fields = {name: self._file["frames"][name] for name in self._chunks}
+            if target.exists():
+                shutil.copymode(target, begun)
             os.replace(begun, target)
         except BaseException:
             os.close(self._descriptor)

@@ -234,7 +234,7 @@ def _check_kept(cases: Cases) -> None:
             if type(value) in (float, int, str, bool):
                 continue
             try:
-                same = json.loads(json.dumps(value)) == plain(value)
+                same = canonical(json.loads(json.dumps(value))) == canonical(plain(value))
             except (TypeError, ValueError):
                 same = False
             if not same:
