@@ -367,13 +367,42 @@ def law(value: Any) -> str:
             ["partial", law(value.func), *map(_constant, (value.args, sorted(value.keywords.items())))]
         )
     if isinstance(value, MethodType):
-        return f"{law(value.__func__)} of {type(value.__self__).__qualname__}"
+        return f"{law(value.__func__)} of {_law_of_object(value.__self__)}"
     parameters = getattr(type(value), "__dataclass_params__", None)
     if parameters is not None and parameters.frozen:
         return canonical(value)
     if not isinstance(value, FunctionType):
-        return getattr(value, "__qualname__", type(value).__qualname__)
+        return _law_of_object(value)
     return _law(value, frozenset())
+
+
+def _law_of_object(value: Any) -> str:
+    """Its class, and what its attributes hold of numbers and text: but for those that its methods write."""
+    kind = type(value)
+    name = str(getattr(value, "__qualname__", kind.__qualname__))
+    if isinstance(value, type | ModuleType | BuiltinFunctionType):
+        return name
+    users = _is_users(kind.__module__)
+    written = _written_by(kind) if users else set()
+    held = [f"{name}={_constant(it)}" for name, it in _state(value) if name not in written]
+    return " ".join([name, *([canonical(kind)] if users else []), *held])
+
+
+def _written_by(kind: type) -> set[str]:
+    """Attributes, by the methods other than those that make an object."""
+    methods = [
+        it.__wrapped__ if isinstance(it, staticmethod | classmethod) else it
+        for base in kind.__mro__
+        for name, it in vars(base).items()
+        if name not in ("__init__", "__post_init__", "__new__", "__setstate__")
+    ]
+    return {
+        step.argval
+        for method in methods
+        if isinstance(method, FunctionType)
+        for step in dis.get_instructions(method)
+        if step.opname in ("STORE_ATTR", "DELETE_ATTR")
+    }
 
 
 def _law(value: FunctionType, inside: frozenset[FunctionType]) -> str:

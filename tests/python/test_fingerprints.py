@@ -10,6 +10,7 @@ from typing import Any
 
 import linkwork as lw
 import pytest
+import scipy.interpolate
 from linkwork.fingerprints import digest
 
 MINE = """
@@ -280,3 +281,39 @@ def test_a_script_and_the_module_that_it_is_have_one_digest(tmp_path: Path) -> N
         for how in (["mine.py"], ["-c", "import mine"])
     ]
     assert said[0].stdout == said[1].stdout
+
+
+class Damper:
+    UNIT = 1.0
+
+    def __init__(self, damping: float) -> None:
+        self.damping, self.calls = damping, 0
+
+    def __call__(self, t: float, q: Any, v: Any) -> Any:
+        self.calls += 1
+        return -self.damping * v
+
+    def method(self, t: float, q: Any, v: Any) -> Any:
+        return -self.damping * v
+
+
+def test_models_with_forces_by_objects_are_told_apart_by_what_these_hold(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def hashed(force: Any) -> str:
+        model = lw.mechanisms.chain(2)
+        model.user_force(force)
+        return model.hash()
+
+    one = Damper(1.0)
+    usual = hashed(one)
+    assert hashed(Damper(1.0)) == usual != hashed(Damper(2.0))
+    assert hashed(Damper(1.0).method) != hashed(Damper(2.0).method)
+    one(0.0, 0.0, 1.0)  # what it writes itself does not count
+    assert hashed(one) == usual
+    monkeypatch.setattr(Damper, "UNIT", 2.0)
+    assert hashed(one) != usual
+    spline = scipy.interpolate.CubicSpline
+    points = ([0.0, 1.0, 2.0], [0.0, 1.0, 0.0]), ([0.0, 1.0, 2.0], [0.0, 2.0, 0.0])
+    laws = {hashed(spline(*it)) for it in points}
+    assert len(laws) == 2
