@@ -129,9 +129,8 @@ class _Writer:
     """Writes each object once, however many ways lead to it."""
 
     def __init__(self) -> None:
-        self._known: dict[
-            int, tuple[Any, str]
-        ] = {}  # the object stays, and so its place in memory is its own
+        # by the place in memory, which is an object's own as long as it stays: so it does
+        self._known: dict[int, tuple[Any, str]] = {}
         self._inside: set[int] = set()
 
     def text(self, value: Any) -> str:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import os
 import resource
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import linkwork as lw
 import pytest
@@ -74,30 +75,23 @@ def test_what_cannot_be_replaced_is_said(tmp_path: Path) -> None:
             raise AssertionError("not reached")
 
 
+def writers() -> list[tuple[str, Callable[[Any], object]]]:
+    result = lw.simulate(mechanisms.pendulum(), 0.1, step=1e-2, progress=False)
+    return [("csv", result.to_csv), ("html", result.view), ("png", result.plot), ("h5", result.save)]
+
+
 @pytest.mark.parametrize("name", ["n" * 245, "\udcff", "\u00fc" * 120, "name."])
 def test_every_name_that_a_file_can_have_is_written(name: str, tmp_path: Path) -> None:
-    result = lw.simulate(mechanisms.pendulum(), 0.1, step=1e-2, progress=False)
-    for suffix, write in (
-        ("csv", result.to_csv),
-        ("html", result.view),
-        ("png", result.plot),
-        ("h5", result.save),
-    ):
+    for suffix, write in writers():
         write(tmp_path / f"{name}.{suffix}")
     assert len(list(tmp_path.iterdir())) == 4
-    result.plot(tmp_path / name)  # .png
+    dict(writers())["png"](tmp_path / name)
     assert len(list(tmp_path.iterdir())) == 4 + (name == "name.")
 
 
 @pytest.mark.parametrize("name", ["n" * 300, "a\0b", "file/inside"])
 def test_what_no_file_can_be_called_is_said(name: str, tmp_path: Path) -> None:
     (tmp_path / "file").touch()
-    result = lw.simulate(mechanisms.pendulum(), 0.1, step=1e-2, progress=False)
-    for suffix, write in (
-        ("csv", result.to_csv),
-        ("html", result.view),
-        ("png", result.plot),
-        ("h5", result.save),
-    ):
+    for suffix, write in writers():
         with pytest.raises(lw.FileError):
             write(f"{tmp_path}/{name}.{suffix}")

@@ -22,11 +22,13 @@ constexpr int patience = 3;
 
 }  // namespace
 
-ConjugateResiduals::ConjugateResiduals(const System& system, const Evaluation& typical)
-    : system_(&system), size_(system), row_lengths_(linkwork::row_lengths(system, typical)) {
+ConjugateResiduals::ConjugateResiduals(const System& system)
+    : system_(&system), size_(system), row_lengths_(VectorXd::Ones(system.row_count())) {
   for (VectorXd* velocities : {&r_1_, &none_, &dx_, &p_, &Mx_}) velocities->setZero(system.v_size());
   for (VectorXd* rows : {&r_2_, &no_rows_, &terms_, &dlambda_, &p_lambda_, &Dp_}) rows->setZero(system.row_count());
 }
+
+void ConjugateResiduals::measure_rows(const Evaluation& at) { row_lengths_ = row_lengths(*system_, at); }
 
 bool ConjugateResiduals::solve(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x,
                                MutableVector lambda, const Refinement::Nearby& nearby, double enough, int most) {

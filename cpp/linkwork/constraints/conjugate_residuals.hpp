@@ -15,12 +15,15 @@ namespace linkwork {
 /// where rows contradict each other (E. Stiefel, Comment. Math. Helv. 29, 157-179, 1955).
 class ConjugateResiduals {
  public:
-  /// `typical`: for the lengths of rows.
-  ConjugateResiduals(const System& system, const Evaluation& typical);
+  explicit ConjugateResiduals(const System& system);
+
+  /// Lengths of the rows of D, which make them comparable whatever the units: before the first solution, of a pose that
+  /// is not too far from those to come.
+  void measure_rows(const Evaluation& at);
 
   /// From x and lambda that satisfy the first equation until D x = b but for roundoff, until steps change them by less
   /// than `enough`, or until what is left is a motion that joints do not resist, as in a singular pose; after `most`
-  /// steps it is false. Iterations that were no more than a look are not counted.
+  /// steps, or where roundoff leaves no way there, it is false.
   bool solve(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda,
              const Refinement::Nearby& nearby, double enough, int most);
   int steps() const { return steps_; }          ///< of the last solution

@@ -39,7 +39,8 @@ class AugmentedLagrangian final : public Formulation {
     saddle_->analyze(system, typical);
     refinement_ = Refinement(system);
     size_ = std::make_unique<NaturalSize>(system);
-    residuals_ = std::make_unique<ConjugateResiduals>(system, typical);
+    residuals_ = std::make_unique<ConjugateResiduals>(system);
+    residuals_->measure_rows(typical);
     choose_penalties(typical, rows);
   }
 
@@ -52,9 +53,10 @@ class AugmentedLagrangian final : public Formulation {
     const int most = *options_.max_iterations;
     const bool given = options_.penalty || options_.penalty_scale;
     if (!iterate(a, b, v_dot, lambda, given ? most : std::min(most, slow_iterations)) && given)
-      throw_not_converged(refinement_.r_2());
+      throw_not_converged(refinement_.r_2(), most);
     const double enough = std::max(least_enough, *options_.tolerance);
-    if (!residuals_->solve(*at_, a, b, v_dot, lambda, nearby_, enough, most)) throw_not_converged(residuals_->r_2());
+    if (!residuals_->solve(*at_, a, b, v_dot, lambda, nearby_, enough, most))
+      throw_not_converged(residuals_->r_2(), repeated_ + residuals_->steps());
     count(residuals_->steps(), residuals_->r_2());
   }
 
@@ -87,6 +89,7 @@ class AugmentedLagrangian final : public Formulation {
       const bool stagnated = change > stagnation * last_change && change < roundoff_change;
       last_change = iterations_.last_change = change;
       if (change > *options_.tolerance && !stagnated && iteration < most) continue;
+      repeated_ = iteration;
       iterations_.iterations += iteration;
       iterations_.most = std::max(iterations_.most, iteration);
       iterations_.stagnations += change > *options_.tolerance && stagnated ? 1 : 0;
@@ -103,7 +106,7 @@ class AugmentedLagrangian final : public Formulation {
     iterations_.worst_residual = std::max(iterations_.worst_residual, iterations_.last_residual);
   }
 
-  [[noreturn]] void throw_not_converged(const VectorXd& r_2) const {
+  [[noreturn]] void throw_not_converged(const VectorXd& r_2, int iterations) const {
     Eigen::Index row = -1;
     ErrorDetails details;
     std::string where;
@@ -117,7 +120,7 @@ class AugmentedLagrangian final : public Formulation {
     std::snprintf(number, sizeof number, "%.1e", iterations_.last_change);
     throw NotConvergedError("augmented_lagrangian",
                             "augmented Lagrangian: relative change " + std::string(number) + " after " +
-                                std::to_string(*options_.max_iterations) + " iterations" + where +
+                                std::to_string(iterations) + " iterations" + where +
                                 "; raise penalty or max_iterations, or use formulation 'standard'",
                             details);
   }
@@ -131,6 +134,7 @@ class AugmentedLagrangian final : public Formulation {
   Refinement::Nearby nearby_ = [this](const ConstVector& r_1, const ConstVector& r_2, MutableVector dv,
                                       MutableVector dlambda) { saddle_->solve(r_1, r_2, dv, dlambda); };
   std::unique_ptr<ConjugateResiduals> residuals_;
+  int repeated_ = 1;  ///< iterations of the last solution, without those of conjugate residuals
   std::unique_ptr<NaturalSize> size_;
 };
 

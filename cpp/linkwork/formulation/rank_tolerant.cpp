@@ -18,7 +18,7 @@ RankTolerant::RankTolerant(const System& system, const RegularizedInertia& inert
       solver_(inertia.system()),
       at_(system.make_evaluation()),
       refinement_(system, inertia.lengths()),
-      residuals_(system, at_),
+      residuals_(system),
       b_(VectorXd::Zero(system.row_count())) {}
 
 void RankTolerant::factorize(const Evaluation& at) {
@@ -36,6 +36,7 @@ bool RankTolerant::factorize(const Evaluation& at, double tolerance) {
   for (const int place : dependent_rows(loops, loops.scaled_D(at), tolerance)) rows.push_back(loops.rows()[place]);
   left_out_ = DroppedRows(system, rows);
   at_ = at;
+  residuals_.measure_rows(at_);
   left_out_.take_out(at_);
   return factorize(!inertia_.regularized());
 }

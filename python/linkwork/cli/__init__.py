@@ -8,6 +8,7 @@ Exit codes: 0 done, 1 the model, the options or the run failed, 2 the command li
 
 from __future__ import annotations
 
+import errno
 import logging
 import os
 import sys
@@ -25,6 +26,9 @@ from linkwork.errors import LinkworkError, cause
 from linkwork.running.interrupts import Terminated, honor_termination
 
 __all__ = ["main"]
+
+#: Why standard output takes no more; other errors of the system are not its.
+NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 
 log = logging.getLogger(__name__)
 
@@ -86,7 +90,7 @@ def run(words: list[str], debug: bool) -> int:
     except Exception as error:
         if debug:
             raise
-        if isinstance(error, OSError) and error.filename is None:
+        if isinstance(error, OSError) and error.filename is None and error.errno in NO_ROOM:
             _print_no_more()
             return tell(f"standard output: {cause(error)}", 1)
         return tell(f"{type(error).__name__}: {error} (unexpected; --debug shows where)", 1)
