@@ -17,7 +17,6 @@ import re
 import uuid
 import zlib
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -66,7 +65,7 @@ class Store:
 
     def keep(self, answer: Answer) -> None:
         """FileError: the disk is full, say; what was kept before stays readable."""
-        lines = [json.dumps(asdict(run)) for run in answer.runs]
+        lines = [json.dumps(vars(run)) for run in answer.runs]
         body = "\n".join(lines) + "\n"
         head = {"linkwork_cases": VERSION, "cases": len(lines), "digest": zlib.crc32(body.encode()),
                 "machine": dict(answer.machine)}  # fmt: skip
