@@ -1,0 +1,6 @@
+"""Content hashes of models and studies: equal for equal values, in any process, on any machine."""
+
+from linkwork.fingerprints.laws import law
+from linkwork.fingerprints.writing import canonical, digest, digests, plain
+
+__all__ = ["canonical", "digest", "digests", "law", "plain"]

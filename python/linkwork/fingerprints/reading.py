@@ -1,0 +1,212 @@
+"""What counts of objects, functions and classes: their parts, and what they read."""
+
+from __future__ import annotations
+
+import array
+import collections
+import contextlib
+import dataclasses
+import datetime
+import dis
+import functools
+import inspect
+import io
+import logging
+import random
+import re
+import sys
+import sysconfig
+from decimal import Decimal
+from enum import Enum
+from fractions import Fraction
+from pathlib import Path
+from types import (
+    BuiltinFunctionType,
+    CellType,
+    CodeType,
+    FunctionType,
+    MappingProxyType,
+    MethodType,
+    ModuleType,
+    SimpleNamespace,
+)
+from typing import Any
+
+import numpy as np
+
+__all__ = [
+    "RESTLESS", "attributes", "cells", "content", "is_users", "is_wrapper", "loaded", "of_class", "read_by",
+    "wrapped",
+]  # fmt: skip
+
+#: Data, whose every bit counts.
+_DATA = (bool, int, float, complex, str, bytes, list, tuple, dict, set, frozenset, np.generic, np.ndarray)
+
+#: Values of the standard library that say all by what they are made of.
+_VALUES = (
+    *_DATA, slice, range, bytearray, array.array, collections.deque, re.Pattern, Decimal, Fraction, Enum,
+    datetime.date, datetime.time, datetime.timedelta, MappingProxyType, SimpleNamespace, functools.partial,
+    MethodType,
+)  # fmt: skip
+
+#: Whose state says nothing about what is computed, or is never the same.
+RESTLESS = (
+    logging.Logger, logging.Handler, io.IOBase, random.Random, np.random.Generator, np.random.RandomState,
+)  # fmt: skip
+
+#: What a class has that nobody has written.
+_MADE = {
+    "__module__", "__qualname__", "__dict__", "__weakref__", "__doc__", "__annotations__", "__slots__",
+    "__abstractmethods__", "_abc_impl", "__dataclass_fields__", "__dataclass_params__", "__match_args__",
+    "__parameters__", "__orig_bases__", "__firstlineno__", "__static_attributes__", "_value2member_map_",
+}  # fmt: skip
+
+
+def is_wrapper(value: Any) -> bool:
+    """Of a function: a method of a class, one that is cached."""
+    return isinstance(value, staticmethod | classmethod | functools.cached_property) or (
+        type(value).__name__ == "_lru_cache_wrapper"
+    )
+
+
+def wrapped(value: Any) -> Any:
+    return value.func if isinstance(value, functools.cached_property) else value.__wrapped__
+
+
+def attributes(value: Any) -> list[tuple[str, Any]]:
+    """Attributes of an object of a class written in Python, without what it has kept of its own."""
+    kind = type(value)
+    slots = [getattr(base, "__slots__", ()) for base in kind.__mro__]
+    names = {name for it in slots for name in ((it,) if isinstance(it, str) else it)}
+    found = {name: getattr(value, name) for name in names if hasattr(value, name)} | getattr(
+        value, "__dict__", {}
+    )
+    kept = {
+        name
+        for base in kind.__mro__
+        for name, it in vars(base).items()
+        if isinstance(it, functools.cached_property)
+    }
+    return sorted((name, it) for name, it in found.items() if name not in kept and isinstance(name, str))
+
+
+def read_by(function: FunctionType) -> list[tuple[str, Any]]:
+    """What counts of its module, and of others that are not installed, by name."""
+    own, known = _module_of(function), function.__globals__
+    found: dict[str, Any] = {}
+    modules: list[tuple[str, ModuleType]] = []
+    for name in loaded(function.__code__):
+        value = known.get(name)
+        if isinstance(value, ModuleType):
+            modules.append((name, value))
+        elif name in known and _counts(value, own):
+            found[name] = value
+    modules += [(name, sys.modules[name]) for name in _imported(function.__code__) if name in sys.modules]
+    seen: set[int] = set()
+    while modules:
+        label, module = modules.pop()
+        if id(module) in seen or not _is_own(module.__name__, own):
+            continue
+        seen.add(id(module))
+        for name in _names(function.__code__) & vars(module).keys():
+            value = vars(module)[name]
+            if isinstance(value, ModuleType):
+                modules.append((f"{label}.{name}", value))
+            elif _counts(value, own):
+                found[f"{label}.{name}"] = value
+    return sorted(found.items())
+
+
+def _counts(value: Any, own: str) -> bool:
+    """Whether it is known by more than its name: functions and classes that are not installed, and data."""
+    if isinstance(value, FunctionType):
+        return _is_own(_module_of(value), own)
+    if isinstance(value, type):
+        return _is_own(value.__module__, own)
+    if isinstance(value, (ModuleType, BuiltinFunctionType, *RESTLESS)):
+        return False
+    if is_wrapper(value):
+        return _counts(wrapped(value), own)
+    kind = type(value)
+    if isinstance(value, _VALUES) or value is None or hasattr(kind, "__array__"):
+        return True
+    if _is_own(kind.__module__, own) or dataclasses.is_dataclass(value):
+        return True
+    held = attributes(value)
+    return bool(held) and all(it is None or callable(it) or isinstance(it, _VALUES) for _, it in held)
+
+
+def of_class(kind: type) -> list[tuple[str, Any]]:
+    """What its text says, and that of those that it is made from."""
+    found = []
+    bases: list[type] = [*kind.__mro__, *inspect.getmro(type(kind))]
+    for place, base in enumerate(bases):
+        if not is_users(base.__module__):
+            continue
+        for name, value in sorted(vars(base).items()):
+            if name not in _MADE and (_is_written(value) or _counts(value, base.__module__)):
+                found.append((f"{place}.{name}", value))
+    return found
+
+
+def _is_written(value: Any) -> bool:
+    return isinstance(value, property | functools.partialmethod) or is_wrapper(value)
+
+
+def _module_of(function: FunctionType) -> str:
+    """Where it is written: `__module__` of a wrapper is that of what it wraps."""
+    return str(function.__globals__.get("__name__", function.__module__))
+
+
+def cells(function: FunctionType) -> list[Any]:
+    return [content(cell) for cell in function.__closure__ or ()]
+
+
+@functools.cache
+def loaded(code: CodeType) -> list[str]:
+    """Names that a function, and those inside of it, read as globals: attributes may have the same. What it
+    writes to itself, as counters and what it remembers, is not read."""
+    steps = [it for it in dis.get_instructions(code) if it.opname != "CACHE"]
+    found = {it.argval for it in steps if it.opname in ("LOAD_GLOBAL", "LOAD_NAME")}
+    written = {it.argval for it in steps if it.opname in ("STORE_GLOBAL", "DELETE_GLOBAL")}
+    for what, key, store in zip(steps, steps[1:], steps[2:], strict=False):
+        if store.opname == "STORE_SUBSCR" and key.opname.startswith("LOAD_") and what.opname == "LOAD_GLOBAL":
+            written.add(what.argval)
+    inner = [set(loaded(it)) for it in code.co_consts if isinstance(it, CodeType)]
+    return sorted(found.union(*inner) - written)
+
+
+@functools.cache
+def _imported(code: CodeType) -> list[str]:
+    """Modules that it imports itself."""
+    found = {it.argval for it in dis.get_instructions(code) if it.opname == "IMPORT_NAME"}
+    return sorted(found.union(*(_imported(it) for it in code.co_consts if isinstance(it, CodeType))))
+
+
+def _is_own(module: str, own: str) -> bool:
+    return module == own or is_users(module)
+
+
+@functools.cache
+def is_users(module: str) -> bool:
+    """Whether it is a script, or in a file that nobody has installed."""
+    if module in ("__main__", "__mp_main__"):
+        return True
+    file = getattr(sys.modules.get(module), "__file__", None)
+    if file is None or module.split(".")[0] == "linkwork":
+        return False
+    place = Path(file).resolve()
+    standard = Path(sysconfig.get_path("stdlib")).resolve()
+    return not place.is_relative_to(standard) and not {"site-packages", "dist-packages"} & set(place.parts)
+
+
+def content(cell: CellType) -> Any:
+    with contextlib.suppress(ValueError):  # there is nothing in it yet
+        return cell.cell_contents
+    return None
+
+
+def _names(code: CodeType) -> set[str]:
+    """That a function and those inside of it use."""
+    inner = [it for it in code.co_consts if isinstance(it, CodeType)]
+    return set(code.co_names).union(*map(_names, inner))
