@@ -565,6 +565,16 @@ def test_a_function_that_builds_at_random_is_no_study_that_can_be_kept(tmp_path:
         lw.sweep(build, {"mass": [1.0]}, "final", **FEW, directory=tmp_path)
 
 
+@pytest.mark.parametrize("given", [[True, 2], [1, "1"], [2**53 + 1, 2**53, 0.5]])
+def test_parameters_of_several_kinds_stay_apart_in_the_table(given: list[Any]) -> None:
+    def build(choice: Any) -> lw.Model:
+        return rod()
+
+    study = lw.sweep(build, {"choice": given}, "final", **FEW)
+    assert len(set(study.parameters["choice"].tolist())) == len(given)
+    assert study.parameters["choice"].dtype.kind == "U"
+
+
 @pytest.mark.parametrize("value", [2.0, np.float64(2.0), np.array(2.0)])
 def test_a_single_value_is_a_list_of_one(value: Any) -> None:
     study = lw.sweep(rod(), {"rod.mass": value}, "energy.final", **FEW)

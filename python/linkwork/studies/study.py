@@ -342,6 +342,17 @@ def _array(values: Sequence[Any]) -> NDArray[Any]:
     """(n, ...); what a function takes, and no array can hold, in words."""
     try:
         found = np.array(values)
-    except ValueError:
+    except (ValueError, OverflowError):
         found = np.array([], dtype=object)
-    return found if found.dtype.kind in "biufU" else np.array([str(value) for value in values])
+    if found.dtype.kind in "biufU" and _tells_apart(found, values):
+        return found
+    word = repr if any(isinstance(value, str) for value in values) else str
+    return np.array([word(value) for value in values])
+
+
+def _tells_apart(found: NDArray[Any], values: Sequence[Any]) -> bool:
+    """An array makes True and 2 numbers, 1 and "1" texts, and rounds large whole numbers beside others."""
+    kinds = {kind for value in values for kind in (bool, str) if isinstance(value, kind)}
+    if kinds and not all(isinstance(value, kind) for value in values for kind in kinds):
+        return False
+    return found.dtype.kind != "f" or all(int(float(it)) == it for it in values if isinstance(it, int))
