@@ -9,7 +9,8 @@ namespace {
 
 constexpr double enough = 1e-12;
 
-/// A chain on balls, heavy and light in turns, whose first and last bodies are heavy; penalties of its inertias.
+/// A chain on balls, heavy and light in turns, whose first and last bodies are heavy; penalties of its inertias. There
+/// may be several side by side.
 struct Chain {
   Model model;
   System system;
@@ -17,28 +18,34 @@ struct Chain {
   MatrixXd M, D;
   VectorXd a, b, x, lambda, e;
 
-  explicit Chain(double ratio, double stiffness = 1e8)
-      : model(made(ratio)), system(model), at(evaluate_initially(system)) {
+  explicit Chain(double ratio, double stiffness = 1e8, int count = 1)
+      : model(made(ratio, count)), system(model), at(evaluate_initially(system)) {
     Random random(51);
     M = dense_M(model);
     D = dense_D(system, at);
     e = dense_delassus(M, D).diagonal() / stiffness;
     a = M * random.vector(system.v_size());
     b = random.vector(system.row_count());
+    find_solution();
+  }
+  void find_solution() {
     x.resize(a.size());
     lambda.resize(b.size());
     solve(VectorXd::Zero(b.size()), a, b, x, lambda);
   }
 
-  static Model made(double ratio) {
+  static constexpr int links = 5;
+
+  static Model made(double ratio, int count) {
     Model model;
-    for (int k = 0; k < 5; ++k) {
+    for (int n = 0; n < links * count; ++n) {
+      const int k = n % links;
       Body body = body_at({1.0 * k, 0.3 * (k % 2), 0.1 * k});
       const double factor = k % 2 == 0 ? ratio : 1.0;
       body.mass *= factor;
       body.inertia *= factor;
-      model.add_body("body " + std::to_string(k), body);
-      if (k > 0) join(model, "spherical", "ball " + std::to_string(k), k - 1, k, {k - 0.5, 0.1, 0.1 * k});
+      model.add_body("body " + std::to_string(n), body);
+      if (k > 0) join(model, "spherical", "ball " + std::to_string(n), n - 1, n, {k - 0.5, 0.1, 0.1 * k});
     }
     return model;
   }
@@ -79,6 +86,23 @@ TEST_CASE("errors that penalties do not show vanish in a few steps, whatever the
     CHECK(relative_error(x, chain.x) < roundoff);
     CHECK(relative_error(lambda, chain.lambda) < roundoff);
   }
+}
+
+TEST_CASE("what is quick hides nothing slow that it is not connected with") {
+  Chain chains(1e6, 1e8, 2);
+  const Eigen::Index n = chains.a.size() / 2, rows = chains.b.size() / 2;
+  for (auto half : {chains.a.tail(n), chains.b.tail(rows)}) half *= 1e9;
+  chains.find_solution();
+  const auto nearby = chains.with_penalties();
+  VectorXd x(2 * n), lambda(2 * rows);
+  nearby(chains.a, chains.b, x, lambda);
+  CHECK(relative_error(x.head(n), chains.x.head(n)) > 1e-6);
+  ConjugateResiduals residuals(chains.system);
+  residuals.measure_rows(chains.at);
+  CHECK(residuals.solve(chains.at, chains.a, chains.b, x, lambda, nearby, 1e-10, 30));
+  CHECK(relative_error(x.head(n), chains.x.head(n)) < 1e-9);
+  CHECK(relative_error(lambda.head(rows), chains.lambda.head(rows)) < 1e-9);
+  CHECK(relative_error(x.tail(n), chains.x.tail(n)) < 1e-9);
 }
 
 TEST_CASE("what is exact stays so, and too few steps are told") {

@@ -37,3 +37,23 @@ TEST_CASE("nothing in proportion to nothing is nothing") {
   CHECK(NaturalSize::ratio(0.0, 0.0) == 0.0);
   CHECK(NaturalSize::ratio(1.0, 4.0) == 0.25);
 }
+
+TEST_CASE("connected components have sizes of their own") {
+  Model model = four_bar();
+  model.add_body("apart", body_at({3, 0, 0}));
+  const System system(model);
+  const NaturalSize size(system);
+  VectorXd x = VectorXd::Zero(system.v_size()), sizes, free_motions;
+  x.head<18>().setConstant(0.1);
+  x.tail<6>() << 0, 0, 0, 2e6, 0, 0;
+  size.of(x, sizes);
+  REQUIRE(sizes.size() == 2);
+  CHECK(sizes[1] == 2e6);
+  CHECK(size.of(x) == 2e6);
+  x.tail<6>().setZero();
+  CHECK(sizes[0] == size.of(x));
+  size.of_free_motion(x, free_motions);
+  CHECK(free_motions[0] == size.of_free_motion(x));
+  CHECK(free_motions[1] == 0.0);
+  CHECK(NaturalSize::largest_ratio(Vec3<double>(1, 0, 2), Vec3<double>(4, 0, 5)) == 0.4);
+}

@@ -23,7 +23,11 @@ constexpr int patience = 3;
 }  // namespace
 
 ConjugateResiduals::ConjugateResiduals(const System& system)
-    : system_(&system), size_(system), row_lengths_(VectorXd::Ones(system.row_count())) {
+    : system_(&system),
+      components_(&ConnectedComponents::of(system)),
+      size_(system),
+      row_lengths_(VectorXd::Ones(system.row_count())),
+      progress_(components_->count()) {
   for (VectorXd* velocities : {&r_1_, &none_, &dx_, &p_, &Mx_}) velocities->setZero(system.v_size());
   for (VectorXd* rows : {&r_2_, &no_rows_, &terms_, &dlambda_, &p_lambda_, &Dp_}) rows->setZero(system.row_count());
 }
@@ -32,29 +36,16 @@ void ConjugateResiduals::measure_rows(const Evaluation& at) { row_lengths_ = row
 
 bool ConjugateResiduals::solve(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x,
                                MutableVector lambda, const Refinement::Nearby& nearby, double enough, int most) {
-  const double of_free_motion = exact_free_motion * size_.of_free_motion(a);
-  double least = INFINITY;
-  int small = 0, waiting = 0, restarts = 0;
+  size_.of_free_motion(a, free_motion_);
+  progress_.assign(progress_.size(), {});
+  int restarts = 0;
   begin_anew();
   for (steps_ = 0; steps_ <= most; ++steps_) {
     find_saddle_residuals(*system_, at, a, b, x, lambda, r_1_, r_2_);
-    const double residual = residual_of_terms(at, b, x);
-    waiting = residual < shrinking * least ? 0 : waiting + 1;
-    least = std::min(least, residual);
-    if (residual <= exact || (residual <= nearly_exact && waiting == patience)) return true;
-    if (!find_step(at, nearby)) return true;
-    const double motion = size_.of(p_), multipliers = largest(p_lambda_);
-    if (largest_rate(Dp_) <= unresisted * motion) return true;
-    const bool still = step_ * motion <= enough * size_.of(x) + of_free_motion;
-    const bool steady = step_ * multipliers <= force_margin * enough * largest(lambda);
-    const double resisted = NaturalSize::ratio(largest_force(at), multipliers);
-    small = still && (steady || resisted <= unresisted) ? small + 1 : 0;
-    const bool hides = resisted > unresisted && resisted < weakly_resisted &&
-                       largest_rate(r_2_) > exact * (size_.of(x) + size_.of_free_motion(a));
-    if (small > 0 && (residual <= nearly_exact || (small >= small_steps && !hides))) return true;
-    if (small == most_small_steps) {
+    if (satisfies_rows(at, b, x) || !find_step(at, nearby) || !go_on(at, x, lambda, enough)) return true;
+    if (std::any_of(progress_.begin(), progress_.end(), [](const Progress& it) { return it.has_stalled(); })) {
       if (restarts++ == most_restarts) return false;
-      small = 0;
+      for (Progress& it : progress_) it.small = it.has_stalled() ? 0 : it.small;
       begin_anew();
       continue;
     }
@@ -65,9 +56,59 @@ bool ConjugateResiduals::solve(const Evaluation& at, const ConstVector& a, const
   return false;
 }
 
+bool ConjugateResiduals::Progress::has_stalled() const { return !done && small == most_small_steps; }
+
 void ConjugateResiduals::begin_anew() {
   square_ = 0.0;
   for (VectorXd* direction : {&p_, &p_lambda_, &Dp_}) direction->setZero();
+}
+
+/// Whether all components are done by what their rows have left; of those that are nothing is left.
+bool ConjugateResiduals::satisfies_rows(const Evaluation& at, const ConstVector& b, const ConstVector& x) {
+  find_residuals_of_terms(at, b, x);
+  return mark_done([this](std::size_t component, Progress& it) {
+    const double residual = residuals_[static_cast<Eigen::Index>(component)];
+    it.waiting = residual < shrinking * it.least ? 0 : it.waiting + 1;
+    it.least = std::min(it.least, residual);
+    return residual <= exact || (residual <= nearly_exact && it.waiting == patience);
+  });
+}
+
+/// False where all components are done by what the step changes.
+bool ConjugateResiduals::go_on(const Evaluation& at, const ConstVector& x, const ConstVector& lambda, double enough) {
+  measure_step(at, x, lambda);
+  return !mark_done([&](std::size_t component, Progress& it) {
+    const auto k = static_cast<Eigen::Index>(component);
+    if (rates_[k] <= unresisted * motions_[k]) return true;
+    const bool still = step_ * motions_[k] <= enough * sizes_[k] + exact_free_motion * free_motion_[k];
+    const bool steady = step_ * multipliers_[k] <= force_margin * enough * all_multipliers_[k];
+    const double resisted = NaturalSize::ratio(forces_[k], multipliers_[k]);
+    it.small = still && (steady || resisted <= unresisted) ? it.small + 1 : 0;
+    const bool hides =
+        resisted > unresisted && resisted < weakly_resisted && left_[k] > exact * (sizes_[k] + free_motion_[k]);
+    return it.small > 0 && (residuals_[k] <= nearly_exact || (it.small >= small_steps && !hides));
+  });
+}
+
+/// Marks components that are, and takes all those out of residuals and direction. True: there are no others.
+template <class IsDone>
+bool ConjugateResiduals::mark_done(const IsDone& is_done) {
+  bool all = true, some = false;
+  for (std::size_t k = 0; k < progress_.size(); ++k) {
+    Progress& it = progress_[k];
+    if (!it.done && is_done(k, it)) {
+      it.done = true;
+      square_ = 0.0;  // the next direction is a first one
+    }
+    (it.done ? some : all) = it.done;
+  }
+  if (all || !some) return all;
+  const auto done = [this](int component) { return progress_[static_cast<std::size_t>(component)].done; };
+  for (int body = 0; body < system_->body_count(); ++body)
+    if (done(components_->of_body(body))) p_.segment<velocity_size>(velocity_size * body).setZero();
+  for (Eigen::Index row = 0; row < r_2_.size(); ++row)
+    if (done(components_->of_row(row))) r_2_[row] = p_lambda_[row] = Dp_[row] = 0.0;
+  return false;
 }
 
 /// Along the next direction. False: there is none but for roundoff.
@@ -86,45 +127,61 @@ bool ConjugateResiduals::find_step(const Evaluation& at, const Refinement::Nearb
   return square_ > 0.0 && curvature > 0.0;
 }
 
-/// Of the worst row.
-double ConjugateResiduals::residual_of_terms(const Evaluation& at, const ConstVector& b, const ConstVector& x) {
+/// Of the worst row of each component.
+void ConjugateResiduals::find_residuals_of_terms(const Evaluation& at, const ConstVector& b, const ConstVector& x) {
   terms_ = b.cwiseAbs();
   for (const ConstraintBlock& block : system_->blocks())
     for (int r = 0; r < block.rows; ++r)
       for (int k = 0; k < velocity_size; ++k)
         terms_[block.row + r] +=
             std::abs(at.D[block.offset + velocity_size * r + k] * x[velocity_size * block.body + k]);
-  const double floor = at_rest * largest_rate(terms_);
-  double out = 0.0;
-  for (Eigen::Index row = 0; row < terms_.size(); ++row)
-    out = std::max(out, NaturalSize::ratio(std::abs(r_2_[row]), terms_[row] + floor * row_lengths_[row]));
-  return out;
+  find_largest_rates(terms_, rates_);
+  residuals_.setZero(rates_.size());
+  for (Eigen::Index row = 0; row < terms_.size(); ++row) {
+    const int component = components_->of_row(row);
+    const double floor = at_rest * rates_[component] * row_lengths_[row];
+    residuals_[component] =
+        std::max(residuals_[component], NaturalSize::ratio(std::abs(r_2_[row]), terms_[row] + floor));
+  }
+}
+
+void ConjugateResiduals::measure_step(const Evaluation& at, const ConstVector& x, const ConstVector& lambda) {
+  size_.of(x, sizes_);
+  size_.of(p_, motions_);
+  find_largest_rates(Dp_, rates_);
+  find_largest_rates(r_2_, left_);
+  find_largest(p_lambda_, multipliers_);
+  find_largest(lambda, all_multipliers_);
+  find_largest_forces(at);
 }
 
 /// In forces of natural size.
-double ConjugateResiduals::largest(const ConstVector& multipliers) const {
-  double out = 0.0;
-  for (Eigen::Index row = 0; row < multipliers.size(); ++row)
-    out = std::max(out, std::abs(multipliers[row]) * row_lengths_[row]);
-  return out;
+void ConjugateResiduals::find_largest(const ConstVector& multipliers, VectorXd& components) const {
+  components.setZero(components_->count());
+  for (Eigen::Index row = 0; row < multipliers.size(); ++row) {
+    double& largest = components[components_->of_row(row)];
+    largest = std::max(largest, std::abs(multipliers[row]) * row_lengths_[row]);
+  }
 }
 
-double ConjugateResiduals::largest_rate(const VectorXd& rows) const {
-  double out = 0.0;
-  for (Eigen::Index row = 0; row < rows.size(); ++row) out = std::max(out, std::abs(rows[row]) / row_lengths_[row]);
-  return out;
+void ConjugateResiduals::find_largest_rates(const VectorXd& rows, VectorXd& components) const {
+  components.setZero(components_->count());
+  for (Eigen::Index row = 0; row < rows.size(); ++row) {
+    double& largest = components[components_->of_row(row)];
+    largest = std::max(largest, std::abs(rows[row]) / row_lengths_[row]);
+  }
 }
 
 /// Of what the multipliers of the direction do to bodies.
-double ConjugateResiduals::largest_force(const Evaluation& at) {
+void ConjugateResiduals::find_largest_forces(const Evaluation& at) {
   Mx_.setZero();
   system_->add_D_transposed(at, p_lambda_, Mx_);
-  double out = 0.0;
+  forces_.setZero(components_->count());
   for (int body = 0; body < system_->body_count(); ++body) {
     const auto force = Mx_.segment<velocity_size>(velocity_size * body);
-    out = std::max({out, force.head<3>().norm() * size_.length(body), force.tail<3>().norm()});
+    double& largest = forces_[components_->of_body(body)];
+    largest = std::max({largest, force.head<3>().norm() * size_.length(body), force.tail<3>().norm()});
   }
-  return out;
 }
 
 }  // namespace linkwork

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "linkwork/constraints/natural_size.hpp"
 #include "linkwork/constraints/refinement.hpp"
 
@@ -12,7 +14,8 @@ namespace linkwork {
 /// Such a correction shrinks errors by e / (s + e) only, s an eigenvalue of D M^-1 D^T and e that of E: where joints
 /// connect very heavy and very light bodies, or a pose is nearly singular, it changes hardly anything far from the
 /// solution. Conjugate residuals need about one iteration for each such s, and unlike conjugate gradients stay bounded
-/// where rows contradict each other (E. Stiefel, Comment. Math. Helv. 29, 157-179, 1955).
+/// where rows contradict each other (E. Stiefel, Comment. Math. Helv. 29, 157-179, 1955). Each connected component goes
+/// on until it is done.
 class ConjugateResiduals {
  public:
   explicit ConjugateResiduals(const System& system);
@@ -30,18 +33,33 @@ class ConjugateResiduals {
   const VectorXd& r_2() const { return r_2_; }  ///< before its last step
 
  private:
-  double residual_of_terms(const Evaluation& at, const ConstVector& b, const ConstVector& x);
+  /// How far a connected component is.
+  struct Progress {
+    double least = INFINITY;  ///< residual so far
+    int small = 0, waiting = 0;
+    bool done = false;
+    bool has_stalled() const;
+  };
+  bool satisfies_rows(const Evaluation& at, const ConstVector& b, const ConstVector& x);
+  bool go_on(const Evaluation& at, const ConstVector& x, const ConstVector& lambda, double enough);
+  template <class IsDone>
+  bool mark_done(const IsDone& is_done);
+  void find_residuals_of_terms(const Evaluation& at, const ConstVector& b, const ConstVector& x);
+  void measure_step(const Evaluation& at, const ConstVector& x, const ConstVector& lambda);
   void begin_anew();
   bool find_step(const Evaluation& at, const Refinement::Nearby& nearby);
-  double largest(const ConstVector& multipliers) const;
-  double largest_rate(const VectorXd& rows) const;
-  double largest_force(const Evaluation& at);
+  void find_largest(const ConstVector& multipliers, VectorXd& components) const;
+  void find_largest_rates(const VectorXd& rows, VectorXd& components) const;
+  void find_largest_forces(const Evaluation& at);
 
   const System* system_ = nullptr;
+  const ConnectedComponents* components_ = nullptr;
   NaturalSize size_;
   VectorXd row_lengths_;
   VectorXd r_1_, r_2_, none_, no_rows_, terms_, dx_, dlambda_;
   VectorXd p_, p_lambda_, Mx_, Dp_;
+  std::vector<Progress> progress_;  ///< of each component, as are these:
+  VectorXd residuals_, free_motion_, sizes_, motions_, rates_, left_, multipliers_, all_multipliers_, forces_;
   double square_ = 0.0, step_ = 0.0;
   int steps_ = 0;
 };

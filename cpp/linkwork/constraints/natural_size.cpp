@@ -7,28 +7,55 @@
 
 namespace linkwork {
 
-NaturalSize::NaturalSize(const System& system) : system_(&system), lengths_(characteristic_lengths(system)) {}
+NaturalSize::NaturalSize(const System& system)
+    : system_(&system), components_(&ConnectedComponents::of(system)), lengths_(characteristic_lengths(system)) {}
+
+double NaturalSize::square(const ConstVector& x, int body) const {
+  const auto own = x.segment<velocity_size>(velocity_size * body);
+  if (!std::isfinite(own.sum())) return INFINITY;
+  return std::max(own.head<3>().squaredNorm() / (lengths_[body] * lengths_[body]), own.tail<3>().squaredNorm());
+}
 
 double NaturalSize::of(const ConstVector& x) const {
-  double square = 0.0;
+  double largest = 0.0;
+  for (int body = 0; body < system_->body_count(); ++body) largest = std::max(largest, square(x, body));
+  return std::sqrt(largest);
+}
+
+void NaturalSize::of(const ConstVector& x, VectorXd& components) const {
+  components.setZero(components_->count());
   for (int body = 0; body < system_->body_count(); ++body) {
-    const auto own = x.segment<velocity_size>(velocity_size * body);
-    square = std::max(
-        {square, own.head<3>().squaredNorm() / (lengths_[body] * lengths_[body]), own.tail<3>().squaredNorm()});
-    if (!std::isfinite(own.sum())) return INFINITY;
+    double& largest = components[components_->of_body(body)];
+    largest = std::max(largest, square(x, body));
   }
-  return std::sqrt(square);
+  components = components.cwiseSqrt();
+}
+
+double NaturalSize::of_free_body(const ConstVector& a, int body) const {
+  const double m = system_->mass(body), length = lengths_[body];
+  if (!(m > 0.0)) return 0.0;
+  const double force = a.segment<3>(velocity_size * body).norm(),
+               torque = a.segment<3>(velocity_size * body + 3).norm();
+  return (force + torque / length) / (m * length);
 }
 
 double NaturalSize::of_free_motion(const ConstVector& a) const {
   double out = 0.0;
-  for (int body = 0; body < system_->body_count(); ++body)
-    if (const double m = system_->mass(body); m > 0.0) {
-      const double length = lengths_[body];
-      out = std::max(
-          out, (a.segment<3>(velocity_size * body).norm() + a.segment<3>(velocity_size * body + 3).norm() / length) /
-                   (m * length));
-    }
+  for (int body = 0; body < system_->body_count(); ++body) out = std::max(out, of_free_body(a, body));
+  return out;
+}
+
+void NaturalSize::of_free_motion(const ConstVector& a, VectorXd& components) const {
+  components.setZero(components_->count());
+  for (int body = 0; body < system_->body_count(); ++body) {
+    double& largest = components[components_->of_body(body)];
+    largest = std::max(largest, of_free_body(a, body));
+  }
+}
+
+double NaturalSize::largest_ratio(const VectorXd& x, const VectorXd& sizes) {
+  double out = 0.0;
+  for (Eigen::Index k = 0; k < x.size(); ++k) out = std::max(out, ratio(x[k], sizes[k]));
   return out;
 }
 

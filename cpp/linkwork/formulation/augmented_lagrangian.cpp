@@ -81,11 +81,14 @@ class AugmentedLagrangian final : public Formulation {
   /// False where `most` iterations were not enough.
   bool iterate(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda, int most) {
     saddle_->solve(a, b, v_dot, lambda);  // (12.16): the first, from lambda_0 = 0
-    const double free = size_->of_free_motion(a);
+    size_->of_free_motion(a, free_motion_);
     double last_change = INFINITY;
     for (int iteration = 2; iteration <= most; ++iteration) {
       refinement_.correct(*at_, a, b, v_dot, lambda, nearby_);  // (12.17), (12.18)
-      const double change = NaturalSize::ratio(size_->of(refinement_.dx()), free + size_->of(v_dot));
+      size_->of(refinement_.dx(), changes_);
+      size_->of(v_dot, sizes_);
+      sizes_ += free_motion_;
+      const double change = NaturalSize::largest_ratio(changes_, sizes_);
       const bool stagnated = change > stagnation * last_change && change < roundoff_change;
       last_change = iterations_.last_change = change;
       if (change > *options_.tolerance && !stagnated && iteration < most) continue;
@@ -136,6 +139,7 @@ class AugmentedLagrangian final : public Formulation {
   std::unique_ptr<ConjugateResiduals> residuals_;
   int repeated_ = 1;  ///< iterations of the last solution, without those of conjugate residuals
   std::unique_ptr<NaturalSize> size_;
+  VectorXd free_motion_, changes_, sizes_;  ///< of each connected component
 };
 
 }  // namespace

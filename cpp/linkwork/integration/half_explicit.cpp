@@ -120,7 +120,7 @@ class HalfExplicit final : public Integrator {
   }
 
   void refine(Dynamics& dynamics) {
-    const double free = size_->of_free_motion(dynamics.evaluation().g.head(x_.size()));
+    size_->of_free_motion(dynamics.evaluation().g.head(x_.size()), free_motion_);
     double last = INFINITY;
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
       dynamics.system().multiply_D(*at_, x_, residual_);
@@ -128,7 +128,10 @@ class HalfExplicit final : public Integrator {
       dynamics.solve(none_, residual_, dx_, dlambda_);
       x_ += dx_;
       lambda_ += dlambda_;
-      const double change = NaturalSize::ratio(size_->of(dx_), size_->of(x_) + free);
+      size_->of(dx_, changes_);
+      size_->of(x_, sizes_);
+      sizes_ += free_motion_;
+      const double change = NaturalSize::largest_ratio(changes_, sizes_);
       if (change <= exact || (change <= roundoff && change > shrinking * last)) return;
       if (!(change <= last)) break;
       last = change;
@@ -211,6 +214,7 @@ class HalfExplicit final : public Integrator {
   HalfExplicitTableau tableau_;
   std::unique_ptr<Evaluation> at_;  ///< of the constraints at Yb_i
   std::unique_ptr<NaturalSize> size_;
+  VectorXd free_motion_, changes_, sizes_;  ///< of each connected component
   MatrixXd k_;
   VectorXd stage_, met_, x_, dx_, none_, lambda_, dlambda_, b_, residual_;
 };

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "linkwork/assembly/system.hpp"
+
+namespace linkwork {
+
+/// The connected components of the graph of bodies, its edges the joints and inerters between them; the ground connects
+/// nothing. Each has equations of its own, whatever the others do.
+class ConnectedComponents {
+ public:
+  explicit ConnectedComponents(const System& system);
+  /// Those of a system are found once.
+  static const ConnectedComponents& of(const System& system);
+
+  int count() const { return count_; }
+  int of_body(int body) const { return of_body_[body]; }
+  int of_row(Eigen::Index row) const { return of_row_[row]; }
+
+ private:
+  int count_ = 0;
+  std::vector<int> of_body_, of_row_;
+};
+
+}  // namespace linkwork
