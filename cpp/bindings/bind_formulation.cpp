@@ -239,7 +239,7 @@ py::tuple reactions(const Dynamics& dynamics, const Doubles& t, const Doubles& q
   return py::make_tuple(force, torque);
 }
 
-/// What a force element does at each of many states: force, torque, power, potential.
+/// What a force element does at each of many states: force, torque, power, potential; and what its history becomes.
 py::tuple force_element(const Dynamics& dynamics, int element, const Doubles& t, const Doubles& q, const Doubles& v,
                         const Doubles& v_dot, const Doubles& history) {
   const System& system = dynamics.system();
@@ -249,7 +249,7 @@ py::tuple force_element(const Dynamics& dynamics, int element, const Doubles& t,
       v_dot.size() != frames * system.v_size() || history.size() != frames * variables)
     throw OptionError("shape", "these are no frames of this model, or it has no such force element");
   py::array_t<double> force({frames, py::ssize_t{3}}), torque({frames, py::ssize_t{3}}), power(frames),
-      potential(frames);
+      potential(frames), next(frames);
   ForceElement one(system, element);
   using Vector = Eigen::Map<const VectorXd>;
   for (py::ssize_t k = 0; k < frames; ++k) {
@@ -261,8 +261,9 @@ py::tuple force_element(const Dynamics& dynamics, int element, const Doubles& t,
     Eigen::Map<Vec3<double>>(torque.mutable_data() + 3 * k) = found.torque;
     power.mutable_data()[k] = found.power;
     potential.mutable_data()[k] = found.potential;
+    next.mutable_data()[k] = found.history;
   }
-  return py::make_tuple(force, torque, power, potential);
+  return py::make_tuple(force, torque, power, potential, next);
 }
 
 /// Phi_t of some rows at each of many states.
@@ -428,8 +429,8 @@ void bind_measurements(py::class_<Dynamics>& dynamics) {
           "How many singular poses were passed, and how often other rows became the redundant ones.")
       .def("force_element", &force_element, py::arg("element"), py::arg("t"), py::arg("q"), py::arg("v"),
            py::arg("v_dot"), py::arg("history"),
-           "(force, torque (k, 3) on the second body, power that goes into the motion, potential (k,)) of a force "
-           "element at k times and states, each with its history variables.")
+           "(force, torque (k, 3) on the second body, power that goes into the motion, potential, what its history "
+           "variable becomes (k,)) of a force element at k times and states, each with its history variables.")
       .def("kinetic_energies", &kinetic_energies, py::arg("q"), py::arg("v"), "(k,) [J] at k states.")
       .def("constraint_rates", &constraint_rates, py::arg("t"), py::arg("q"), py::arg("v"), py::arg("rows"),
            "Phi_t (k, rows) of some equations at k times and states.")

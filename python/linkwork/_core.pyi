@@ -321,7 +321,7 @@ class Dynamics:
         history: typing.Annotated[numpy.typing.ArrayLike, numpy.float64],
     ) -> tuple:
         """
-        (force, torque (k, 3) on the second body, power that goes into the motion, potential (k,)) of a force element at k times and states, each with its history variables.
+        (force, torque (k, 3) on the second body, power that goes into the motion, potential, what its history variable becomes (k,)) of a force element at k times and states, each with its history variables.
         """
     def initial_state(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """

@@ -255,6 +255,13 @@ def test_what_acts_on_joints_acts_as_in_mujoco(name: str, tmp_path: Path) -> Non
         assert largest_difference(path, np.random.default_rng(seed), spread=2.0) < 1e-12
 
 
+def test_the_spring_of_a_slider_acts_on_both_sides_however_far_away(tmp_path: Path) -> None:
+    slide = '<joint name="s" type="slide" axis="1 2 2" stiffness="3" springref="0.4" ref="0.1"/>'
+    path = written(tmp_path, f'<body name="a">{slide}{INERTIAL}</body>')
+    for seed in range(3):
+        assert largest_difference(path, np.random.default_rng(seed), spread=40.0) < 1e-12
+
+
 def test_a_damped_free_body_approaches_its_speed_of_fall(tmp_path: Path) -> None:
     """(m + a) v_dot = -m g - d v: the armature a has no weight."""
     inertial = '<inertial pos="0 0 0" mass="2" diaginertia="0.1 0.1 0.1"/>'

@@ -99,3 +99,44 @@ def test_a_result_of_a_file_takes_its_laws_from_the_model(result: lw.Result, tmp
         loaded.force("coil", lw.mechanisms.pendulum())
     with pytest.raises(lw.ModelError, match="no force element named 'koil'"):
         result.force("koil")
+
+
+def sliding(**law: float) -> lw.Model:
+    model = lw.Model(gravity=(0, 0, 0))
+    body = model.body("slider", mass=2.0, inertia=(0.1,) * 3, position=(0, 0, 0), velocity=(0, 0, 3.0))
+    model.translational("ground", body, at=(0, 0, 0), axis=(0, 0, 1), name="rail")
+    model.translational_spring_damper("ground", body, at=(0, 0, 0), axis=(0, 0, 1), **law, name="spring")
+    return model
+
+
+def test_a_spring_along_an_axis_swings_to_both_sides_however_far() -> None:
+    model = sliding(stiffness=8.0, damping=0.4, free_displacement=-20.0, force=4.0)
+    result = lw.simulate(model, t_end=4.0, rtol=1e-10)
+    decay, rest = 0.1, -19.5
+    omega = np.sqrt(4.0 - decay**2)
+    phase = np.exp(-decay * result.t) * np.array([np.cos(omega * result.t), np.sin(omega * result.t)])
+    x = rest + np.array([-rest, (3.0 - decay * rest) / omega]) @ phase
+    found = result.force("spring")
+    assert result.coordinate("rail").value == pytest.approx(x, abs=1e-8)
+    assert found.deflection == pytest.approx(x + 20.0, abs=1e-8)
+    assert found.potential == pytest.approx(4.0 * (x + 20.0) ** 2, abs=1e-6)
+    assert abs(result.energy_error).max() < 1e-6
+
+
+def test_a_twist_keeps_its_full_turns_from_run_to_run_and_between_frames() -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    body = model.body("wheel", mass=1.0, inertia=(0.1,) * 3, omega=(0, 0, 20))
+    model.revolute("ground", body, at=(0, 0, 0), axis=(0, 0, 1), name="pin")
+    model.rotational_spring_damper(
+        "ground", body, axis=(0, 0, 1), stiffness=0.5, free_angle=0.3, name="spring"
+    )
+    whole = lw.simulate(model, t_end=1.0, rtol=1e-8, times=[0.0, 0.5, 1.0]).force("spring")
+    half = lw.simulate(model, t_end=0.5, rtol=1e-8)
+    onward = lw.simulate(model, t_end=1.0, rtol=1e-8, start=half.snapshot()).force("spring")
+    for found in (whole, onward):
+        assert found.deflection is not None
+        assert abs(found.deflection) == pytest.approx(np.sqrt(2 * found.potential / 0.5), abs=1e-9)
+    assert whole.deflection is not None
+    assert onward.deflection is not None
+    assert whole.deflection[-1] == pytest.approx(onward.deflection[-1], rel=1e-6)
+    assert whole.deflection[-1] > 2 * np.pi

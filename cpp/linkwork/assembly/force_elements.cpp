@@ -60,6 +60,7 @@ ForceOnBody ForceElement::evaluate(double t, const ConstVector& q, const ConstVe
   force_kinds()[element_.kind].evaluate(0, batch_, 0, 1,
                                         {its_q.data(), its_v.data(), bodies.data(), signals_.data(), functions.data()},
                                         {g.data(), &last, &next, &rate, switches.data(), &out.potential, &dissipated});
+  out.history = next;
   if (force_kinds()[element_.kind].inertia) add_inertia(bodies.data(), v_dot, g.data());
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     const Eigen::Map<const Vec3<double>> force(g.data() + 6 * k), torque(g.data() + 6 * k + 3);

@@ -10,6 +10,7 @@ struct ForceOnBody {
   Vec3<double> torque;     ///< about the element's point on the body [N m], inertial axes
   double power = 0.0;      ///< that it gives to both bodies [W]
   double potential = 0.0;  ///< stored in it [J]
+  double history = 0.0;    ///< what its history variable becomes; 0: it has none
 };
 
 /// One force element by itself, of those in Model::forces(): System adds all of them up.

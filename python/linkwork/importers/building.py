@@ -389,14 +389,16 @@ class _Builder:
         )
 
     def _add_spring(self, joint: JointDescription, a: _Side, b: _Side) -> None:
-        """Along the axis from a point so far back that the distance never becomes zero."""
-        rest = joint.spring_reference - float(joint.reference[0])
-        back = 10.0 * (1.0 + abs(rest))
-        far = a.at - back * a.axis(joint.motions[0].axis)
-        self._model.spring_damper(
-            a.body, b.body, at=(far, b.at), frames="body", stiffness=joint.stiffness, free_length=back + rest,
+        self._model.translational_spring_damper(
+            a.body,
+            b.body,
+            at=(a.at, b.at),
+            frames="body",
+            **self._axis_place(joint, a, b),
+            stiffness=joint.stiffness,
+            free_displacement=joint.spring_reference - float(joint.reference[0]),
             name=f"{joint.name} spring",
-        )  # fmt: skip
+        )
 
     def _note(self, topic: str, joint: JointDescription, message: str) -> None:
         self._description.note(topic, f"joint '{joint.name}'", message)

@@ -680,6 +680,41 @@ class JointMethods:
         """
 
 class ForceMethods:
+    def translational_spring_damper(
+        self,
+        a: BodyLike,
+        b: BodyLike,
+        *,
+        at: VectorLike,
+        axis: VectorLike,
+        x_axis: VectorLike | None = None,
+        stiffness: TimeFunctionLike = 0.0,
+        damping: TimeFunctionLike = 0.0,
+        free_displacement: TimeFunctionLike = 0.0,
+        force: TimeFunctionLike = 0.0,
+        breaks: ArrayLike = (),
+        frames: Frames = "space",
+        name: str | None = None,
+    ) -> Force:
+        """Spring [N/m], damper [N s/m] and actuator [N] along a joint axis: the force on b along the axis is -k (x - x_0) - c x_dot + f, x the shift of the point of b against that of a along the axis of a [m], which may have either sign.
+
+            body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+            model.translational_spring_damper("ground", body, at=(0, 0, 0), axis=(0, 1, 0))
+
+        at                 its point (3,) [m]
+        axis               the axis (3,), of any length
+        x_axis             the frame's x axis (3,); without it a perpendicular to the axis
+        stiffness          of the spring [N/m], a number or a function of time; 0
+        damping            of the damper [N s/m], a number or a function of time; 0
+        free_displacement  where the spring is free [m], a number or a function of time; 0
+        force              of the actuator [N], a number or a function of time; 0
+        breaks             times [s] at which Python functions are not smooth, see functions.with_breaks
+        frames             "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
+        name               without it the kind and a number
+
+        ModelError: a point or axis that makes no sense, a body joined to itself, an unknown body, a taken name.
+        """
+
     def nonlinear_spring_damper(
         self,
         a: BodyLike,

@@ -27,8 +27,8 @@ MODEL_NAMES = ("body_names", "joint_names", "joint_kinds", "force_names", "force
 Reactions = Callable[..., tuple[Floats, Floats]]
 
 #: force_element(index, t (k,), q (k, 7n), v, v_dot (k, 6n), history (k, h)) -> force [N] and torque
-#: [N m] (k, 3) on the second body, power [W] and potential [J] (k,).
-ForceElement = Callable[..., tuple[Floats, Floats, Floats, Floats]]
+#: [N m] (k, 3) on the second body, power [W], potential [J] and what its history variable becomes (k,).
+ForceElement = Callable[..., tuple[Floats, Floats, Floats, Floats, Floats]]
 
 
 def _none(*shape: int) -> Callable[[], Any]:

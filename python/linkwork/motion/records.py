@@ -45,8 +45,9 @@ class ForceResult(NamedTuple):
     torque: Floats  #: on it about the element's point there (k, 3) [N m], inertial axes
     power: Floats  #: that the element gives to the bodies (k,) [W]
     potential: Floats  #: energy that is stored in it (k,) [J]
-    #: of a spring between two points its elongation [m], of one about an axis its twist [rad] (k,), beyond
-    #: what it has when free; of other kinds, and where that is a function of time, None
+    #: of a spring between two points its elongation [m], of one along an axis its shift [m], of one about an
+    #: axis its twist over full turns [rad] (k,), beyond what it has when free; of other kinds, and where that
+    #: is a function of time, None
     deflection: Floats | None
 
 

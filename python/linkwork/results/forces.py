@@ -26,8 +26,8 @@ def force(result: Result, name: str | int, model: Model | None) -> ForceResult:
     place, law = _place(result, name), _law(result, model)
     k = len(result)
     state = (result.q.reshape(k, -1), result.v.reshape(k, -1), result._field("vdot").reshape(k, -1))
-    found = law(place, result.t, *state, result.history)
-    return ForceResult(*found, _deflection(result, place))
+    *found, turned = law(place, result.t, *state, result.history)
+    return ForceResult(*found, _deflection(result, place, turned))
 
 
 def _place(result: Result, name: str | int) -> int:
@@ -62,21 +62,24 @@ def _law(result: Result, model: Model | None) -> ForceElement:
     return _core.Dynamics(core, options).force_element
 
 
-def _deflection(result: Result, place: int) -> Floats | None:
-    """Of springs, beyond their free length or angle; None: of no spring, or that is a function of time."""
+def _deflection(result: Result, place: int, turned: Floats) -> Floats | None:
+    """Of springs, beyond where they are free; None: of no spring, or that is a function of time. `turned`: the
+    angle of a rotational one."""
     header = result.header
     names = list(KINDS["force"][header.force_kinds[place]].parameters)
-    free = next((it for it in ("free_length", "free_angle") if it in names), None)
+    free = next((it for it in ("free_length", "free_angle", "free_displacement") if it in names), None)
     if free is None:
         return None
     rest = header.parameters("force", place)[names.index(free)]
     if np.isnan(rest):
         return None
+    if free == "free_angle":
+        return np.asarray(turned - rest)
     ends = result._ends(header.force_bodies[place].tolist())
     origin, frame = header.force_origin[place], header.force_frame[place]
-    if free == "free_angle":
-        turned: Floats = coordinates_of("angle", result.t, ends, origin, frame).value - rest
-        return turned
+    if free == "free_displacement":
+        shifted: Floats = coordinates_of("displacement", result.t, ends, origin, frame).value - rest
+        return shifted
     a, b = (q[:, :3] + rotate(q[:, 3:], s) for (q, _), s in zip(ends, origin, strict=True))
     longer: Floats = np.linalg.norm(b - a, axis=1) - rest
     return longer
