@@ -116,6 +116,29 @@ TEST_CASE("events come in order of time, and none after the one that ends the st
   CHECK(found[1].event == 1);  // at 0.4
 }
 
+TEST_CASE("events that differ in their times by no more than these are known come together") {
+  const Ball ball;
+  const Line step = ball.line({0, 0, 0}, {1, 2, 4});
+  EventWatch watch({through(1, 0.8), through(0, 0.4 + 1e-14, 0, true), through(2, 1.6 + 1e-9), through(2, 1.6, 0, true),
+                    through(0, 0.4)});
+  watch.start(0.0, step.from);
+  std::vector<std::size_t> came;
+  for (const auto& found : watch.scan(step, ball.system, 0.0, 1.0)) came.push_back(found.event);
+  CHECK(came == std::vector<std::size_t>{1, 3, 0, 4});
+}
+
+TEST_CASE("each of several barriers at a time holds") {
+  const Ball ball;
+  const Vec3<double> down(-1, -1, 0), rest(0, 0, 0);
+  EventWatch watch({through(0, 0.0, 0, true), through(1, 0.0, 0, true)});
+  const Line fall = ball.line({1, 1, 0}, {-1, -1, 0}), on = ball.line({0, 0, 0}, {-1e-3, -1e-3, 0});
+  watch.start(0.0, fall.from);
+  const std::vector<EventWatch::Found> happened = watch.scan(fall, ball.system, 0.0, 2.0);
+  REQUIRE(happened.size() == 2);
+  watch.restart(ball.system, 1.0, ball.state({0, 0, 0}, down), ball.state({0, 0, 0}, rest), happened);
+  CHECK(watch.scan(on, ball.system, 1.0, 1.0).size() == 2);
+}
+
 TEST_CASE("a function that is zero at the start has no sign until it leaves zero") {
   const Ball ball;
   EventWatch watch({through(0, 0.0)});
@@ -137,7 +160,7 @@ TEST_CASE("after a barrier to be on the other side is the same event again, afte
     watch.start(0.0, fall.from);
     const EventWatch::Found happened = watch.scan(fall, ball.system, 0.0, 2.0).front();
     watch.restart(ball.system, 1.0, ball.state({0, 0, 0}, down), ball.state({0, 0, 0}, barrier ? rest : down),
-                  happened);
+                  {happened});
     const auto& found = watch.scan(on, ball.system, 1.0, 1.0);
     CHECK(found.size() == (barrier ? 1 : 0));
     if (barrier) CHECK(found[0].theta < 1e-6);

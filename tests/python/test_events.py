@@ -126,6 +126,35 @@ def test_a_ball_bounces_when_and_as_high_as_it_must(integrator: str) -> None:
         assert it.v_after[0, 2] == pytest.approx(-restitution * it.v_before[0, 2], rel=1e-12)
 
 
+@pytest.mark.parametrize("integrator", PAIRS)
+def test_two_balls_that_come_down_at_the_same_time_both_bounce(integrator: str) -> None:
+    model = lw.Model(gravity=(0, 0, -GRAVITY))
+    for x, name in enumerate(("left", "right")):
+        model.body(name, mass=2.0, inertia=(0.1,) * 3, position=(x, 0, 1.0))
+
+    def bounce(name: str) -> lw.Event:
+        def change(t: float, state: lw.State) -> None:
+            state.body(name).velocity = -state.body(name).velocity
+
+        return lw.Event(lambda t, state: state.body(name).position[2], name, direction=-1, change=change)
+
+    log = lw.Event(lambda t, state: state.body("right").position[2], "log")
+    result = run(model, 3.0, bounce("left"), log, bounce("right"), integrator=integrator)
+    fall = np.sqrt(2 / GRAVITY)
+    assert [it.name for it in result.events] == ["left", "right", "log"] * 3
+    assert [it.t for it in result.events] == pytest.approx(np.repeat([1, 3, 5], 3) * fall, rel=1e-9)
+    t = 3.0 - 6 * fall
+    assert result.position[-1, :, 2] == pytest.approx(1 - GRAVITY * t**2 / 2, rel=1e-7)
+
+
+def test_an_end_and_a_change_at_the_same_time_both_count() -> None:
+    end = lw.Event(lambda t, state: state.body("ball").position[2], "end", terminal=True)
+    for events in ([end, floor(1.0)], [floor(1.0), end]):
+        result = run(ball(), 2.0, *events)
+        assert result.t[-1] == pytest.approx(np.sqrt(2 / GRAVITY), rel=1e-9)
+        assert result.velocity[-1, 0, 2] == pytest.approx(np.sqrt(2 * GRAVITY), rel=1e-9)
+
+
 def test_the_work_counts_what_an_impact_takes() -> None:
     result = run(ball(), 1.0, floor(0.5), record_every=1)
     assert np.abs(result.energy_error).max() < 1e-10

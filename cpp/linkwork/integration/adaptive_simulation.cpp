@@ -243,7 +243,7 @@ bool AdaptiveSimulation::end_at_switch(double h) {
   }
   accept(part, error.value);
   switch_ = found;
-  if (stop_) switch_.reset();
+  if (!stops_.empty()) switch_.reset();
   step_ = std::max(step_, part + 0.5 * (h - part));
   return true;
 }
@@ -283,7 +283,7 @@ bool AdaptiveSimulation::leap() {
   h_ = crossing_.last().followed;
   t_new_ = h_ == remaining ? end : crossing_.last().end();
   y_new_ = crossing_.last().y_new;
-  stop_.reset();
+  stops_.clear();
   switch_.reset();
   away_from_.reset();
   with_time(t_, h_, [&] {
@@ -356,7 +356,7 @@ void AdaptiveSimulation::accept(double h, double error) {
   tries_ = 0;
   if (!dynamics_.watch().open()) usual_step_ = h;
   else if (usual_step_ > 0.0) step_ = std::max(step_, usual_step_);
-  stop_.reset();
+  stops_.clear();
   if (!watch_.empty()) with_time(t_, h, [&] { look_for_events(); });
 }
 
@@ -366,16 +366,17 @@ void AdaptiveSimulation::look_for_events() {
   const System& system = dynamics_.system();
   const Eigen::Index size = y_.size() - 1;
   for (const EventWatch::Found& found : watch_.scan(interpolant(), system, t_, h_)) {
-    interpolant().interpolate(system, found.theta, workspace_);
-    const double t = t_ + found.theta * h_;
+    if (stops_.empty()) interpolant().interpolate(system, found.theta, workspace_);
+    const double t = stops_.empty() ? t_ + found.theta * h_ : t_new_;
     of_step_.push_back({found.event, t, workspace_.head(size), workspace_.head(size)});
-    if (!watch_.event(found.event).stops()) continue;
-    stop_ = found;
+    if (stops_.empty() && !watch_.event(found.event).stops()) continue;
+    stops_.push_back(found);
     t_new_ = t;
-    y_new_ = workspace_;
-    evaluated_ = false;
-    away_from_.reset();
   }
+  if (stops_.empty()) return;
+  y_new_ = workspace_;
+  evaluated_ = false;
+  away_from_.reset();
 }
 
 /// At y_, where `dynamics` is evaluated at its positions.
@@ -386,9 +387,10 @@ double AdaptiveSimulation::energy() const {
 }
 
 /// The work takes up the energy that the event makes or takes away.
-bool AdaptiveSimulation::apply(const Event& event) {
+bool AdaptiveSimulation::apply(const Event& event, Occurrence& occurrence) {
   const System& system = dynamics_.system();
   const Eigen::Index size = y_.size() - 1;
+  occurrence.before = y_.head(size);
   const double before = energy();
   const Changed changed = event.change(t_, y_.head(size));
   if (changed.y.size() != size || !changed.y.allFinite())
@@ -403,7 +405,7 @@ bool AdaptiveSimulation::apply(const Event& event) {
   accept_history();
   dynamics_.take_sides(switches_.least());
   y_[size] += energy() - before;
-  of_step_.back().after = y_.head(size);
+  occurrence.after = y_.head(size);
   return changed.ends;
 }
 
@@ -491,16 +493,16 @@ void AdaptiveSimulation::finish_step() {
   evaluated_ = true;
   finished_ = t_ >= schedule_.t_end;
   if (finished_) sampling_.before(dynamics_, y_);
-  if (stop_) finish_event();
+  if (!stops_.empty()) finish_event();
   const auto seen = [&](const Occurrence& it) { return !repeating() || it.t > start_; };
   std::copy_if(of_step_.begin(), of_step_.end(), std::back_inserter(occurrences_), seen);
   of_step_.clear();
   record_if_due();
-  if (finished_ || !(stop_ || at_break)) return;
+  if (finished_ || (stops_.empty() && !at_break)) return;
   with_time(t_, NAN, [&] {
-    if (stop_) {
+    if (!stops_.empty()) {
       check_accumulation();
-      watch_.restart(dynamics_.system(), t_, y_new_, y_, *stop_);
+      watch_.restart(dynamics_.system(), t_, y_new_, y_, stops_);
     }
     step_ = initial_step();
   });
@@ -510,14 +512,14 @@ void AdaptiveSimulation::finish_step() {
 
 void AdaptiveSimulation::list_singular_poses() {
   if (!leapt_ && crossing_.look_back(t_, t_new_ - t_, y_)) evaluated_ = false;
-  if (!stop_ && t_new_ < schedule_.t_end) return;
+  if (stops_.empty() && t_new_ < schedule_.t_end) return;
   if (crossing_.end(t_new_, y_new_)) evaluated_ = false;
 }
 
 /// The step as the method made it, on its own side of breaks.
 void AdaptiveSimulation::sample(double t_before, bool at_break) {
   const bool struck = at_break && dynamics_.system().time_dependent_constraints();
-  if (stop_ || leapt_ || struck) return sampling_.pass_over();
+  if (!stops_.empty() || leapt_ || struck) return sampling_.pass_over();
   const double t = breaks_.after(t_before), t_new = breaks_.before(t_);
   sampling_.after(t, t_new - t, y_before_, y_);
   if (at_break) sampling_.pass_over();
@@ -547,34 +549,38 @@ void AdaptiveSimulation::strike(const VectorXd& Phi_t_before) {
 }
 
 void AdaptiveSimulation::finish_event() {
-  const Event& event = watch_.event(stop_->event);
-  finished_ = finished_ || event.terminal;
-  if (event.change) with_time(t_, NAN, [&] { finished_ = apply(event) || finished_; });
+  auto occurrence = of_step_.end() - std::ssize(stops_);
+  for (const EventWatch::Found& it : stops_) {
+    const Event& event = watch_.event(it.event);
+    finished_ = finished_ || event.terminal;
+    if (event.change) with_time(t_, NAN, [&] { finished_ = apply(event, *occurrence) || finished_; });
+    ++occurrence;
+  }
 }
 
 void AdaptiveSimulation::check_accumulation() {
   const double interval = t_ - last_stop_;
-  const bool vanishes = interval <= watch_.event(stop_->event).tolerance;
+  const bool vanishes = interval <= watch_.event(stops_.front().event).tolerance;
   shorter_ = vanishes || interval <= shorter * last_interval_ ? shorter_ + 1 : 0;
   last_stop_ = t_;
   last_interval_ = interval;
   if (shorter_ < many_shorter || interval >= short_time * schedule_.t_end) return;
-  throw StepSizeError("event",
-                      "event '" + watch_.event(stop_->event).name + "' comes after ever shorter times, at last " +
-                          scientific(interval) +
-                          " s: infinitely many would come before the run goes on; make it terminal, or let its "
-                          "change end the run when what bounces has become slow");
+  throw StepSizeError(
+      "event", "event '" + watch_.event(stops_.front().event).name + "' comes after ever shorter times, at last " +
+                   scientific(interval) +
+                   " s: infinitely many would come before the run goes on; make it terminal, or let its "
+                   "change end the run when what bounces has become slow");
 }
 
 /// A state at which a step begins or ends.
 void AdaptiveSimulation::record_if_due() {
   const auto& times = schedule_.times;
-  const bool last = finished_ && stop_;
-  bool due = schedule_.record_every > 0 && (finished_ || stop_ || steps_done_ % schedule_.record_every == 0);
+  const bool stopped = !stops_.empty(), last = finished_ && stopped;
+  bool due = schedule_.record_every > 0 && (finished_ || stopped || steps_done_ % schedule_.record_every == 0);
   for (; next_time_ < times.size() && times[next_time_] == t_; ++next_time_) due = true;
   if (!due && !last) return;
   with_time(t_, NAN, [&] {
-    if (leapt_ && !stop_) record_in_leap(t_, y_);
+    if (leapt_ && !stopped) record_in_leap(t_, y_);
     else if (finished_) recorder_.record(t_, y_);
     else recorder_.record_in_step(t_, y_);
   });

@@ -98,7 +98,7 @@ class AdaptiveSimulation final : public Run {
   double end_of_step(double& h) const;
   bool violates(double h) const;
   /// True where the change ends the run.
-  bool apply(const Event& event);
+  bool apply(const Event& event, Occurrence& occurrence);
   bool near_singular_pose() const;
   void pass_singular_pose(double h, double error);
   void retry(double h);
@@ -127,7 +127,7 @@ class AdaptiveSimulation final : public Run {
   std::optional<SwitchWatch::Switch> switch_;  ///< that ends the current step
   std::vector<Occurrence> of_step_;            ///< found in the current step, which is not finished
   std::vector<Occurrence> occurrences_;        ///< of finished steps
-  std::optional<EventWatch::Found> stop_;      ///< the event that ends the current step
+  std::vector<EventWatch::Found> stops_;       ///< the event that ends the current step, and those that come with it
   double last_stop_ = 0.0, last_interval_ = std::numeric_limits<double>::infinity();  ///< between such events
   int shorter_ = 0;  ///< such intervals in a row that were shorter than the one before
   double t_ = 0.0, h_ = 0.0, t_new_ = 0.0;

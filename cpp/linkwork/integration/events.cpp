@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "linkwork/math/brent.hpp"
 #include "linkwork/math/error.hpp"
@@ -29,7 +30,10 @@ void check(const Event& event) {
 }  // namespace
 
 EventWatch::EventWatch(std::vector<Event> events)
-    : events_(std::move(events)), last_value_(events_.size(), 0.0), last_theta_(events_.size(), 0.0) {
+    : events_(std::move(events)),
+      last_value_(events_.size(), 0.0),
+      last_theta_(events_.size(), 0.0),
+      barrier_t_(events_.size(), -INFINITY) {
   for (const Event& event : events_) check(event);
 }
 
@@ -46,18 +50,27 @@ void EventWatch::start(double t, const VectorXd& y) {
   fresh_ = false;
 }
 
+/// How exactly its time is known.
+double EventWatch::resolved(std::size_t index, double t) const {
+  return events_[index].tolerance + 4.0 * std::numeric_limits<double>::epsilon() * t;
+}
+
 void EventWatch::restart(const System& system, double t, const VectorXd& before, const VectorXd& y,
-                         const Found& happened) {
+                         const std::vector<Found>& happened) {
   start(t, y);
   fresh_ = true;
+  const std::vector<double> last_barriers = std::exchange(barrier_t_, std::vector<double>(events_.size(), -INFINITY));
+  for (const Found& it : happened) restart(system, t, before, y, it, last_barriers[it.event]);
+}
+
+void EventWatch::restart(const System& system, double t, const VectorXd& before, const VectorXd& y,
+                         const Found& happened, double barrier_t) {
   const std::size_t k = happened.event;
   const double through = happened.side * rate(system, k, t, before), now = happened.side * rate(system, k, t, y);
   // So soon after a barrier the motion through zero is roundoff, and so may be its direction.
-  const double soon = events_[k].tolerance + 4.0 * std::numeric_limits<double>::epsilon() * t;
-  const bool held = barrier_ == k && t - barrier_t_ <= soon;
+  const bool held = t - barrier_t <= resolved(k, t);
   const bool barrier = held || (through > 0.0 && now <= at_rest * through);
-  barrier_ = barrier ? std::optional(k) : std::nullopt;
-  barrier_t_ = t;
+  if (barrier) barrier_t_[k] = t;
   last_value_[k] = barrier ? -happened.side : 0.0;
 }
 
@@ -80,21 +93,35 @@ const std::vector<EventWatch::Found>& EventWatch::scan(const Interpolant& step, 
                                                        double h) {
   found_.clear();
   std::fill(last_theta_.begin(), last_theta_.end(), 0.0);
-  const auto stops = [&](const Found& found) { return events_[found.event].stops(); };
   double from = 0.0;
   for (std::size_t place = fresh_ ? 0 : places.size() - usual_places; place < places.size(); ++place) {
     const std::size_t before = found_.size();
     scan_piece(step, system, t, h, from, places[place]);
     from = places[place];
-    const auto begin = found_.begin() + static_cast<std::ptrdiff_t>(before);
-    std::stable_sort(begin, found_.end(), [](const Found& a, const Found& b) { return a.theta < b.theta; });
-    const auto stop = std::find_if(begin, found_.end(), stops);
-    if (stop == found_.end()) continue;
-    found_.erase(stop + 1, found_.end());
-    break;
+    if (end_at_stop(before, t, h)) break;
   }
   fresh_ = false;
   return found_;
+}
+
+/// Sorts what was found from `first` on by time. True where one of them ends the step: those after it, and not with it,
+/// are none; those with it come in the order of the events, first the ones that would end it, too.
+bool EventWatch::end_at_stop(std::size_t first, double t, double h) {
+  const auto begin = found_.begin() + static_cast<std::ptrdiff_t>(first);
+  std::stable_sort(begin, found_.end(), [](const Found& a, const Found& b) { return a.theta < b.theta; });
+  const auto stops = [this](const Found& it) { return events_[it.event].stops(); };
+  const auto stop = std::find_if(begin, found_.end(), stops);
+  if (stop == found_.end()) return false;
+  const double theta = stop->theta;
+  const auto beside = [&](const Found& it) {
+    return std::abs(it.theta - theta) * h <= resolved(it.event, t + theta * h);
+  };
+  const auto together = std::find_if(begin, stop, beside);
+  found_.erase(std::remove_if(stop + 1, found_.end(), std::not_fn(beside)), found_.end());
+  std::for_each(together, found_.end(), [&](Found& it) { it.theta = theta; });
+  std::sort(together, found_.end(), [](const Found& a, const Found& b) { return a.event < b.event; });
+  std::stable_partition(together, found_.end(), stops);
+  return true;
 }
 
 void EventWatch::scan_piece(const Interpolant& step, const System& system, double t, double h, double from, double to) {

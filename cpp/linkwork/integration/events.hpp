@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,6 +44,8 @@ struct Occurrence {
 /// change was a barrier: it stopped or turned back the motion through zero. Then the sign is that of the side from
 /// which the motion came, and to be on the other side is the same event again; a bounce too small to be seen is not
 /// lost.
+///
+/// Events as little later as the tolerance of their times come with it.
 class EventWatch {
  public:
   /// OptionError: an event without a function, with a direction other than -1, 0, 1, or a negative tolerance.
@@ -61,25 +62,30 @@ class EventWatch {
 
   /// Takes the signs at (t, y), y = (q, v, work).
   void start(double t, const VectorXd& y);
-  /// The same after an event that has changed the state at t from `before` to y.
-  void restart(const System& system, double t, const VectorXd& before, const VectorXd& y, const Found& happened);
-  /// The events of the step from t to t + h in order of time, none after the first that ends the step.
+  /// The same after events that have changed the state at t from `before` to y.
+  void restart(const System& system, double t, const VectorXd& before, const VectorXd& y,
+               const std::vector<Found>& happened);
+  /// The events of the step from t to t + h in order of time, none after the first that ends the step but those that
+  /// come with it.
   const std::vector<Found>& scan(const Interpolant& step, const System& system, double t, double h);
 
   /// Between steps.
-  void keep(Archive& archive) { archive(last_value_, fresh_, barrier_, barrier_t_); }
+  void keep(Archive& archive) { archive(last_value_, fresh_, barrier_t_); }
 
  private:
   double value(std::size_t index, double t, const VectorXd& y);
   double rate(const System& system, std::size_t index, double t, const VectorXd& y);
+  void restart(const System& system, double t, const VectorXd& before, const VectorXd& y, const Found& happened,
+               double barrier_t);
+  double resolved(std::size_t index, double t) const;
+  bool end_at_stop(std::size_t first, double t, double h);
   void scan_piece(const Interpolant& step, const System& system, double t, double h, double from, double to);
 
   std::vector<Event> events_;
   std::vector<double> last_value_, last_theta_;  ///< of the last sample that was not zero
   std::vector<Found> found_;
-  bool fresh_ = false;                  ///< an event has just ended a step
-  std::optional<std::size_t> barrier_;  ///< the last event that ended a step, where its change was a barrier
-  double barrier_t_ = 0.0;
+  bool fresh_ = false;             ///< an event has just ended a step
+  std::vector<double> barrier_t_;  ///< when it came, of the last events that ended a step, if the change was a barrier
   VectorXd state_, q_and_v_;
 };
 
