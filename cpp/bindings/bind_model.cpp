@@ -373,6 +373,14 @@ void bind_contents(py::class_<Model>& model) {
             return out;
           },
           "(name, coordinate) of the laws along coordinates.")
+      .def_property_readonly(
+          "joint_force_bodies",
+          [](const Model& model) {
+            std::vector<std::pair<int, int>> out;
+            for (const JointForce& force : model.joint_forces()) out.emplace_back(force.i, force.j);
+            return out;
+          },
+          "The two bodies of each law along a coordinate, -1 for the ground.")
       .def(
           "limited",
           [](const Model& model) {

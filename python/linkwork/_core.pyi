@@ -802,6 +802,11 @@ class Model:
     @property
     def joint_count(self) -> int: ...
     @property
+    def joint_force_bodies(self) -> list[tuple[int, int]]:
+        """
+        The two bodies of each law along a coordinate, -1 for the ground.
+        """
+    @property
     def joint_forces(self) -> list[tuple[str, str]]:
         """
         (name, coordinate) of the laws along coordinates.

@@ -121,6 +121,126 @@ def test_a_hundred_tops_that_springs_join_precess_as_their_closed_form_says() ->
     assert found == pytest.approx(nearest, rel=1e-7)
 
 
+def sliders(*names: str) -> lw.Model:
+    """1 kg each, on the x axis."""
+    model = lw.Model(gravity=(0, 0, 0))
+    for x, name in enumerate(names):
+        model.body(name, mass=1.0, inertia=(0.1,) * 3, position=(x, 0, 0))
+    return model
+
+
+@pytest.mark.parametrize("law", ["joint_force", "user_force"])
+@pytest.mark.parametrize("stiff", [1e4, 1e7])
+@pytest.mark.parametrize("k", [1e3, -1e3])
+def test_forces_of_the_users_own_count_beside_stiffer_ones(law: str, stiff: float, k: float) -> None:
+    model = sliders("a", "b", "c")
+    model.translational("ground", "a", at=(0, 0, 0), axis=(1, 0, 0))
+    model.translational("a", "b", at=(1, 0, 0), axis=(1, 0, 0), name="ab")
+    model.translational("ground", "c", at=(2, 0, 0), axis=(1, 0, 0))
+    model.translational_spring_damper("ground", "c", at=(2, 0, 0), axis=(1, 0, 0), stiffness=stiff)
+
+    def between(t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        force = np.zeros_like(v)
+        force[1, 0] = -k * (q[1, 0] - q[0, 0] - 1.0)
+        force[0, 0] = -force[1, 0]
+        return force
+
+    if law == "joint_force":
+        model.joint_force("ab", lambda t, x, v: -k * x)
+    else:
+        model.user_force(between)
+    found = lw.linearize(model)
+    assert found.eigenvalues**2 == pytest.approx([0, -2 * k, -stiff], rel=1e-7, abs=1e-6)
+    assert found.stable == (k > 0)
+    assert lw.equilibrium(model, stable=False).stability == ("neutral" if k > 0 else "unstable")
+
+
+@pytest.mark.parametrize("place", [0.0, 10.0])
+@pytest.mark.parametrize("stiffness", [1e7, 1e9, 1e11])
+def test_a_sphere_that_rests_vibrates_by_the_stiffness_of_its_contact(place: float, stiffness: float) -> None:
+    """F = k d^1.5 and F' = 1.5 k d^0.5 where F is the weight: however shallow, and however far others are."""
+    model = lw.Model()
+    model.body("far", mass=1.0, inertia=(0.1,) * 3, position=(0, 0, -place))
+    model.revolute("ground", "far", at=(0, 0, 0), axis=(0, 1, 0))
+    model.body("ball", mass=1.0, inertia=(0.1,) * 3, position=(place, 0, 0.1))
+    model.translational("ground", "ball", at=(place, 0, 0.1), axis=(0, 0, 1))
+    model.sphere_plane_contact(
+        "ground", "ball", at=((0, 0, 0), (place, 0, 0.1)), normal=(0, 0, 1), radius=0.1, stiffness=stiffness
+    )
+    depth = (G / stiffness) ** (2 / 3)
+    found = lw.linearize(lw.equilibrium(model).model)
+    assert found.frequencies[-1] == pytest.approx(np.sqrt(1.5 * stiffness * depth**0.5), rel=1e-4)
+
+
+@pytest.mark.parametrize("transition", [1e-2, 1e-3, 1e-4])
+def test_friction_damps_by_its_slope_at_rest_however_steep(transition: float) -> None:
+    model = lw.Model()
+    model.body("bob", mass=1.0, inertia=(0.01,) * 3, position=(0, 0, -1))
+    model.revolute("ground", "bob", at=(0, 0, 0), axis=(0, 1, 0))
+    model.rotational_friction(
+        "ground", "bob", at=(0, 0, 0), axis=(0, 1, 0), coulomb=0.5, transition=transition
+    )
+    exact = np.sort(np.roots([1.01, 0.5 / transition, G]))
+    assert np.sort(lw.linearize(model).eigenvalues.real) == pytest.approx(exact, rel=1e-5)
+
+
+def test_a_slow_motion_is_not_lost_beside_a_quick_one() -> None:
+    """An inverted mast with a light sensor on a stiff mount, and an inverted pendulum in syrup."""
+    model, length = lw.Model(), 20.0
+    rod = lw.mechanisms.thin_rod(100.0, length)
+    along = lw.rotation.from_axes((0, 0, 1), (0, 1, 0))
+    mast = model.body("mast", mass=100.0, inertia=rod, position=(0, 0, length / 2), orientation=along)
+    model.revolute("ground", mast, at=(0, 0, 0), axis=(0, 1, 0))
+    sensor = model.body("sensor", mass=1e-3, inertia=(1e-7,) * 3, position=(0, 0, length))
+    model.translational(mast, sensor, at=(0, 0, length), axis=(0, 0, 1))
+    model.spring_damper(mast, sensor, at=((0, 0, length - 0.1), (0, 0, length)), stiffness=1e9, damping=1.0)
+    found = lw.linearize(lw.equilibrium(model, stable=False).model)
+    growth = np.sqrt(1.5 * G / length)
+    assert np.sort(found.eigenvalues[:2].real) == pytest.approx([-growth, growth], rel=1e-4)
+    assert not found.stable
+    model = lw.Model()
+    model.body("rod", mass=1.0, inertia=(0.01, 0.91, 0.91), position=(0, 0, 0.3))
+    model.revolute("ground", "rod", at=(0, 0, 0), axis=(0, 1, 0))
+    model.rotational_spring_damper("ground", "rod", axis=(0, 1, 0), damping=3000.0)
+    found = lw.linearize(model)
+    assert np.sort(found.eigenvalues.real) == pytest.approx(
+        np.sort(np.roots([1.0, 3000.0, -G * 0.3])), rel=1e-6
+    )
+    assert not found.stable
+
+
+def test_each_of_many_equal_modes_of_a_large_model_is_found() -> None:
+    stiffness = np.append(np.ones(60), np.repeat(np.arange(2, 62) ** 2.0, 2))
+    model = sliders(*(f"mass {k}" for k in range(len(stiffness))))
+    for k, own in enumerate(stiffness):
+        model.translational("ground", f"mass {k}", at=(k, 0, 0), axis=(1, 0, 0))
+        model.translational_spring_damper(
+            "ground", f"mass {k}", at=(k, 0, 0), axis=(1, 0, 0), stiffness=float(own)
+        )
+    assert lw.linearize(model, modes=20).frequencies == pytest.approx(np.ones(20), rel=1e-8)
+    near = lw.linearize(model, modes=6, near=10.1).frequencies
+    assert near == pytest.approx([9, 9, 10, 10, 11, 11], rel=1e-8)
+
+
+def test_velocities_that_do_not_follow_a_driver_are_refused() -> None:
+    """A bead in the slot of a hub that turns is stable only as long as the hub rests."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("hub", mass=1.0, inertia=(1, 1, 1))
+    model.body("bead", mass=2.0, inertia=(0.01,) * 3, position=(0.5, 0, 0))
+    model.revolute("ground", "hub", at=(0, 0, 0), axis=(0, 0, 1), name="shaft")
+    model.translational("hub", "bead", at=(0.5, 0, 0), axis=(1, 0, 0), name="slot")
+    model.translational_spring_damper("hub", "bead", at=(0.5, 0, 0), axis=(1, 0, 0), stiffness=20.0)
+    model.drive("shaft", velocity=4.0)
+    with pytest.raises(lw.ModelError, match="velocities of the model .* do not satisfy joint"):
+        lw.linearize(model)
+
+
+def test_a_free_body_that_spins_is_neutral_or_nutates() -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("spinning", mass=1.0, inertia=(1.0, 1.0, 1.7), omega=(0, 0, 3.0))
+    assert lw.linearize(model).frequencies.max() == pytest.approx(0.7 * 3.0 + 3.0, rel=1e-6)
+
+
 @pytest.mark.parametrize("n", (1, 100))
 def test_what_turns_and_does_not_look_the_same_has_no_frequencies(n: int) -> None:
     model = lw.Model()

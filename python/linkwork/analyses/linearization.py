@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from linkwork.analyses.constraint_solver import DENSE, balance, null_space
-from linkwork.analyses.equations import Equations, Sparse
+from linkwork.analyses.equations import Equations, Sparse, Terms
 from linkwork.analyses.stiffness import damping, stiffness
 from linkwork.analyses.tangent import displaced, to_inertial_axes
 from linkwork.arguments import is_number
@@ -31,8 +32,15 @@ BALANCE = 1e-6
 #: Forces of springs that balance each other: this part of stiffness times the size of the mechanism.
 PRELOAD = 1e-6
 
-#: Squares of eigenvalues below this part of the largest possible are zero: neutral motions.
-NEUTRAL = 1e-12
+#: A motion whose stiffness is below this part of the terms that it is the sum of is neutral: that is the
+#: rounding of the differences. Its eigenvalue is rounding up to such a part of the largest, of a double one.
+NEUTRAL, ROUNDED = 1e-10, 1e-7
+
+#: Growth below this part of an eigenvalue, or this part of the largest one, is none.
+GROWTH, GROWTH_OF_LARGEST = 1e-6, 1e-12
+
+#: Velocities that do not follow the drivers, relative to the rates of the motion.
+FOLLOWED = 1e-6
 
 #: Damping and asymmetry of the stiffness that count as none, relative.
 SMALL = 1e-7
@@ -62,6 +70,9 @@ MODES_SHOWN = 20
 
 #: Random motions along which coefficients of large models are compared.
 PROBES = 8
+
+#: Distances of eigenvalues that differ by less, relative, are equal.
+EQUAL = 1e-9
 
 #: Modes of models that are too large for dense matrices, where no number is given.
 MODES = 10
@@ -99,8 +110,9 @@ class Linearization:
     @property
     def stable(self) -> bool:
         """False where a motion among those found grows."""
-        largest = self.frequencies.max(initial=0.0)
-        return bool((self.eigenvalues.real <= 1e-6 * largest).all())
+        size = self.frequencies
+        none = np.maximum(GROWTH * size, GROWTH_OF_LARGEST * size.max(initial=0.0))
+        return bool((self.eigenvalues.real <= none).all())
 
     def describe(self, mode: int) -> str:
         """
@@ -190,9 +202,11 @@ def linearize(
         _refuse_change(eq, at, coefficients, Z)
     if small:
         eigenvalues, shapes = _dense(M, C, K, Z)
-        eigenvalues, shapes = eigenvalues[:modes], shapes[:, :modes]
     else:
         eigenvalues, shapes = _sparse(M, C, K, D, modes or MODES, near)
+    eigenvalues, shapes = _slow_first(_without_rounding(eigenvalues, shapes, M, K), shapes)
+    if small:
+        eigenvalues, shapes = eigenvalues[:modes], shapes[:, :modes]
     n = model.body_count
     size = np.abs(shapes / eq.scale[:, None]).max(axis=0, initial=0.0)
     shapes = (shapes / np.where(size > 0, size, 1.0)).T.reshape(-1, n, 6)
@@ -217,6 +231,8 @@ def _coefficients(
     else:  # of drivers only the present value counts
         unbalanced, multipliers, _ = balance(eq, at.t, q)
     terms = eq.terms(at.t, q, v)
+    if check:
+        _check_velocities(eq, terms)
     K, C = stiffness(eq, at.t, q, v, multipliers), damping(eq, at.t, q, v)
     if check:
         _check_balance(eq, terms.g, K, unbalanced)
@@ -241,6 +257,19 @@ def _check_balance(eq: Equations, g: Floats, K: Sparse, unbalanced: Floats) -> N
             f"driven by {value}; start from linkwork.equilibrium(model).model",
             code="not_in_balance",
             bodies=[eq.core.body_name(body)],
+        )
+
+
+def _check_velocities(eq: Equations, terms: Terms) -> None:
+    """ModelError: a driver moves, and the bodies do not."""
+    off = np.abs(terms.Phi_dot) / eq.row_lengths
+    if off.max(initial=0.0) > FOLLOWED * eq.rate:
+        name = eq.joints([int(off.argmax())])[0]
+        raise ModelError(
+            f"linearize: the velocities of the model '{eq.model.name}' do not satisfy joint '{name}', as "
+            "where a driver moves: start from linkwork.assemble(model).model",
+            code="inconsistent_velocity",
+            joints=[name],
         )
 
 
@@ -282,7 +311,7 @@ def _refuse_change(
         if _norm(Z.T @ (a @ Z) - Z.T @ (b @ Z))
         > STEADY * max(_norm(Z.T @ (a @ Z)), COUNTS * inertia * rate**k)
     ]
-    if _norm((then[3] @ Z) / np.abs(then[3]).max()) > STEADY * _norm(Z):
+    if then[3].nnz and _norm((then[3] @ Z) / np.abs(then[3]).max()) > STEADY * _norm(Z):
         changed.append("freedoms")
     if changed:
         raise ModelError(
@@ -295,6 +324,23 @@ def _refuse_change(
 
 def _norm(a: Floats) -> float:
     return float(np.linalg.norm(a))
+
+
+def _without_rounding(s: Complex, shapes: Complex, M: Sparse, K: Sparse) -> Complex:
+    """Zero for neutral motions: those whose stiffness is none, and that no damping brings to rest."""
+
+    def of(A: Sparse, x: Complex | Floats) -> Floats:
+        return np.asarray(np.abs(np.sum(x.conj() * (A @ x), axis=0)))
+
+    largest = np.abs(s).max(initial=0.0)
+    noise, mass = NEUTRAL * of(abs(K), np.abs(shapes)), of(M, shapes)
+    neutral = (of(K, shapes) <= noise) & (np.abs(s) ** 2 * mass <= noise + (ROUNDED * largest) ** 2 * mass)
+    return np.where(neutral, 0.0, s)
+
+
+def _slow_first(s: Complex, shapes: Complex) -> tuple[Complex, Complex]:
+    order = np.argsort(np.abs(s), kind="stable")
+    return s[order], shapes[:, order]
 
 
 # --- small models ---
@@ -312,17 +358,15 @@ def _dense(M: Sparse, C: Sparse, K: Sparse, Z: Floats) -> tuple[Complex, Complex
     _refuse_massless(m)
     fastest = np.sqrt(_norm(k) / _norm(m))
     if _norm(k - k.T) <= SMALL * _norm(k) and _norm(c) <= SMALL * _norm(m) * max(fastest, STILL):
-        squares, y = eigh((k + k.T) / 2, m)
-        return _from_squares(squares, np.abs(squares).max()), Z @ y.astype(complex)
+        _, y = eigh((k + k.T) / 2, m)
+        return _from_squares(_quotients(k, m, y)), Z @ y.astype(complex)
     f, rate = len(m), fastest or _norm(c) / _norm(m) or 1.0
     m, c, k = (a / (_norm(m) * rate**power) for power, a in enumerate((m, c, k)))
     # [0 I; -k -c] {y; y'} = s / rate [I 0; 0 m] {y; y'}
     left = np.block([[np.zeros((f, f)), np.eye(f)], [-k, -c]])
     right = np.block([[np.eye(f), np.zeros((f, f))], [np.zeros((f, f)), m]])
     s, y = eig(left, right)
-    s *= rate
-    s[np.abs(s) ** 2 < NEUTRAL * np.abs(s).max() ** 2] = 0.0
-    return _one_of_each_pair(s, Z @ y[:f])
+    return _one_of_each_pair(s * rate, Z @ y[:f])
 
 
 def _refuse_massless(m: Floats) -> None:
@@ -334,18 +378,20 @@ def _refuse_massless(m: Floats) -> None:
         )
 
 
-def _from_squares(squares: Floats, scale: float) -> Complex:
-    """s = i omega of omega^2, real where it is negative; zero where it is rounding. Slow ones first."""
-    clean = np.where(np.abs(squares) < NEUTRAL * scale, 0.0, squares)
-    root = np.sqrt(np.abs(clean))
-    return np.where(clean >= 0, 1j * root, root)
+def _quotients(K: Any, M: Any, x: Floats) -> Floats:
+    """Rayleigh's quotients (k,) of x (n, k): slow motions beside quick ones have more digits by them."""
+    return np.asarray(np.sum(x * (K @ x), axis=0) / np.sum(x * (M @ x), axis=0))
+
+
+def _from_squares(squares: Floats) -> Complex:
+    """s = i omega of omega^2, real where it is negative."""
+    root = np.sqrt(np.abs(squares))
+    return np.where(squares >= 0, 1j * root, root)
 
 
 def _one_of_each_pair(s: Complex, shapes: Complex) -> tuple[Complex, Complex]:
     keep = s.imag >= -REAL * np.abs(s)
-    s, shapes = s[keep], shapes[:, keep]
-    order = np.argsort(np.abs(s), kind="stable")
-    return s[order], shapes[:, order]
+    return _slow_first(s[keep], shapes[:, keep])
 
 
 # --- large models ---
@@ -373,7 +419,7 @@ def _sparse(M: Sparse, C: Sparse, K: Sparse, D: Sparse, modes: int, near: float)
     damped = abs(C).max() > SMALL * M.diagonal().max() * np.sqrt(scale)
     try:
         if not damped and _symmetric(K, M, D, scale):
-            return _lanczos(M, K, D, count, near**2 or -SQUARE_SHIFT * scale, scale)
+            return _lanczos(M, K, D, count, near**2 or -SQUARE_SHIFT * scale)
         return _arnoldi(M, C, K, D, count, complex(0.0, near) if near else complex(-SHIFT * np.sqrt(scale)))
     except ArpackNoConvergence as error:
         raise NotConvergedError(
@@ -414,18 +460,46 @@ def _symmetric(K: Sparse, M: Sparse, D: Sparse, scale: float) -> bool:
     return bool(abs(one - other) <= SMALL * max(abs(one), abs(other), np.sqrt((x @ (K @ x)) * (y @ (K @ y)))))
 
 
-def _lanczos(
-    M: Sparse, K: Sparse, D: Sparse, count: int, sigma: float, scale: float
-) -> tuple[Complex, Complex]:
-    from scipy.sparse.linalg import LinearOperator, eigsh
+# Of a multiple eigenvalue a Krylov space has one motion, and others by rounding: so it is asked again, for
+# one without those that are known, until there is none nearer.
+def _lanczos(M: Sparse, K: Sparse, D: Sparse, count: int, sigma: float) -> tuple[Complex, Complex]:
+    from scipy.sparse.linalg import LinearOperator
 
     symmetric = (K + K.T) / 2
     solve = _constrained_solver(symmetric - sigma * M, D)
-    inverse = LinearOperator(M.shape, matvec=solve, dtype=float)
-    first = solve(M @ np.random.default_rng(0).standard_normal(M.shape[0]))
-    squares, x = eigsh(symmetric, k=count, M=M, sigma=sigma, OPinv=inverse, v0=first)
-    order = np.argsort(squares)
-    return _from_squares(squares[order], scale), x[:, order].astype(complex)
+    random, free = np.random.default_rng(0), M.shape[0] - D.shape[0]
+    squares, x = np.zeros(0), np.zeros((M.shape[0], 0))
+
+    def without_known(b: Floats) -> Floats:
+        z = solve(b)
+        return np.asarray(z - x @ (x.T @ (M @ z)))
+
+    inverse = LinearOperator(M.shape, matvec=without_known, dtype=float)
+    while len(squares) < free:
+        first = without_known(M @ random.standard_normal(M.shape[0]))
+        more, shapes = _converged(symmetric, M, 1 if len(squares) else count, sigma, inverse, first)
+        far = np.sort(np.abs(squares - sigma))[count - 1] if len(squares) >= count else np.inf
+        nearer = np.abs(more - sigma) < (1 - EQUAL) * far
+        if not nearer.any():
+            break
+        squares, x = np.append(squares, more[nearer]), np.hstack([x, shapes[:, nearer]])
+    order = np.argsort(np.abs(squares - sigma), kind="stable")[:count]
+    return _from_squares(_quotients(symmetric, M, x[:, order])), x[:, order].astype(complex)
+
+
+def _converged(
+    K: Sparse, M: Sparse, count: int, sigma: float, inverse: Any, first: Floats
+) -> tuple[Floats, Floats]:
+    """Squares (k,) and motions (6n, k) of at most so many modes: of equal ones not all may be found."""
+    from scipy.sparse.linalg import ArpackNoConvergence, eigsh
+
+    try:
+        squares, x = eigsh(K, k=count, M=M, sigma=sigma, OPinv=inverse, v0=first)
+    except ArpackNoConvergence as error:
+        if not len(error.eigenvalues):
+            raise
+        squares, x = error.eigenvalues, error.eigenvectors
+    return squares, x
 
 
 # With eta = x':  x_new = (x_old's share) of (sigma^2 M + sigma C + K) x_new = -(C + sigma M) x - M eta,

@@ -26,8 +26,8 @@ def force(result: Result, name: str | int, model: Model | None) -> ForceResult:
     place, law = _place(result, name), _law(result, model)
     k = len(result)
     state = (result.q.reshape(k, -1), result.v.reshape(k, -1), result._field("vdot").reshape(k, -1))
-    *found, turned = law(place, result.t, *state, result.history)
-    return ForceResult(*found, _deflection(result, place, turned))
+    on_force, torque, power, potential, turned = law(place, result.t, *state, result.history)
+    return ForceResult(on_force, torque, power, potential, _deflection(result, place, turned))
 
 
 def _place(result: Result, name: str | int) -> int:
@@ -63,8 +63,8 @@ def _law(result: Result, model: Model | None) -> ForceElement:
 
 
 def _deflection(result: Result, place: int, turned: Floats) -> Floats | None:
-    """Of springs, beyond where they are free; None: of no spring, or that is a function of time. `turned`: the
-    angle of a rotational one."""
+    """Of springs, beyond where they are free; None: of no spring, or that is a function of time. `turned`:
+    the angle of a rotational one."""
     header = result.header
     names = list(KINDS["force"][header.force_kinds[place]].parameters)
     free = next((it for it in ("free_length", "free_angle", "free_displacement") if it in names), None)

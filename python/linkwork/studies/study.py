@@ -346,8 +346,8 @@ def _array(values: Sequence[Any]) -> NDArray[Any]:
         found = np.array([], dtype=object)
     if found.dtype.kind in "biufU" and _tells_apart(found, values):
         return found
-    word = repr if any(isinstance(value, str) for value in values) else str
-    return np.array([word(value) for value in values])
+    with_texts = any(isinstance(value, str) for value in values)
+    return np.array([repr(value) if with_texts else str(value) for value in values])
 
 
 def _tells_apart(found: NDArray[Any], values: Sequence[Any]) -> bool:
