@@ -278,6 +278,7 @@ def test_a_parallelogram_passes_its_toggles_and_they_are_told() -> None:
     assert set(motion.singular_poses[0].joints) == {"A", "B", "C", "D"}
 
 
+@pytest.mark.filterwarnings("ignore:kinematics. the work")
 @every_way
 def test_a_frame_in_a_toggle_has_the_velocity_from_both_sides() -> None:
     t = np.array([0, 1, 2 * np.pi / 3, 3])
@@ -288,6 +289,7 @@ def test_a_frame_in_a_toggle_has_the_velocity_from_both_sides() -> None:
     assert abs(acceleration + np.sin(np.pi / 3 + t[2])) < 1e-3
 
 
+@pytest.mark.filterwarnings("ignore:kinematics. the work")
 @every_way
 def test_a_motion_that_starts_in_a_toggle_is_refused() -> None:
     flat = lw.kinematics(parallelogram(), [0, 2 * np.pi / 3], on_singular="pass")
@@ -524,3 +526,31 @@ def test_a_rod_without_mass_and_one_of_almost_none_need_the_same_torque() -> Non
         efforts.append(lw.inverse_dynamics(model, np.linspace(0, 1, 11)).effort("motor"))
     assert np.abs(efforts[0]).max() > 1
     assert np.abs(efforts[0] - efforts[1]).max() < 1e-7
+
+
+def cranked(angle: lw.functions.Function) -> lw.Model:
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("crank", mass=1.0, inertia=(0.1,) * 3)
+    model.revolute("ground", "crank", at=(0, 0, 0), axis=(0, 0, 1), name="pin")
+    model.rotational_spring_damper("ground", "crank", axis=(0, 0, 1), stiffness=0.5, name="spring")
+    model.drive("pin", position=angle, name="drive")
+    return model
+
+
+@pytest.mark.filterwarnings("ignore:kinematics. the work")
+@pytest.mark.parametrize("frames", [2, 3, 5, 9])
+def test_turns_between_frames_count_for_springs(frames: int) -> None:
+    """From rest to rest: at frames a turn apart the crank stands as if it had not moved."""
+    model = cranked(lw.functions.cycloidal(4 * np.pi, 2.0))
+    effort = lw.inverse_dynamics(model, np.linspace(0, 2.0, frames))
+    assert effort.motion.force("spring").deflection[-1] == pytest.approx(4 * np.pi, rel=1e-9)
+    assert effort.effort("drive")[-1] == pytest.approx(2 * np.pi, rel=1e-9)
+
+
+def test_work_that_frames_are_too_few_for_is_told() -> None:
+    model = cranked(lw.functions.harmonic(1.0, 2 * np.pi))
+    with pytest.warns(lw.LinkworkWarning, match="the work is about .* % off"):
+        coarse = lw.kinematics(model, np.linspace(0, 2.0, 8))
+    assert np.abs(coarse.energy_error).max() > 0.1 * coarse.kinetic_energy.max()
+    fine = lw.kinematics(model, np.linspace(0, 2.0, 400))
+    assert np.abs(fine.energy_error).max() < 1e-4 * fine.kinetic_energy.max()

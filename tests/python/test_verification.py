@@ -144,3 +144,16 @@ def test_a_mechanism_at_rest_is_as_it_is(how: dict[str, float], size: float) -> 
     verdict = quick(model, 2.0, verify=True, **how).verdict
     assert verdict is not None
     assert verdict.error <= (1e-4 if "step" in how else 5e-3)
+
+
+def test_a_finer_run_that_leaps_over_a_pulse_does_not_make_the_first_accurate() -> None:
+    """1000 N for 2 ms: both runs see nothing of it, and agree."""
+    model = lw.Model(gravity=(0, 0, 0))
+    body = model.body("body", mass=1.0, inertia=(0.1,) * 3, velocity=(1, 0, 0))
+    model.translational(model.ground, body, at=(0, 0, 0), axis=(1, 0, 0))
+    model.force(body, force=(lambda t: 1000 * np.exp(-(((t - 0.5) / 1e-3) ** 2)), 0, 0))
+    options: dict[str, Any] = {"rtol": 1e-6, "on_inaccurate": "pass", "progress": False}
+    for verify in (False, True):
+        found = lw.simulate(model, 1.0, verify=verify, **options).verdict
+        assert found is not None and found.level == "wrong"
+        assert "leap over" in found.sentence

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int first_iterations = 6;  // toward the smallest singular value
 constexpr double noise = 0.1;        // so that another one is found when it becomes the smallest
+constexpr double inside = 0.618;     // of a step: in step with nothing
 
 /// q after the small motion x: shifts in inertial axes, rotation vectors in body axes.
 VectorXd displaced(const VectorXd& q, const VectorXd& x) {
@@ -148,10 +149,11 @@ bool DrivenMotion::step(double t) {
   const double h = t - now_.t;
   const VectorXd x = predicted(h);
   const double moved = reach(x);
-  if (!(moved <= limits_.longest_step)) return false;
+  const double largest_correction = std::max(limits_.largest_correction * moved, 1e-9);
+  if (!(moved <= limits_.longest_step) || !foreseen(h, largest_correction)) return false;
   DrivenState next{t, displaced(now_.q, x), now_.v + h * now_.v_dot, now_.v_dot, {}};
   const int sign = lu_.sign(), pivots = pivots_;
-  if (!correct(t, next.q, std::max(limits_.largest_correction * moved, 1e-9))) return false;
+  if (!correct(t, next.q, largest_correction)) return false;
   if (!factorize(there_) || !same_side(sign, pivots) || !regular(1)) return false;
   complete(next);
   now_ = std::move(next);
@@ -159,6 +161,15 @@ bool DrivenMotion::step(double t) {
   dynamics_.set_history(now_.history);
   steps_ += 1;
   return true;
+}
+
+// Whether drivers do within the step what they did at its beginning: a whole turn looks like none at its end.
+bool DrivenMotion::foreseen(double h, double largest_correction) {
+  const double part = inside * h;
+  VectorXd x = predicted(part);
+  evaluate_at_rest(now_.t + part, displaced(now_.q, x));
+  solve(there_.Phi, x);
+  return reach(x) <= largest_correction;
 }
 
 // h v + h^2 v_dot / 2

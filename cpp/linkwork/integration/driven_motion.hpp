@@ -68,6 +68,7 @@ class DrivenMotion {
   bool try_frame(double t, DrivenFrames& out);
   bool go_to(double t);
   bool step(double t);
+  bool foreseen(double h, double largest_correction);
   VectorXd predicted(double h) const;
   bool correct(double t, VectorXd& q, double largest);
   void evaluate_at_rest(double t, const VectorXd& q);

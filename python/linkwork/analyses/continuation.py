@@ -39,6 +39,9 @@ SUSPICIOUS = 0.05
 LIMITS = _core.DrivenLimits()
 LONGEST_STEP, LARGEST_CORRECTION = LIMITS.longest_step, LIMITS.largest_correction
 
+#: Motions [rad, sizes] of a step that look like none, and where inside of it they are looked at.
+HARDLY, INSIDE = 1e-2, 0.618
+
 #: From where a singular pose takes the velocity that it leaves open, as a part of the step.
 NEARBY = 1e-2
 
@@ -164,7 +167,7 @@ class Continuation:
         length = self.equations.length
         x = h * at.x_dot + h * h / 2 * at.x_ddot
         moved = _reach(x, length)
-        if moved > LONGEST_STEP:
+        if moved > LONGEST_STEP or (moved < HARDLY and not self._foreseen(h)):
             return None
         predicted = displaced(at.q, x) if self.equations.holonomic.all() else self._rolled(t)
         q = self._corrected(t, predicted, at.constraints, max(LARGEST_CORRECTION * moved, 1e-9))
@@ -176,6 +179,13 @@ class Continuation:
         if self.beside or at.constraints.rank < self.freedoms:
             return None  # singular poses one after the other: no step, however short, leaves them
         return self._singular(state, h) if h > 1e-6 * max(t, 1e-3 * self.t_end) else state
+
+    def _foreseen(self, h: float) -> bool:
+        """Whether drivers do nothing else within the step: a whole turn looks like none at its end."""
+        at, part = self.at, INSIDE * h
+        predicted = displaced(at.q, part * at.x_dot + part * part / 2 * at.x_ddot)
+        Phi = self.equations.Phi(at.t + part, predicted)
+        return self.equations.violation(np.where(self.equations.holonomic, Phi, 0.0)) < HARDLY
 
     def _rolled(self, t: float) -> Floats:
         """q at t by integration of D v = -Phi_t, where joints restrict velocities only."""

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork import _core
+from linkwork.accuracy.verdict import WRONG, Energies
 from linkwork.analyses.continuation import SINGULAR, Continuation, MotionState, named
 from linkwork.analyses.equations import Equations, Sparse
 from linkwork.analyses.tangent import to_inertial_axes
@@ -82,7 +83,21 @@ def kinematics(
         at = continuation.at
         error.state = Snapshot(at.t, at.q.reshape(-1, 7), at.v.reshape(-1, 6), at.history)
         raise
-    return frames.result(continuation, t, began)
+    result = frames.result(continuation, t, began)
+    _check_work(result)
+    return result
+
+
+def _check_work(result: Result) -> None:
+    """LinkworkWarning: the integral of the power over the frames is not what the energy gains."""
+    energies = Energies()
+    energies.add({name: result._field(name) for name in ("t", "kinetic", "potential", "work")})
+    made, _ = energies.error()
+    if made > WRONG:
+        warn(
+            f"kinematics: the work is about {100 * min(made, 1.0):.2g} % off, as it is an integral over the "
+            "frames and these are too far apart: take more times (poses, forces and reactions are exact)"
+        )
 
 
 def _times(times: ArrayLike) -> Floats:

@@ -139,7 +139,7 @@ class ErrorEstimator:
         result._finer = finer
         verdict = result.verdict
         if verdict is not None:
-            new = verified(verdict, state_error(result, finer), self._resolution())
+            new = verified(verdict, state_error(result, finer), self._resolution(), found.verdict)
             result.statistics["verdict"] = self._explained(new).numbers()
         if output is not None:
             from linkwork.results.writing import add_finer
