@@ -48,6 +48,9 @@ SAFETY = 2.0
 #: By how much more than constraints are violated poses may be off, along motions that they hold weakly.
 VIOLATED = 10.0
 
+#: Of an estimate: what is left of it in a finer run where steps resolve what happens is less.
+HARDLY = 0.5
+
 #: Of energies, relative to the largest.
 ROUNDING = 1e-12
 
@@ -67,8 +70,8 @@ class Verdict:
 
     level        "good": up to 1 % off, "coarse", or "wrong": beyond 10 %
     sentence     "accurate to about 3e-7", or what is the matter and what would help
-    error        the largest of `state`, `energy` and `violation`; of unstable and chaotic motion it may be too
-                 small by any factor, unless there was a second run
+    error        the largest of `state`, `energy` and `violation`; of unstable and chaotic motion it may be
+                 too small by any factor, unless there was a second run
     state        of poses, relative to the smaller of the path and the size of the motion, and of velocities,
                  relative to the largest: local errors accumulated over the run; None: no step was taken again
     local_error  of the state, per second [1/s]: the mean over the run
@@ -150,6 +153,11 @@ class Energies:
             float(np.abs(work - self._first_work).max()),
         )
 
+    @property
+    def at_rest(self) -> bool:
+        """Whether nothing moved: then estimates are of rounding."""
+        return self._kinetic <= self._rest
+
     def error(self) -> tuple[float, float]:
         """Made or lost, relative to what there was and to all that was exchanged: the first counts."""
         if self._first is None:
@@ -228,11 +236,12 @@ def without_steps(
 
 
 def verified(verdict: Verdict, state: float, method: Method, second: Verdict | None = None) -> Verdict:
-    """The same with what a finer run says of the state, which takes the place of the estimate: unless what
-    the finer run says of itself is worse, as where steps of both leap over a pulse."""
+    """The same with what a finer run says of the state, which takes the place of the estimate: unless the
+    estimate of the `second`, finer run is hardly smaller, as where steps of both leap over a pulse, or are in
+    step with what oscillates."""
     error = max(state + verdict.before, verdict.energy, verdict.violation)
     sentence = f"{_sentence(error, verdict.violation, state, method)} by a second run"
-    if second is not None and second.level != "good" and second.error > error:
+    if second is not None and second.level != "good" and second.error > max(error, HARDLY * verdict.error):
         error, sentence = second.error, f"{second.sentence} (of a second run)"
     return replace(verdict, error=error, level=_level(error), sentence=sentence, verified=state)
 

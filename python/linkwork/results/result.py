@@ -352,9 +352,10 @@ class Result:
         which  "angle" of revolute, cylindrical, screw; "displacement" of translational, cylindrical, screw;
                "angle_a" and "angle_b", about its two axes, of universal; not needed where there is one
 
-        It is zero where the joint's frames agree; b against a; full turns count from the first frame on, which
-        is within half a turn of zero, also where the run goes on from another. ModelError: no such joint, or no such
-        coordinate of it. LinkworkWarning: frames too far apart to tell how often the angle went round.
+        It is zero where the joint's frames agree; b against a; full turns count from the first frame on,
+        which is within half a turn of zero, also where the run goes on from another. ModelError: no such
+        joint, or no such coordinate of it. LinkworkWarning: frames too far apart to tell how often the angle
+        went round.
         """
         joint, header = self._place("joint", name), self._header
         kind = header.joint_kinds[joint]

@@ -139,7 +139,8 @@ class ErrorEstimator:
         result._finer = finer
         verdict = result.verdict
         if verdict is not None:
-            new = verified(verdict, state_error(result, finer), self._resolution(), found.verdict)
+            second = None if self._energies.at_rest else found.verdict
+            new = verified(verdict, state_error(result, finer), self._resolution(), second)
             result.statistics["verdict"] = self._explained(new).numbers()
         if output is not None:
             from linkwork.results.writing import add_finer
