@@ -319,6 +319,29 @@ def test_coordinates_of_several_joints_of_a_body_are_from_their_references(tmp_p
     assert at_rest.q0 == pytest.approx(lw.import_mjcf(path).model.compiled().q0, abs=1e-14)
 
 
+#: Joints of one body, each somewhere else; the axes are those of a frame.
+SEVERAL = {
+    "slide, hinge": ("slide z", "hinge z"),
+    "hinge, slide": ("hinge z", "slide z"),
+    "hinge, slide back": ("hinge z", "slide -z"),
+    "two slides, hinge": ("slide x", "slide y", "hinge z"),
+    "slide": ("slide x",),
+}
+
+
+@pytest.mark.parametrize("name", SEVERAL)
+def test_bodies_turn_about_the_points_of_their_hinges(name: str, tmp_path: Path) -> None:
+    """Where slides have their points does not matter."""
+    axes = {"x": "1 0 0", "y": "0 1 0", "z": "0 0 1", "-z": "0 0 -1"}
+    joints = "".join(
+        f'<joint name="q{k}" type="{kind}" axis="{axes[axis]}" pos="{0.3 * k - 0.2} 0.4 {0.1 + k}"/>'
+        for k, (kind, axis) in enumerate(map(str.split, SEVERAL[name]))
+    )
+    path = written(tmp_path, f'<body name="a" quat="0.8 0.2 0.4 0.1" pos="0 0 1">{joints}{INERTIAL}</body>')
+    for seed in range(3):
+        assert largest_difference(path, np.random.default_rng(seed)) < 1e-12
+
+
 def test_what_is_not_linear_or_cannot_be_at_a_joint_is_noted(tmp_path: Path) -> None:
     bodies = (f'<body name="a"><joint name="j" stiffness="1 2" damping="0.3 0 0.1"/>{INERTIAL}</body>'
               f'<body name="b"><joint name="k" type="ball" armature="0.3"/>{INERTIAL}</body>'

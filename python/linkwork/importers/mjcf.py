@@ -192,7 +192,8 @@ class _MujocoModel:
             Motion(t == kinds.mjJNT_HINGE, np.array(model.jnt_axis[k]))
             for t, k in zip(types, joints, strict=True)
         ]
-        anchor = Frame(r=np.array(model.jnt_pos[joints[-1]]))
+        turning = [k for t, k in zip(types, joints, strict=True) if t != kinds.mjJNT_SLIDE]
+        anchor = Frame(r=np.array(model.jnt_pos[(turning or joints)[-1]]))  # slides go on from any point
         labels = [self._name("joint", k) for k in joints]
         kind, motions = self._kind(types, motions, [np.array(model.jnt_pos[k]) for k in joints])
         if kind is None:
