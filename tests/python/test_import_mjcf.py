@@ -342,6 +342,36 @@ def test_bodies_turn_about_the_points_of_their_hinges(name: str, tmp_path: Path)
         assert largest_difference(path, np.random.default_rng(seed)) < 1e-12
 
 
+@pytest.mark.parametrize("q", [3.0, np.pi, -np.pi, 4.0, -7.0, 40.0])
+@pytest.mark.parametrize("more", ["", 'ref="4"', 'springref="4"', 'ref="-3" springref="13"'])
+def test_springs_know_full_turns_before_the_start(q: float, more: str, tmp_path: Path) -> None:
+    path = tmp_path / "model.xml"
+    path.write_text(
+        '<mujoco><compiler angle="radian"/><option gravity="0 0 0"/><worldbody><body name="a" quat="1 2 3 4">'
+        f'<joint name="q" axis="1 2 0.3" stiffness="0.7" {more}/>{INERTIAL}</body></worldbody></mujoco>'
+    )
+    theirs = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(theirs)
+    data.qpos[:] = q
+    mujoco.mj_forward(theirs, data)
+    imported = lw.import_mjcf(path, coordinates={"q": q})
+    q_ddot = accelerations(imported.model)[0, 3:] @ theirs.jnt_axis[0]
+    assert q_ddot == pytest.approx(data.qacc[0], rel=1e-9, abs=1e-10)
+    turned = abs(q - theirs.qpos0[0]) > np.pi
+    assert ("coordinates" in {note.topic for note in imported.notes}) == turned
+
+
+def test_an_angle_in_results_begins_where_the_note_says(tmp_path: Path) -> None:
+    body = f'<body name="a"><joint name="q" axis="0 0 1"/>{INERTIAL}</body>'
+    imported = lw.import_mjcf(written(tmp_path, body), coordinates={"q": np.radians(200)})
+    assert [str(note) for note in imported.notes] == [
+        "joint 'q': turned by 3.49066 rad at the start: its angle in results begins within a turn, "
+        "at -2.79253 rad"
+    ]
+    result = lw.simulate(imported.model, t_end=0.01, step=1e-3)
+    assert result.coordinate("q").value[0] == pytest.approx(np.radians(-160), abs=1e-14)
+
+
 def test_what_is_not_linear_or_cannot_be_at_a_joint_is_noted(tmp_path: Path) -> None:
     bodies = (f'<body name="a"><joint name="j" stiffness="1 2" damping="0.3 0 0.1"/>{INERTIAL}</body>'
               f'<body name="b"><joint name="k" type="ball" armature="0.3"/>{INERTIAL}</body>'

@@ -288,3 +288,14 @@ def test_links_without_gravity_are_not_pulled(text: str, tmp_path: Path) -> None
 
 def test_true_in_capitals_is_true(tmp_path: Path) -> None:
     assert loaded(tmp_path, "<static>True</static>" + link("a")).model.body_count == 0
+
+
+@pytest.mark.parametrize("q", [0.0, 3.0, np.pi, 4.0, -6.0])
+def test_a_spring_is_at_rest_at_its_reference_and_not_a_turn_before(q: float, tmp_path: Path) -> None:
+    """J q_ddot = k (q_s - q)"""
+    spring = "<spring_stiffness>0.7</spring_stiffness><spring_reference>4</spring_reference>"
+    along = axis("0 0 1", f"<dynamics>{spring}</dynamics>")
+    body = link("a") + joint("x", "revolute", "world", "a", along)
+    imported = loaded(tmp_path, body, coordinates={"x": q}, gravity=(0, 0, 0))
+    J = 0.25 + 2 * (0.1**2 + 0.2**2)
+    assert accelerations(imported.model)[0, 5] == pytest.approx(0.7 * (4 - q) / J, abs=1e-12)

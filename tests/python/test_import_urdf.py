@@ -338,6 +338,27 @@ def test_joints_that_follow_in_a_chain_are_placed(tmp_path: Path) -> None:
     assert v[:, 5] == pytest.approx([-6.0, -3.0, 1.0])
 
 
+def test_a_planar_joint_that_would_follow_stays_where_it_is(tmp_path: Path) -> None:
+    body = (link("base") + link("a") + link("b") + joint("x", "revolute", "base", "a")
+            + joint("flat", "planar", "base", "b", '<mimic joint="x"/>'))  # fmt: skip
+    imported = loaded(tmp_path, body, coordinates={"x": 0.3}, velocities={"x": 1.0})
+    assert ("mimic", "joint 'flat'") in topics(imported)
+    core = imported.model.compiled()
+    assert core.q0[7:] == pytest.approx([0, 0, 0, 1, 0, 0, 0])
+
+
+@pytest.mark.parametrize("q", [-7.0, -3.5, -np.pi, 3.0, np.pi, 3.5, 7.0])
+def test_stops_know_full_turns_before_the_start(q: float, tmp_path: Path) -> None:
+    """Between its ends, which are a turn and more apart, a joint is free; beyond one, pushed back."""
+    axis = '<axis xyz="1 2 0.3"/>'
+    for lower, upper in ((q - 1.0, q + 6.5), (q - 6.5, q + 1.0), (q + 0.1, q + 6.5)):
+        limit = f'<limit lower="{lower}" upper="{upper}" effort="1" velocity="1"/>'
+        body = link("base") + link("a") + joint("x", "revolute", "base", "a", axis + limit)
+        imported = loaded(tmp_path, body, coordinates={"x": q}, limits="stops", gravity=(0, 0, 0))
+        pushed = accelerations(imported.model)[0, 3:] @ (1.0, 2.0, 0.3)
+        assert abs(pushed) < 1e-9 if lower < q else pushed > 1.0
+
+
 def test_a_ring_of_joints_is_no_tree(tmp_path: Path) -> None:
     ring = link("a") + link("b") + joint("j", "revolute", "a", "b") + joint("k", "revolute", "b", "a")
     with pytest.raises(lw.ModelFileError, match="ring of joints"):

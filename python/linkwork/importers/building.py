@@ -22,7 +22,7 @@ from linkwork.importers.description import (
     Imported,
     JointDescription,
 )
-from linkwork.importers.frames import Frame
+from linkwork.importers.frames import Frame, turned
 from linkwork.importers.groups import Group, check_light, grouped, moments_of, real_inertia
 from linkwork.importers.stops import Stops
 from linkwork.importers.tree import LinkState, joint_values, link_states
@@ -35,6 +35,9 @@ __all__ = ["Options", "build", "check_options"]
 
 #: Cosines of the angle between two axes that are perpendicular, up to the digits of a file.
 PERPENDICULAR = 1e-6
+
+#: Angles [rad] up to which one surely begins in (-pi, pi], where angles begin: less than half a turn.
+WITHIN_A_TURN = 3.0
 
 #: Coulomb friction is regularized below these speeds [rad/s], [m/s].
 TRANSITION = {"rotational_friction": 1e-2, "translational_friction": 1e-3}
@@ -114,8 +117,7 @@ def build(description: Description, options: Options, lines: Mapping[str, int] |
     check_light(description, groups, options.get("keep_massless", False), lines or {}, faults)
     gravity = options.get("gravity")
     model = Model(description.gravity if gravity is None else gravity, description.name)
-    stops = Stops(description, model, joint_values(description, coordinates))
-    builder = _Builder(description, model, states, groups, stops, options)
+    builder = _Builder(description, model, states, groups, joint_values(description, coordinates), options)
     for group in builder.moving:
         _collect(faults, lines or {}, "link", group.main, partial(builder.add_body, group))
     for joint in description.joints if not faults else ():
@@ -173,10 +175,11 @@ class _Builder:
         model: Model,
         states: Mapping[str, LinkState],
         groups: Mapping[str, Group],
-        stops: Stops,
+        starts: Mapping[str, Floats],
         options: Options,
     ) -> None:
-        self._description, self._model, self._stops = description, model, stops
+        self._description, self._model, self._starts = description, model, starts
+        self._stops = Stops(description, model)
         self._repair_inertia = options.get("repair_inertia", False)
         self._inertia_as_is = options.get("inertia_as_is", False)
         self._states, self._groups = states, groups
@@ -244,6 +247,7 @@ class _Builder:
             return
         place = {"at": (a.at, b.at), "frames": "body", "name": joint.name}
         getattr(self, f"_add_{joint.kind}")(joint, a, b, place)
+        self._note_turns(joint)
         if len(joint.motions) == 1:
             self._coordinates[joint.name] = "angle" if joint.motions[0].rotation else "displacement"
         self._add_forces(joint, a, b)
@@ -274,6 +278,30 @@ class _Builder:
         axis = joint.motions[0].axis
         x = rotation.perpendicular(axis)
         return {"axis": (a.axis(axis), b.axis(axis)), "x_axis": (a.axis(x), b.axis(x))}
+
+    def _start(self, joint: JointDescription) -> Floats:
+        """Its coordinates at t = 0, from where both sides agree."""
+        return self._starts.get(joint.name, np.zeros(len(joint.motions)))
+
+    def _note_turns(self, joint: JointDescription) -> None:
+        for motion, start in zip(joint.motions, self._start(joint).tolist(), strict=True):
+            turns = np.ceil(start / (2 * np.pi) - 0.5)
+            if motion.rotation and abs(start) > np.pi and turns:
+                text = f"turned by {start:.6g} rad at the start: its angle in results begins within a turn"
+                self._note("coordinates", joint, f"{text}, at {start - 2 * np.pi * turns:.6g} rad")
+
+    # The angle of a force begins in (-pi, pi]. Where that of a joint begins near half a turn or beyond, the
+    # force counts from there: x_b is turned back by the start, theta = q - q(0).
+    def _acting_place(self, joint: JointDescription, a: _Side, b: _Side) -> tuple[dict[str, Any], float]:
+        """Of what acts about or along the axis, and the joint's coordinate where its own is zero."""
+        place = {"at": (a.at, b.at), "frames": "body", **self._axis_place(joint, a, b)}
+        start = float(self._start(joint)[0])
+        if joint.kind != "revolute" or abs(start) < WITHIN_A_TURN:
+            return place, 0.0
+        axis = joint.motions[0].axis
+        x = rotation.perpendicular(axis)
+        place["x_axis"] = (a.axis(x), b.axis(turned(axis, -start).A @ x))
+        return place, start
 
     def _add_about_axis(self, joint: JointDescription, a: _Side, b: _Side, place: dict[str, Any]) -> None:
         getattr(self._model, joint.kind)(a.body, b.body, **self._axis_place(joint, a, b), **place)
@@ -371,20 +399,19 @@ class _Builder:
             self._note("friction", joint, text)
 
     def _add_stop(self, joint: JointDescription, a: _Side, b: _Side) -> None:
-        place = {"at": (a.at, b.at), "frames": "body", **self._axis_place(joint, a, b)}
+        place, zero = self._acting_place(joint, a, b)
         mains = dict.fromkeys(self._groups[name].main for name in self._stops.carried(joint))
         bodies = [self._bodies[main] for main in mains if main != WORLD]
-        self._stops.add(joint, (a.body, b.body), place, bodies)
+        self._stops.add(joint, (a.body, b.body), place, bodies, float(self._start(joint)[0]), zero)
 
     def _add_rotational_spring(self, joint: JointDescription, a: _Side, b: _Side) -> None:
+        place, zero = self._acting_place(joint, a, b)
         self._model.rotational_spring_damper(
             a.body,
             b.body,
-            at=(a.at, b.at),
-            frames="body",
-            **self._axis_place(joint, a, b),
+            **place,
             stiffness=joint.stiffness,
-            free_angle=joint.spring_reference - float(joint.reference[0]),
+            free_angle=joint.spring_reference - float(joint.reference[0]) - zero,
             name=f"{joint.name} spring",
         )
 

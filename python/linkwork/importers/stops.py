@@ -25,10 +25,10 @@ DAMPING = 1.5
 
 
 class Stops:
-    """Adds them to a model that has all bodies of a description. `coordinates`: of the joints at t = 0."""
+    """Adds them to a model that has all bodies of a description."""
 
-    def __init__(self, description: Description, model: Model, coordinates: dict[str, Floats]) -> None:
-        self._description, self._model, self._coordinates = description, model, coordinates
+    def __init__(self, description: Description, model: Model) -> None:
+        self._description, self._model = description, model
         self._children: dict[str, list[str]] = {}
         for joint in description.joints:
             if not joint.closes_loop:
@@ -49,13 +49,16 @@ class Stops:
         pair: tuple[Body, Body],
         place: dict[str, Any],
         carried: Collection[Body],
+        start: float,
+        zero: float,
     ) -> None:
-        """`place` as of the methods of Model, in body coordinates; `carried`: bodies."""
+        """`place` as of the methods of Model, in body coordinates; `carried`: bodies.
+
+        `start` and `zero`: the joint's coordinate at t = 0, and where that of `place` is zero.
+        """
         assert joint.stops is not None
         turning, name = joint.kind == "revolute", f"joint '{joint.name}'"
         lower, upper = (end - float(joint.reference[0]) for end in joint.stops)
-        start = float(self._coordinates.get(joint.name, np.zeros(1))[0])
-        turns = 2 * np.pi * round(start / (2 * np.pi)) if turning else 0.0  # the model begins within one turn
         inertia = self._inertia(pair[1], place["at"][1], place["axis"][1], turning, carried)
         ends = f"{joint.stops[0]:g} to {joint.stops[1]:g} {'rad' if turning else 'm'}"
         if inertia <= 0:
@@ -65,7 +68,7 @@ class Stops:
             return
         k, c = FREQUENCY**2 * inertia, DAMPING * FREQUENCY**2 * inertia
         add = self._model.rotational_stop if turning else self._model.translational_stop
-        add(*pair, **place, lower=lower - turns, upper=upper - turns, stiffness=k, damping=c,
+        add(*pair, **place, lower=lower - zero, upper=upper - zero, stiffness=k, damping=c,
             name=f"{joint.name} stop")  # fmt: skip
         beyond = max(lower - start, start - upper)
         late = f"; it starts {beyond:.3g} beyond: give `coordinates`" if beyond > 0 else ""

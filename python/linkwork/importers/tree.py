@@ -96,6 +96,7 @@ def _checked(description: Description, given: Values, what: str) -> dict[str, Fl
 def _with_couplings(description: Description, values: dict[str, Floats], offsets: bool) -> dict[str, Floats]:
     """Joints that follow others and are not given themselves: multiplier * value + offset."""
     coupling_of = {coupling.follower: coupling for coupling in description.couplings}
+    single = {joint.name for joint in description.joints if len(joint.motions) == 1}
     out = dict(values)
     for name in coupling_of:
         chain = [name]  # up to the first joint whose value is known, or which follows no other
@@ -105,7 +106,7 @@ def _with_couplings(description: Description, values: dict[str, Floats], offsets
         for follower in reversed(chain[:-1]):
             coupling = coupling_of[follower]
             value = coupling.multiplier * value + (coupling.offset if offsets else 0.0)
-            if value.shape == (1,):
+            if value.shape == (1,) and follower in single:
                 out[follower] = value
     return out
 
