@@ -136,6 +136,26 @@ def test_welds_are_fixed_joints(tmp_path: Path) -> None:
     assert accelerations(model)[:, :3] == pytest.approx(np.tile([0, 0, -9.81], (2, 1)), abs=1e-10)
 
 
+WELDS = ["", 'anchor="0.3 0.1 0.2"', 'anchor="0.3 0.1 0.2" relpose="0.5 -0.2 0.1 4 1 2 1"',
+         'anchor="0.3 0.1 0.2" torquescale="0"', 'relpose="0.4 -0.3 0.2 1 0 0 0"']  # fmt: skip
+
+
+@pytest.mark.parametrize("weld", WELDS)
+def test_welds_and_their_anchors_hold_where_they_do_in_mujoco(weld: str, tmp_path: Path) -> None:
+    """Points that are to coincide are as far apart as in MuJoCo."""
+    bodies = (f'<body name="a" pos="0 0 1" quat="5 1 2 0"><freejoint/>{INERTIAL}</body>'
+              f'<body name="b" pos="0.5 0.1 1" quat="9 2 1 1"><freejoint/>{INERTIAL}</body>')  # fmt: skip
+    path = written(tmp_path, bodies, f'<equality><weld body1="a" body2="b" {weld}/></equality>')
+    theirs = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(theirs)
+    mujoco.mj_forward(theirs, data)
+    model = lw.import_mjcf(path).model
+    gap = lw.System(model).evaluate(0.0, model.compiled().q0, model.compiled().v0).Phi
+    assert np.linalg.norm(gap[:3]) == pytest.approx(np.linalg.norm(data.efc_pos[:3]), abs=1e-12)
+    if "relpose" not in weld:
+        assert np.abs(gap).max() < 1e-12
+
+
 WRONG = [
     ('<body><joint type="hinge"/><joint type="hinge" axis="0 1 1"/><geom size="1"/></body>', "",
      "no joint here does"),

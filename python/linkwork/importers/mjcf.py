@@ -326,12 +326,12 @@ class _MujocoModel:
     def _anchors(self, weld: bool, data: Any) -> tuple[Frame, Frame]:
         """The joint's frame in both bodies.
 
-        eq_data is an anchor in each (connect), or an anchor in the second and the second's pose in the first.
+        eq_data is an anchor in each (connect), or (weld) an anchor in the second, the point of the first that
+        it is to be in, and the second's orientation in the first.
         """
         if not weld:
             return Frame(r=np.array(data[:3])), Frame(r=np.array(data[3:6]))
-        anchor = Frame(r=np.array(data[:3]))
-        return from_quaternion(data[3:6], data[6:10]) @ anchor, anchor
+        return from_quaternion(data[3:6], data[6:10]), Frame(r=np.array(data[:3]))
 
     def _refuse_and_note(self, out: Description) -> None:
         model = self._model
