@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -280,6 +281,75 @@ def test_the_spring_of_a_slider_acts_on_both_sides_however_far_away(tmp_path: Pa
     path = written(tmp_path, f'<body name="a">{slide}{INERTIAL}</body>')
     for seed in range(3):
         assert largest_difference(path, np.random.default_rng(seed), spread=40.0) < 1e-12
+
+
+def lifted(first: str, second: str, share: float = 0.6) -> str:
+    """Two arms, of which the second is lifted."""
+    joint = '<joint name="{}" axis="{}" {}/>' + INERTIAL
+    inner = f'<body name="b" pos="0.5 0 0" gravcomp="{share}">{joint.format("q2", "0 1 0", second)}</body>'
+    return f'<body name="a" pos="0 0 1">{joint.format("q1", "1 2 0", first)}{inner}</body>'
+
+
+ON = 'actuatorgravcomp="true"'
+MOTOR = '<actuator><motor name="m" joint="q1"/></actuator>'
+OFF = 'actuation="disable"'
+
+#: Bodies, actuators, flags; what is noted.
+ACTUATED = {
+    "actuated": ((lifted(ON, ON), MOTOR, ""), None),
+    "an actuator elsewhere": ((lifted("", ON), MOTOR, ""), None),
+    "no actuators": ((lifted(ON, ON), "", ""), None),
+    "actuation disabled": ((lifted(ON, ON), MOTOR, OFF), None),
+    "no passive forces": ((lifted(ON, ON), MOTOR, 'spring="disable" damper="disable"'), None),
+    "no actuators needed": ((lifted("", ""), MOTOR, OFF), None),
+    "free": ((f'<body name="a" gravcomp="0.6"><joint type="free" {ON}/>{INERTIAL}</body>', "", ""), None),
+    "half of the joints": ((lifted("", ON), "", ""), "body 'b': .* at 'q2', too"),
+    "limited": ((lifted(ON, f'{ON} actuatorfrcrange="-0.5 0.5"'), MOTOR, ""),
+                "joint 'q2': its actuatorfrcrange -0.5 to 0.5 does not limit"),
+    "limited elsewhere": ((lifted(ON, 'actuatorfrcrange="-0.5 0.5"'), MOTOR, ""), None),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ACTUATED)
+def test_actuators_compensate_gravity_as_in_mujoco_or_a_note_says_so(name: str, tmp_path: Path) -> None:
+    """A lift in a body acts at all joints: at some alone it cannot be, nor be limited."""
+    written_, said = ACTUATED[name]
+    path = written(tmp_path, *written_)
+    imported = lw.import_mjcf(path)
+    notes = [str(note) for note in imported.notes if note.topic == "gravcomp"]
+    if said:
+        assert len(notes) == 1
+        assert re.search(said, notes[0])
+        return
+    assert not notes
+    assert np.abs(accelerations(imported.model) - at_rest_in_mujoco(path)).max() < 1e-10
+
+
+def at_rest_in_mujoco(path: Path) -> np.ndarray:
+    """v_dot of each body (n, 6), the angular one in body axes."""
+    model = mujoco.MjModel.from_xml_path(str(path))
+    data, out = mujoco.MjData(model), []
+    mujoco.mj_forward(model, data)
+    mujoco.mj_rnePostConstraint(model, data)
+    for body in range(1, model.nbody):
+        found = np.zeros(6)
+        mujoco.mj_objectAcceleration(model, data, mujoco.mjtObj.mjOBJ_BODY, body, found, 0)
+        A = data.xmat[body].reshape(3, 3)
+        out.append([*(found[3:] + model.opt.gravity), *(A.T @ found[:3])])  # theirs is against free fall
+    return np.array(out)
+
+
+@pytest.mark.parametrize("shares", [(-0.5,), (-0.5, 0.25), (0.25, -0.5), (-0.5, 0.0), (0.5, 2.0)])
+def test_negative_gravity_compensation_acts_where_it_does_in_mujoco(
+    shares: tuple[float, ...], tmp_path: Path
+) -> None:
+    """Only in models with a positive one."""
+    bodies = "".join(
+        f'<body name="b{k}" gravcomp="{share}"><freejoint/>{INERTIAL}</body>'
+        for k, share in enumerate(shares)
+    )
+    path = written(tmp_path, bodies)
+    assert np.abs(accelerations(lw.import_mjcf(path).model) - at_rest_in_mujoco(path)).max() < 1e-10
 
 
 def test_a_damped_free_body_approaches_its_speed_of_fall(tmp_path: Path) -> None:

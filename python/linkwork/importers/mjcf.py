@@ -28,6 +28,7 @@ from linkwork.importers.frames import Frame, from_quaternion
 from linkwork.importers.mjcf_coverage import MJCF
 from linkwork.importers.mjcf_dynamics import JointDynamics, is_disabled
 from linkwork.importers.mjcf_files import roots
+from linkwork.importers.mjcf_gravity import GravityCompensation
 from linkwork.importers.mjcf_visuals import shapes_of
 from linkwork.importers.robot_file import STOPPED
 from linkwork.importers.xml_text import Node, Reader
@@ -123,7 +124,7 @@ class _MujocoModel:
 
         self._options = options
         self._path, self._model, self._mj, self._lines = path, model, mujoco, lines
-        self._dynamics = JointDynamics(model)
+        self._dynamics, self._compensation = JointDynamics(model), GravityCompensation(model)
         self._links: dict[str, LinkDescription] = {}
         self._faults: list[Fault] = []
 
@@ -164,9 +165,7 @@ class _MujocoModel:
         model = self._model
         inertial = from_quaternion(model.body_ipos[body], model.body_iquat[body])
         inertia = inertial.A @ np.diag(model.body_inertia[body]) @ inertial.A.T
-        mass, weightless = float(model.body_mass[body]), float(model.body_gravcomp[body])
-        if is_disabled(model, "spring") and is_disabled(model, "damper"):
-            weightless = 0.0  # no passive force acts in MuJoCo then, this one neither
+        mass, weightless = float(model.body_mass[body]), self._compensation.share(body)
         return LinkDescription(name, mass, inertial.r, inertia, self._pose(body), weightless)
 
     def _pose(self, body: int) -> Frame:
@@ -344,6 +343,8 @@ class _MujocoModel:
         for k in range(model.nu):
             lost = ", nor its damping and armature" if k in self._dynamics.lost_actuators else ""
             out.note("actuator", f"actuator '{self._name('actuator', k)}'", f"is not represented{lost}")
+        for subject, message in self._compensation.notes(self._name):
+            out.note("gravcomp", subject, message)
         self._note_contact(out)
         self._note_sleep(out)
         if model.opt.density or model.opt.viscosity or np.any(model.opt.wind):
