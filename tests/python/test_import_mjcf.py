@@ -174,6 +174,15 @@ def test_what_cannot_be_is_refused_by_name(body: str, rest: str, message: str, t
         lw.import_mjcf(written(tmp_path, body, rest))
 
 
+@pytest.mark.parametrize("kind", ["hinge", "slide", "ball", "free"])
+@pytest.mark.parametrize("what", ["damping", "frictionloss", "armature"])
+def test_joints_that_would_drive_themselves_are_refused(kind: str, what: str, tmp_path: Path) -> None:
+    body = f'<body name="a"><joint name="q" type="{kind}" {what}="{{}}"/>{INERTIAL}</body>'
+    lw.import_mjcf(written(tmp_path, body.format(0.01)))
+    with pytest.raises(lw.ModelFileError, match=r":4: .*-0.01 .*must .*not .*negative"):
+        lw.import_mjcf(written(tmp_path, body.format(-0.01)))
+
+
 def test_a_file_is_read_after_one_that_mujoco_could_not_read(tmp_path: Path) -> None:
     body = f'<body name="a"><joint type="hinge"/>{INERTIAL}</body>'
     with pytest.raises(lw.ModelFileError, match="MuJoCo: "):

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from linkwork import rotation
 from linkwork.arguments import one_of
 from linkwork.arrays import Floats
-from linkwork.errors import Fault, LinkworkError, ModelFileError, OptionError, nearest
+from linkwork.errors import Fault, LinkworkError, ModelError, ModelFileError, OptionError, nearest
 from linkwork.importers.alignment import align_axes
 from linkwork.importers.description import (
     WORLD,
@@ -149,6 +149,14 @@ def _collect(
         faults.append(Fault(lines.get(f"{kind} {name}", 1), f"{kind} '{name}'", reason))
 
 
+def _check_dissipation(joint: JointDescription) -> None:
+    """ModelError: a joint, of whatever kind, that would drive itself."""
+    for what in ("damping", "friction", "armature"):
+        value = getattr(joint, what)
+        if value < 0:
+            raise ModelError(f"{what} = {value:g} must not be negative", code="negative")
+
+
 # --- bodies and joints --------------------------------------------------------------------------------------
 
 
@@ -242,6 +250,7 @@ class _Builder:
             if joint.kind != "fixed":
                 self._note("rigid", joint, "joins links of one rigid group: it cannot move")
             return
+        _check_dissipation(joint)
         if joint.kind == "free":
             self._add_isotropic(joint, a, b)
             return

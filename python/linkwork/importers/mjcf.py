@@ -222,8 +222,8 @@ class _MujocoModel:
         joint = JointDescription(label, "free", WORLD, name, pose, closes_loop=True)
         self._dynamics.set(k, joint)
         self._note_polynomials(range(k, k + 1), joint, out)
-        armature, joint.armature = joint.armature, 0.0
-        if armature:
+        if joint.armature > 0:  # a negative one is refused where the joint is added
+            armature, joint.armature = joint.armature, 0.0
             rotor = f"{label} rotor"
             self._links[rotor] = LinkDescription(
                 rotor, armature, inertia=armature * np.eye(3), weightless=1.0
@@ -231,7 +231,7 @@ class _MujocoModel:
             text = f"armature {armature:g} is that of the weightless body '{rotor}', fixed to its body"
             out.note("armature", f"joint '{label}'", text)
             yield JointDescription(f"{rotor} fixed", "fixed", name, rotor, Frame())
-        if joint.damping or joint.stiffness or joint.friction:
+        if joint.damping or joint.stiffness or joint.friction or joint.armature:
             yield joint
 
     def _kind(
