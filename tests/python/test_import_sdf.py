@@ -248,6 +248,18 @@ WRONG = [
     ),
     ('<link name="a">', '<link name="a"/><link name="a">', r":3: link 'a': is given twice"),
     ("</model>", "</model><model/>", r"has 2 models"),
+    ('version="1.9"', 'version="new"', r":2: sdf version: 'new' is no version, such as 1.9"),
+    ('version="1.9"', 'version="1.9.1"', r":2: sdf version: '1.9.1' is no version"),
+    ('version="1.9"', 'version="1_0.9"', r":2: sdf version: '1_0.9' is no version"),
+    ("<pose >", '<pose degrees="yes">', r":3: link 'a' pose degrees: 'yes' is not true, false, 1 or 0"),
+    ("<inertial>", "<gravity>1.0</gravity><inertial>", r":3: link 'a' gravity: '1.0' is not true"),
+    ("<inertial>", '<inertial auto="maybe">', r":3: link 'a' inertial auto: 'maybe' is not true"),
+    ("<link", "<static>yes</static><link", r":2: model 'm' static: 'yes' is not true"),
+    (
+        "<xyz >0 0 1</xyz>",
+        "<xyz>0 0 1</xyz><use_parent_model_frame>on</use_parent_model_frame>",
+        r":4: joint 'j' axis use_parent_model_frame: 'on' is not true",
+    ),
     ("<xyz >0 0 1</xyz>", "<xyz>0 0 1</xyz><mimic joint='k'/>", r":4: joint 'j' mimic: no joint 'k'"),
     (
         "<xyz >0 0 1</xyz>",
@@ -299,3 +311,11 @@ def test_a_spring_is_at_rest_at_its_reference_and_not_a_turn_before(q: float, tm
     imported = loaded(tmp_path, body, coordinates={"x": q}, gravity=(0, 0, 0))
     J = 0.25 + 2 * (0.1**2 + 0.2**2)
     assert accelerations(imported.model)[0, 5] == pytest.approx(0.7 * (4 - q) / J, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("text", "falls"), [("true", 1), ("1", 1), (" TRUE ", 1), ("", 1), ("false", 0), ("0", 0)]
+)
+def test_links_fall_where_gravity_is_true_or_left_empty(text: str, falls: int, tmp_path: Path) -> None:
+    body = link("a").replace("<inertial>", f"<gravity>{text}</gravity><inertial>")
+    assert accelerations(loaded(tmp_path, body).model)[0, 2] == pytest.approx(-9.8 * falls, abs=1e-12)

@@ -170,6 +170,22 @@ def folder_of_arm(folder: Path) -> Path:
     return folder
 
 
+def test_a_version_in_a_config_that_is_none_is_refused(tmp_path: Path) -> None:
+    config = folder_of_arm(tmp_path) / "arm/model.config"
+    config.write_text(config.read_text().replace("1.10", "latest"))
+    with pytest.raises(lw.ModelFileError, match=r":3: include: .*the version 'latest', which is none"):
+        loaded(tmp_path, with_models("<include><uri>model://arm</uri></include>"))
+
+
+@pytest.mark.parametrize("what", ["static", "merge"])
+def test_what_an_include_says_is_true_or_false(what: str, tmp_path: Path) -> None:
+    folder_of_arm(tmp_path)
+    texts = {"static": "<include><static>on</static>", "merge": '<include merge="on">'}
+    text = with_models(f"{texts[what]}<uri>model://arm</uri></include>")
+    with pytest.raises(lw.ModelFileError, match=rf":3: .*{what}: 'on' is not true, false, 1 or 0"):
+        loaded(tmp_path, text)
+
+
 @pytest.mark.parametrize("uri", ["model://arm", "model://arm/new.sdf", "arm", "arm/new.sdf", "FILE"])
 @pytest.mark.parametrize("beside", [True, False])
 def test_models_are_found_beside_the_file_or_on_the_search_path(

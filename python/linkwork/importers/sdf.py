@@ -29,7 +29,7 @@ from linkwork.importers.sdf_includes import Library, Source
 from linkwork.importers.sdf_scopes import Scope
 from linkwork.importers.sdf_visuals import shapes_of
 from linkwork.importers.visuals import Visuals
-from linkwork.importers.xml_text import Node, Reader, is_true
+from linkwork.importers.xml_text import Node, Reader
 
 __all__ = ["import_sdf"]
 
@@ -166,14 +166,13 @@ class _SdfFile(RobotFile):
         who, reader = f"link '{link.name}'", scope.reader
         self.note_children(node, who, ("collision",), " geometry")
         self._read_visuals(scope, node, link)
-        gravity = node.word("gravity")
-        link.weightless = float(gravity is not None and not is_true(gravity))
+        link.weightless = float(not reader.boolean(node, node.word("gravity"), f"{who} gravity", True))
         inertial = node.one("inertial")
         if inertial is None:  # the defaults of the format
             link.mass, link.inertia = 1.0, np.eye(3)
             self.note("inertial", who, "is missing: 1 kg and 1 kg m2, the defaults of SDF")
             return link
-        if is_true(inertial.attributes.get("auto")):
+        if reader.boolean(inertial, inertial.attributes.get("auto"), f"{who} inertial auto"):
             reader.add(
                 inertial, who, "auto inertia is not taken: it follows from shapes; give mass and inertia"
             )
@@ -272,7 +271,8 @@ class _SdfFile(RobotFile):
         xyz = axis.one("xyz")
         given = direction(scope.reader, xyz or axis, xyz.text if xyz else None, f"{who} {tag}", Z)
         expressed_in = xyz.attributes.get("expressed_in") if xyz is not None else None
-        in_model = is_true(axis.word("use_parent_model_frame")) or version < (1, 5)
+        word, field = axis.word("use_parent_model_frame"), f"{who} {tag} use_parent_model_frame"
+        in_model = scope.reader.boolean(axis, word, field) or version < (1, 5)
         if expressed_in or (in_model and version < (1, 7)):
             frame = scope.absolute @ scope.pose(expressed_in or "", axis)
             given = here.A.T @ (frame.A @ given)

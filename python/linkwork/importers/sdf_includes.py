@@ -3,17 +3,22 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
+from typing import NoReturn
 from urllib.parse import unquote, urlsplit
 
 from linkwork.arguments import path as path_of
 from linkwork.errors import FileError
-from linkwork.importers.xml_text import Node, Reader, is_true
+from linkwork.importers.xml_text import Node, Reader
 
 #: The most includes in all: of files that include the next one twice each, there are soon too many.
 MOST = 10_000
+
+#: The version of files that give none.
+NEWEST = (1, 11)
 
 #: Models in models, in one file or by includes.
 DEPTH = 50
@@ -42,14 +47,14 @@ class Library:
         """With the first file. FileError: it cannot be read. ModelFileError: it is no SDF."""
         file = path_of(path, "<sdf> file").resolve()
         library = cls(search_path, file.parent)
-        library.readers[file] = Reader(path, "sdf")
+        library.readers[file] = _reader(path)
         return library, library._source(file, ())
 
     def _source(self, path: Path, chain: tuple[Path, ...]) -> Source:
         if path not in self.readers:
-            self.readers[path] = Reader(path, "sdf")
+            self.readers[path] = _reader(path)
         reader = self.readers[path]
-        return Source(reader, version(reader.root), (*chain, path))
+        return Source(reader, version(reader.root) or NEWEST, (*chain, path))
 
     def finish(self) -> None:
         """ModelFileError: there are faults, of the first file that has some."""
@@ -61,7 +66,7 @@ class Library:
         uri = node.word("uri") or ""
         self.models += 1
         try:
-            if is_true(node.attributes.get("merge")):
+            if source.reader.boolean(node, node.attributes.get("merge"), "include merge"):
                 raise _refused(
                     "is to be merged, which is not taken: leave merge out; names get a prefix then"
                 )
@@ -106,8 +111,19 @@ class Library:
         return _model_file(path) if path.is_dir() else path
 
 
+def _reader(path: str | os.PathLike[str]) -> Reader:
+    reader = Reader(path, "sdf")
+    if version(reader.root) is None:
+        reader.add(reader.root, "sdf version", f"'{_said(reader.root)}' is no version, such as 1.9")
+    return reader
+
+
 def _refused(reason: str) -> FileError:
     return FileError(reason, code="include")
+
+
+def _no_version(node: Node) -> NoReturn:
+    raise _refused(f"has a model.config with the version '{_said(node)}', which is none, such as 1.9")
 
 
 def _model_file(folder: Path) -> Path:
@@ -116,8 +132,9 @@ def _model_file(folder: Path) -> Path:
     name = "model.sdf"
     if config.is_file():
         files = [node for node in Reader(config, "model").root.all("sdf") if node.text.strip()]
+        versions = {node: version(node) or _no_version(node) for node in files}
         if files:
-            name = max(files, key=version).text.strip()
+            name = max(files, key=versions.__getitem__).text.strip()
     path = (folder / PurePosixPath(name)).resolve()
     if not path.is_relative_to(folder):
         raise _refused(f"leads outside of its folder, to '{name}'")
@@ -126,10 +143,14 @@ def _model_file(folder: Path) -> Path:
     return path
 
 
-def version(node: Node) -> tuple[int, int]:
-    """Of the format; (1, 11) where there is none to be understood."""
-    try:
-        major, minor = (int(part) for part in node.attributes.get("version", "").split(".")[:2])
-    except ValueError:
-        return 1, 11
-    return major, minor
+def version(node: Node) -> tuple[int, int] | None:
+    """Of the format; the newest where none is given, None where it is no version."""
+    text = _said(node)
+    if not text:
+        return NEWEST
+    found = re.fullmatch(r"([0-9]+)\.([0-9]+)", text)
+    return (int(found[1]), int(found[2])) if found else None
+
+
+def _said(node: Node) -> str:
+    return node.attributes.get("version", "").strip()[:60]

@@ -16,7 +16,7 @@ from linkwork.errors import nearest
 from linkwork.importers.description import WORLD
 from linkwork.importers.frames import Frame, from_quaternion, from_rpy
 from linkwork.importers.sdf_includes import DEPTH, Library, Source
-from linkwork.importers.xml_text import Node, is_true
+from linkwork.importers.xml_text import Node
 
 __all__ = ["Scope"]
 
@@ -72,11 +72,13 @@ class Scope:
         """In the first file: of a node, or of what includes it."""
         return self._included_at or node.line
 
-    @property
+    @cached_property
     def is_static(self) -> bool:
         """The model cannot move: it says so, or what includes it, or one around it."""
-        said = self.placed_by.word("static") or self.node.word("static")
-        return is_true(said) or (self.parent is not None and self.parent.is_static)
+        outer = self.parent.reader if self.parent is not None else self.reader
+        node, reader = (self.placed_by, outer) if self.placed_by.word("static") else (self.node, self.reader)
+        said = reader.boolean(node, node.word("static"), f"model '{self.name}' static")
+        return said or (self.parent is not None and self.parent.is_static)
 
     # --- names ---
 
@@ -247,7 +249,7 @@ class Scope:
                 self.reader.add(pose, f"{who} pose", "quaternion is zero")
                 return Frame()
             return from_quaternion(values[:3], (w, x, y, z))
-        degrees = is_true(pose.attributes.get("degrees"))
+        degrees = self.reader.boolean(pose, pose.attributes.get("degrees"), f"{who} pose degrees")
         return from_rpy(values[:3], np.radians(values[3:]) if degrees else values[3:])
 
     def _refuse_ring(self, node: Node, how: str, names: list[str]) -> None:

@@ -51,9 +51,8 @@ class Node:
         return node.text.strip() if node is not None else None
 
 
-def is_true(text: str | None) -> bool:
-    """Of a bool in SDF."""
-    return text is not None and text.strip().lower() in ("1", "true")
+#: The values of a bool in SDF, in small or large letters.
+BOOLEANS = {"1": True, "true": True, "0": False, "false": False}
 
 
 class Reader:
@@ -99,6 +98,13 @@ class Reader:
 
     def number(self, node: Node, text: str | None, field: str, default: float | None = None) -> float:
         return self.numbers(node, text, 1, field, None if default is None else [default])[0]
+
+    def boolean(self, node: Node, text: str | None, field: str, default: bool = False) -> bool:
+        """Of a bool in SDF; a fault and the default where it is none."""
+        word = (text or "").strip()
+        if word and word.lower() not in BOOLEANS:
+            self.add(node, field, f"'{word[:60]}' is not true, false, 1 or 0")
+        return BOOLEANS.get(word.lower(), default)
 
     def _parse(self) -> Node:
         try:
