@@ -230,6 +230,7 @@ GOOD = link("a") + "\n" + joint("j", "revolute", "world", "a", axis("0 0 1"))
 
 WRONG = [
     ("<mass>2</mass>", "<mass>two</mass>", r":3: link 'a' mass: 'two' is not a finite number"),
+    ("<mass>2</mass>", "<mass>1_000</mass>", r":3: link 'a' mass: '1_000' is not a finite number"),
     ("<xyz >0 0 1</xyz>", "<xyz>0 0 0</xyz>", r":4: joint 'j' axis: has no direction"),
     ("<xyz >0 0 1</xyz>", "<xyz>0 0</xyz>", r":4: joint 'j' axis: '0 0' is not 3"),
     ("<parent>world</parent>", "<parent>base</parent>", r":4: joint 'j' parent: no link 'base'"),

@@ -271,6 +271,10 @@ WRONG = [
     ('<mass value="1.0"/>', '<mass value="heavy"/>', r":3: link 'base' mass: 'heavy' is not a finite number"),
     ('<mass value="1.0"/>', '<mass value="nan"/>', r":3: link 'base' mass: 'nan' is not a finite number"),
     ('<mass value="1.0"/>', '<mass value="1e400"/>', r":3: link 'base' mass"),
+    ('<mass value="1.0"/>', '<mass value="1_000"/>', r":3: link 'base' mass: '1_000' is not a finite"),
+    ('<mass value="1.0"/>', '<mass value="\u0661"/>', r":3: link 'base' mass: '\u0661' is not a finite"),
+    ('<mass value="1.0"/>', '<mass value="\uff11"/>', r":3: link 'base' mass: '\uff11' is not a finite"),
+    ('xyz="0 0 0"', 'xyz="0\u00a00 0"', r":3: link 'base' origin xyz: .* is not 3 finite numbers"),
     ('<mass value="1.0"/>', "", r":3: link 'base' mass: is missing"),
     ('ixx="0.3"', "", r":3: link 'base' inertia ixx: is missing"),
     ('xyz="0 0 0"', 'xyz="0 0"', r":3: link 'base' origin xyz: '0 0' is not 3 finite numbers"),
@@ -314,6 +318,12 @@ def test_wrong_files_are_refused_with_line_and_field(
 ) -> None:
     text = f'<?xml version="1.0"?>\n<robot name="test">\n{GOOD}\n</robot>\n'
     check_refused(lw.import_urdf, tmp_path / "robot.urdf", text, part, by, message)
+
+
+@pytest.mark.parametrize("text", ["2", "+2.", "2.0", "2e0", "20E-1", ".2e+1", " 2\n"])
+def test_numbers_are_read_as_in_c(text: str, tmp_path: Path) -> None:
+    body = link("base") + link("a").replace('"1.0"', f'"{text}"') + joint("j", "revolute", "base", "a")
+    assert loaded(tmp_path, body).model.compiled().mass == [2.0]
 
 
 def test_joints_that_follow_each_other_in_a_ring_are_refused(tmp_path: Path) -> None:

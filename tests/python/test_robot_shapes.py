@@ -264,6 +264,7 @@ BAD = [
     ('<mesh filename="part.stl" scale="1 0 1"/>', "scale 1.0 0.0 1.0 is zero"),
     ('<box size="1 -1 1"/>', "size -1.0 is not a positive number"),
     ('<sphere radius="wide"/>', "sphere radius 'wide' is not 1 finite numbers"),
+    ('<sphere radius="1_0"/>', "sphere radius '1_0' is not 1 finite numbers"),
     ("<cone/>", "there is no box"),
 ]
 

@@ -11,6 +11,7 @@ from linkwork.arrays import Floats, Indices
 from linkwork.errors import FileError, LinkworkError, ModelError
 from linkwork.importers import mesh_files
 from linkwork.importers.frames import Frame
+from linkwork.importers.xml_text import finite
 from linkwork.modeling.shapes import Cylinder, Mesh, Shape, Sphere
 
 __all__ = ["GRAY", "Visuals", "capsule", "ellipsoid", "hex_of", "numbers"]
@@ -85,11 +86,8 @@ def numbers(text: str | None, count: int, what: str, default: Sequence[float] | 
     """`count` numbers of a shape. ModelError: there are others."""
     if (text is None or not text.strip()) and default is not None:
         return list(default)
-    try:
-        values = [float(word) for word in (text or "").split()]
-    except ValueError:
-        values = []
-    if len(values) != count or not np.isfinite(values).all():
+    values = finite(text or "", count)
+    if values is None:
         raise ModelError(f"{what} '{(text or '').strip()[:60]}' is not {count} finite numbers", code="shape")
     return values
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+import re
 from collections.abc import Iterator, Sequence
 from typing import Any, NoReturn
 from xml.parsers import expat
@@ -55,6 +56,19 @@ class Node:
 BOOLEANS = {"1": True, "true": True, "0": False, "false": False}
 
 
+#: A number in C and in XML Schema. Python knows more: 1_000, digits of other scripts, words such as nan.
+NUMBER = re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?")
+
+
+def finite(text: str, count: int) -> list[float] | None:
+    """`count` finite numbers between what XML takes for blanks; None: the text is something else."""
+    words = re.split(r"[ \t\r\n]+", text.strip(" \t\r\n"))
+    if len(words) != count or not all(map(NUMBER.fullmatch, words)):
+        return None
+    values = [float(word) for word in words]
+    return values if all(map(math.isfinite, values)) else None
+
+
 class Reader:
     """One XML file and the faults in it."""
 
@@ -86,11 +100,8 @@ class Reader:
             if default is None:
                 self.add(node, field, "is missing")
             return list(default or [0.0] * count)
-        try:
-            values = [float(word) for word in text.split()]
-        except ValueError:
-            values = []
-        if len(values) != count or not all(map(math.isfinite, values)):
+        values = finite(text, count)
+        if values is None:
             wanted = "a finite number" if count == 1 else f"{count} finite numbers"
             self.add(node, field, f"'{text.strip()[:60]}' is not {wanted}")
             return [0.0] * count
