@@ -164,6 +164,25 @@ def test_what_no_list_has_is_noted_by_name(
     assert {note.subject for note in notes} == labels
 
 
+TEXTS = [
+    ("model.urdf", '<link name="a">', '<link name="a"> 1 <visual> 2 </visual>', {"<link>", "<visual>"}),
+    ("model.urdf", "<robot", "<!-- no text --><robot", set()),
+    ("model.sdf", '<link name="a">', '<link name="a"> 1 <visual name="v">2</visual>', {"<link>", "<visual>"}),
+    ("model.xml", "<worldbody>", "<worldbody> 1 <site>2</site>", {"<worldbody>", "<site>"}),
+]
+
+
+@pytest.mark.parametrize(("name", "part", "by", "labels"), TEXTS)
+def test_text_where_a_format_has_none_is_noted(
+    name: str, part: str, by: str, labels: set[str], tmp_path: Path
+) -> None:
+    read_file, text, _ = FILES[name]
+    path = tmp_path / name
+    path.write_text(text.replace(part, by, 1))
+    notes = [note for note in read_file(path).notes if "has text, which is not taken" in note.message]
+    assert {note.subject for note in notes} == labels
+
+
 def test_what_included_and_attached_files_have_is_noted(tmp_path: Path) -> None:
     (tmp_path / "parts").mkdir()
     (tmp_path / "parts/more.xml").write_text('<mujoco><include file="light.xml"/></mujoco>')

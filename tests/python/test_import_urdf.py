@@ -257,6 +257,14 @@ def test_moving_links_without_inertia_are_named(tmp_path: Path) -> None:
     assert ("massless", "link 'ghost'") in {(note.topic, note.subject) for note in imported.notes}
 
 
+def test_values_as_text_are_noted(tmp_path: Path) -> None:
+    """The values of URDF are attributes."""
+    inner = "<axis>0 1 0</axis><origin>0 0 1</origin>"
+    imported = loaded(tmp_path, link("base") + link("a") + "\n" + joint("j", "revolute", "base", "a", inner))
+    said = [str(note) for note in imported.notes if note.topic == "element"]
+    assert said == [f"<{tag}>: in line 4 has text, which is not taken" for tag in ("axis", "origin")]
+
+
 # --- wrong files --------------------------------------------------------------------------------------------
 
 GOOD = (

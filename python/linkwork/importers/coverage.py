@@ -39,6 +39,9 @@ UNKNOWN = Entry("noted", "element", "is not represented: it is not known here")
 #: What is in an element again that is in it once.
 AGAIN = Entry("noted", "element", "is there again: the first is taken")
 
+#: What has no text in the format.
+TEXT = Entry("noted", "element", "has text, which is not taken")
+
 
 @dataclass(frozen=True)
 class Noted:
@@ -81,6 +84,7 @@ class Coverage:
     inside   elements whose children are those of another one
     several  represented elements of which another element may have several; of others the first is taken, and
              the rest noted; None: all of them
+    texts    elements without others inside may have a text; False: values are attributes, none has
     """
 
     def __init__(
@@ -91,6 +95,7 @@ class Coverage:
         same: Mapping[str, str] | None = None,
         inside: Mapping[str, str] | None = None,
         several: str | None = None,
+        texts: bool = True,
     ) -> None:
         self._several = None if several is None else several.split()
         self._same, self._inside = same or {}, inside or {}
@@ -101,6 +106,9 @@ class Coverage:
             self._add(note.items, Entry("noted", note.topic, note.text, note.by_name))
         for refusal in refused:
             self._add(refusal.items, Entry("refused", "", refusal.reason, refusal.by_name))
+        self._texts = texts
+        places = [*self.entries, *self._same]
+        self._around = {key.partition("@")[0].rpartition("/")[0] for key in places}  # the root is empty
 
     def _add(self, items: str, entry: Entry) -> None:
         for key in _keys(items):
@@ -126,6 +134,8 @@ class Coverage:
             yield Met(node, "", key, entry)
         if entry is None or f"{key}/**" in self.entries:
             return
+        if node.text.strip() and (key in self._around or not self._texts):
+            yield Met(node, "", key, TEXT)
         for attribute in node.attributes:
             if not attribute.startswith("xmlns"):
                 yield Met(node, attribute, f"{key}@{attribute}", self[f"{key}@{attribute}"])

@@ -172,4 +172,5 @@ MJCF = Coverage(
         "default/pair": "contact/pair",
     },
     inside={"body/replicate": "body"},
+    texts=False,
 )

@@ -33,6 +33,7 @@ class _Files:
     def expanded(self, node: Node, folder: Path, line: int | None, depth: int) -> Node:
         """With what is included; `line` instead of the node's own, in another file than the first."""
         out = Node(node.tag, node.attributes, node.line if line is None else line)
+        out.text = node.text
         out.children = children = list[Node]()
         for child in node.children:
             if child.tag == "include":

@@ -62,4 +62,5 @@ URDF = Coverage(
     NOTED,
     REFUSED,
     several="link joint link/visual material",
+    texts=False,
 )
