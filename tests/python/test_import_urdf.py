@@ -257,6 +257,24 @@ def test_moving_links_without_inertia_are_named(tmp_path: Path) -> None:
     assert ("massless", "link 'ghost'") in {(note.topic, note.subject) for note in imported.notes}
 
 
+def test_a_root_named_world_is_the_ground(tmp_path: Path) -> None:
+    body = link("world") + link("a") + joint("j", "revolute", "world", "a")
+    model = loaded(tmp_path, body, floating=True).model
+    assert (model.body_count, model.row_count) == (1, 5)
+
+
+@pytest.mark.parametrize("kind", ["revolute", "prismatic"])
+@pytest.mark.parametrize("limits", ["note", "stops"])
+@pytest.mark.parametrize("ends", ['lower="0" upper="0"', ""])
+def test_limits_that_lock_a_joint_are_noted(kind: str, limits: str, ends: str, tmp_path: Path) -> None:
+    """Ends that are not given are zero."""
+    limit = f'<limit {ends} effort="5" velocity="1"/>'
+    body = link("base") + link("a") + joint("j", kind, "base", "a", limit)
+    unit = "rad" if kind == "revolute" else "m"
+    said = f"joint 'j': limits 0 to 0 {unit}, effort 5, velocity 1 are not represented"
+    assert said in map(str, loaded(tmp_path, body, limits=limits).notes)
+
+
 def test_values_as_text_are_noted(tmp_path: Path) -> None:
     """The values of URDF are attributes."""
     inner = "<axis>0 1 0</axis><origin>0 0 1</origin>"
@@ -294,6 +312,12 @@ WRONG = [
     ('<child link="arm"/>', "", r":5: joint 'hinge': child is missing"),
     ('<child link="arm"/>', '<child link="base"/>', r":5: joint 'hinge': is part of a ring"),
     ('name="arm"', 'name="base"', r":4: link 'base': is given twice"),
+    (
+        '<child link="arm"/>',
+        '<child link="world"/></joint><link name="world"/><joint name="k" type="fixed">'
+        '<parent link="base"/><child link="arm"/>',
+        r":5: joint 'hinge' child: link 'world' is the ground: nothing carries it",
+    ),
     ('name="arm"', "", r":4: link: name is missing"),
     ("</joint>", '<mimic joint="hip"/></joint>', r":5: joint 'hinge' mimic: no joint 'hip'"),
     (

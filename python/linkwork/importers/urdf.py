@@ -16,7 +16,7 @@ from linkwork.arrays import Floats
 from linkwork.errors import ModelError
 from linkwork.importers.building import Options, build
 from linkwork.importers.coverage import report
-from linkwork.importers.description import Imported, JointDescription, LinkDescription, Motion
+from linkwork.importers.description import WORLD, Imported, JointDescription, LinkDescription, Motion
 from linkwork.importers.frames import Frame, from_rpy
 from linkwork.importers.robot_file import RobotFile, Texts, coupling, direction, set_inertia
 from linkwork.importers.urdf_coverage import URDF
@@ -218,7 +218,7 @@ class _Robot(RobotFile):
         found = [
             f"{what} {text}" for what, text in limit.attributes.items() if what not in ("lower", "upper")
         ]
-        if type_ not in ("revolute", "prismatic") or not (lower or upper):
+        if type_ not in ("revolute", "prismatic"):
             lower, upper = -np.inf, np.inf
         self.limit(joint, lower, upper, "rad" if type_ == "revolute" else "m", found)
 
@@ -243,6 +243,10 @@ class _Robot(RobotFile):
                     self._reader.add(node, f"joint '{name}' {end}", f"no link '{link}'")
             if joint.child in parent_of:
                 self._reader.add(node, f"joint '{name}' child", f"link '{joint.child}' has two parents")
+            if joint.child == WORLD:
+                self._reader.add(
+                    node, f"joint '{name}' child", f"link '{WORLD}' is the ground: nothing carries it"
+                )
             parent_of.setdefault(joint.child, joint.parent)
         ring = _in_rings(parent_of)
         for name, joint in joints.items():
