@@ -320,3 +320,17 @@ def test_a_spring_is_at_rest_at_its_reference_and_not_a_turn_before(q: float, tm
 def test_links_fall_where_gravity_is_true_or_left_empty(text: str, falls: int, tmp_path: Path) -> None:
     body = link("a").replace("<inertial>", f"<gravity>{text}</gravity><inertial>")
     assert accelerations(loaded(tmp_path, body).model)[0, 2] == pytest.approx(-9.8 * falls, abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    "thread", ["<screw_thread_pitch>0.3</screw_thread_pitch>", "<thread_pitch>-20</thread_pitch>"]
+)
+def test_a_screw_that_has_turned_has_advanced(thread: str, tmp_path: Path) -> None:
+    """By its pitch each turn, and with its speed."""
+    pitch = 0.3 if "screw" in thread else 2 * np.pi / 20
+    body = link("a") + joint("s", "screw", "world", "a", axis("0 0 1") + thread)
+    model = loaded(tmp_path, body, coordinates={"s": 4.0}, velocities={"s": 3.0}).model
+    core = model.compiled()
+    assert core.q0[2] == pytest.approx(4.0 * pitch / (2 * np.pi), abs=1e-14)
+    assert core.v0[[2, 5]] == pytest.approx([3.0 * pitch / (2 * np.pi), 3.0], abs=1e-14)
+    assert np.abs(lw.System(model).evaluate(0.0, core.q0, core.v0).Phi).max() < 1e-14

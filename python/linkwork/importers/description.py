@@ -74,10 +74,13 @@ class Motion:
 
     rotation: bool
     axis: Floats
+    lead: float = 0.0  #: of a screw, its advance with the angle [m/rad]
 
     def displacement(self, value: float) -> Frame:
         """By an angle [rad] or a length [m]."""
-        return turned(self.axis, value) if self.rotation else Frame(r=value * self.axis)
+        if not self.rotation:
+            return Frame(r=value * self.axis)
+        return Frame(value * self.lead * self.axis, turned(self.axis, value).A)
 
 
 @dataclass

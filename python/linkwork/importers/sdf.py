@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Unpack
@@ -261,6 +262,8 @@ class _SdfFile(RobotFile):
             joint.pitch = -2 * np.pi / rate if rate else 0.0
         if joint.pitch == 0:
             reader.add(node, f"{who} screw_thread_pitch", "must not be zero")
+        (motion,) = joint.motions
+        joint.motions = (replace(motion, lead=joint.pitch / (2 * np.pi)),)
 
     def _axis(self, scope: Scope, node: Node, tag: str, who: str, here: Frame) -> Floats:
         """A direction of unit length in the joint's frame, which is `here` in the world."""

@@ -112,7 +112,7 @@ def _with_couplings(description: Description, values: dict[str, Floats], offsets
 
 
 # X_child = X_parent T_parent M(q) T_child^-1. Each elementary motion adds its rate to the motion of the
-# frames behind it:  omega += A a q_dot  or  v += A a q_dot.
+# frames behind it:  omega += A a q_dot  or  v += A a q_dot;  a screw of lead h adds both, v += h A a q_dot.
 def _next(joint: JointDescription, parent: LinkState, q: Floats | None, rates: Floats | None) -> LinkState:
     count = len(joint.motions)
     values: Sequence[float] = q.tolist() if q is not None else [0.0] * count
@@ -125,6 +125,7 @@ def _next(joint: JointDescription, parent: LinkState, q: Floats | None, rates: F
         velocity = velocity + np.cross(omega, moved.r - frame.r)
         if motion.rotation:
             omega = omega + speeds[k] * axis
+            velocity = velocity + speeds[k] * motion.lead * axis
         else:
             velocity = velocity + speeds[k] * axis
         frame = moved
