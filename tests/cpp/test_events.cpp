@@ -93,7 +93,7 @@ TEST_CASE("an event is found at its place in the step, on the side that comes af
   const Line step = ball.line({-1, 0, 0}, {3, 0, 0});
   for (const int direction : {-1, 0, 1}) {
     EventWatch watch({through(0, 0.2, direction)});
-    watch.start(0.0, step.from);
+    watch.start(ball.system, 0.0, step.from);
     const auto& found = watch.scan(step, ball.system, 0.0, 2.0);
     if (direction < 0) {
       CHECK(found.empty());
@@ -109,7 +109,7 @@ TEST_CASE("events come in order of time, and none after the one that ends the st
   const Ball ball;
   const Line step = ball.line({0, 0, 0}, {1, 2, 4});
   EventWatch watch({through(0, 0.9), through(1, 0.8, 0, true), through(2, 1.2), through(0, 0.6, 0, true)});
-  watch.start(0.0, step.from);
+  watch.start(ball.system, 0.0, step.from);
   const auto& found = watch.scan(step, ball.system, 0.0, 1.0);
   REQUIRE(found.size() == 2);
   CHECK(found[0].event == 2);  // at 0.3
@@ -121,7 +121,7 @@ TEST_CASE("events that differ in their times by no more than these are known com
   const Line step = ball.line({0, 0, 0}, {1, 2, 4});
   EventWatch watch({through(1, 0.8), through(0, 0.4 + 1e-14, 0, true), through(2, 1.6 + 1e-9), through(2, 1.6, 0, true),
                     through(0, 0.4)});
-  watch.start(0.0, step.from);
+  watch.start(ball.system, 0.0, step.from);
   std::vector<std::size_t> came;
   for (const auto& found : watch.scan(step, ball.system, 0.0, 1.0)) came.push_back(found.event);
   CHECK(came == std::vector<std::size_t>{1, 3, 0, 4});
@@ -132,7 +132,7 @@ TEST_CASE("each of several barriers at a time holds") {
   const Vec3<double> down(-1, -1, 0), rest(0, 0, 0);
   EventWatch watch({through(0, 0.0, 0, true), through(1, 0.0, 0, true)});
   const Line fall = ball.line({1, 1, 0}, {-1, -1, 0}), on = ball.line({0, 0, 0}, {-1e-3, -1e-3, 0});
-  watch.start(0.0, fall.from);
+  watch.start(ball.system, 0.0, fall.from);
   const std::vector<EventWatch::Found> happened = watch.scan(fall, ball.system, 0.0, 2.0);
   REQUIRE(happened.size() == 2);
   watch.restart(ball.system, 1.0, ball.state({0, 0, 0}, down), ball.state({0, 0, 0}, rest), happened);
@@ -143,7 +143,7 @@ TEST_CASE("a function that is zero at the start has no sign until it leaves zero
   const Ball ball;
   EventWatch watch({through(0, 0.0)});
   const Line away = ball.line({0, 0, 0}, {1, 0, 0}), back = ball.line({1, 0, 0}, {-1, 0, 0});
-  watch.start(0.0, away.from);
+  watch.start(ball.system, 0.0, away.from);
   CHECK(watch.scan(away, ball.system, 0.0, 1.0).empty());
   const auto& found = watch.scan(back, ball.system, 1.0, 1.0);
   REQUIRE(found.size() == 1);
@@ -157,7 +157,7 @@ TEST_CASE("after a barrier to be on the other side is the same event again, afte
   for (const bool barrier : {false, true}) {
     EventWatch watch({through(0, 0.0, 0, true)});
     const Line fall = ball.line({1, 0, 0}, {-1, 0, 0}), on = ball.line({0, 0, 0}, {-1e-3, 0, 0});
-    watch.start(0.0, fall.from);
+    watch.start(ball.system, 0.0, fall.from);
     const EventWatch::Found happened = watch.scan(fall, ball.system, 0.0, 2.0).front();
     watch.restart(ball.system, 1.0, ball.state({0, 0, 0}, down), ball.state({0, 0, 0}, barrier ? rest : down),
                   {happened});
@@ -172,5 +172,6 @@ TEST_CASE("a function that is not a number is an error that names the event") {
   event.function = [](double, const VectorXd&) { return NAN; };
   const Ball ball;
   EventWatch watch({event});
-  CHECK_THROWS_WITH_AS(watch.start(0.0, ball.state({0, 0, 0})), doctest::Contains("'through'"), OptionError);
+  CHECK_THROWS_WITH_AS(watch.start(ball.system, 0.0, ball.state({0, 0, 0})), doctest::Contains("'through'"),
+                       OptionError);
 }

@@ -147,6 +147,26 @@ def test_two_balls_that_come_down_at_the_same_time_both_bounce(integrator: str) 
     assert result.position[-1, :, 2] == pytest.approx(1 - GRAVITY * t**2 / 2, rel=1e-7)
 
 
+@pytest.mark.parametrize("onward", ["dopri5", "dop853"])
+@pytest.mark.parametrize("of", ["time", "place"])
+def test_an_event_where_a_run_is_cut_in_two_comes_once(of: str, onward: str) -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("body", mass=1.0, inertia=(0.1,) * 3, velocity=(1, 0, 0))
+
+    def value(t: float, state: lw.State) -> float:
+        return (t if of == "time" else float(state.body("body").position[0])) - 0.5
+
+    def turn_back(t: float, state: lw.State) -> None:
+        state.body("body").velocity = -state.body("body").velocity
+
+    wall = lw.Event(value, "wall", change=turn_back)
+    first = run(model, 0.5, wall, rtol=1e-9)
+    second = run(model, 1.0, wall, rtol=1e-9, integrator=onward, start=first.snapshot())
+    assert [it.t for it in first.events] == pytest.approx([0.5], abs=1e-12)
+    assert not second.events
+    assert second.position[-1, 0, 0] == pytest.approx(0.0, abs=1e-12)
+
+
 def test_an_end_and_a_change_at_the_same_time_both_count() -> None:
     end = lw.Event(lambda t, state: state.body("ball").position[2], "end", terminal=True)
     for events in ([end, floor(1.0)], [floor(1.0), end]):

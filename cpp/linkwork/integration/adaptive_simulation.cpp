@@ -145,7 +145,7 @@ void AdaptiveSimulation::begin() {
   record_if_due();
   if (finished_) return;
   with_time(t_, NAN, [&] {
-    watch_.start(t_, y_);
+    watch_.start(dynamics_.system(), t_, y_);
     step_ = initial_step();
   });
 }
@@ -365,7 +365,7 @@ void AdaptiveSimulation::look_for_events() {
   if (!leapt_ && stepper_.prepare_interpolation(dynamics_)) away_from_ = end;
   const System& system = dynamics_.system();
   const Eigen::Index size = y_.size() - 1;
-  for (const EventWatch::Found& found : watch_.scan(interpolant(), system, t_, h_)) {
+  for (const EventWatch::Found& found : watch_.scan(interpolant(), system, t_, h_, t_new_ >= schedule_.t_end)) {
     if (stops_.empty()) interpolant().interpolate(system, found.theta, workspace_);
     const double t = stops_.empty() ? t_ + found.theta * h_ : t_new_;
     of_step_.push_back({found.event, t, workspace_.head(size), workspace_.head(size)});

@@ -17,8 +17,9 @@ constexpr std::array<double, 14> places = {0x1p-22, 0x1p-20, 0x1p-18, 0x1p-16, 0
                                            0x1p-8,  0x1p-6,  0x1p-4,  0.25,    0.5,     0.75,    1.0};
 constexpr std::size_t usual_places = 4;
 
-constexpr double line = 1e-7;     // of the size of q: for differences of an event's function
-constexpr double at_rest = 1e-6;  // of the speed before an event: what those differences resolve
+constexpr double line = 1e-7;       // of the size of q: for differences of an event's function
+constexpr double roundoff = 1e-15;  // likewise
+constexpr double at_rest = 1e-6;    // of the speed before an event: what those differences resolve
 
 void check(const Event& event) {
   const auto refuse = [&](const std::string& why) { throw OptionError("event", "event '" + event.name + "': " + why); };
@@ -45,9 +46,16 @@ double EventWatch::value(std::size_t index, double t, const VectorXd& y) {
   return value;
 }
 
-void EventWatch::start(double t, const VectorXd& y) {
-  for (std::size_t k = 0; k < events_.size(); ++k) last_value_[k] = value(k, t, y);
+void EventWatch::start(const System& system, double t, const VectorXd& y) {
+  take_signs(t, y);
   fresh_ = false;
+  double s = 0.0;
+  for (std::size_t k = 0; k < events_.size(); ++k)
+    if (std::abs(last_value_[k]) <= roundoff / line * std::abs(change_along(system, k, t, y, s))) last_value_[k] = 0.0;
+}
+
+void EventWatch::take_signs(double t, const VectorXd& y) {
+  for (std::size_t k = 0; k < events_.size(); ++k) last_value_[k] = value(k, t, y);
 }
 
 /// How exactly its time is known.
@@ -57,7 +65,7 @@ double EventWatch::resolved(std::size_t index, double t) const {
 
 void EventWatch::restart(const System& system, double t, const VectorXd& before, const VectorXd& y,
                          const std::vector<Found>& happened) {
-  start(t, y);
+  take_signs(t, y);
   fresh_ = true;
   const std::vector<double> last_barriers = std::exchange(barrier_t_, std::vector<double>(events_.size(), -INFINITY));
   for (const Found& it : happened) restart(system, t, before, y, it, last_barriers[it.event]);
@@ -77,26 +85,33 @@ void EventWatch::restart(const System& system, double t, const VectorXd& before,
 /// Change of the function in time by the motion of the bodies, (g(q + s q_dot, v) - g(q, v)) / s. The difference is
 /// taken along a short line and not in time: it is as good for a slow motion as for a fast one.
 double EventWatch::rate(const System& system, std::size_t index, double t, const VectorXd& y) {
+  double s = 0.0;
+  const double change = change_along(system, index, t, y, s);
+  return s > 0.0 ? change / s : 0.0;
+}
+
+/// That difference, in the time s; s = 0 where nothing moves.
+double EventWatch::change_along(const System& system, std::size_t index, double t, const VectorXd& y, double& s) {
   const int nq = system.q_size();
   state_ = y;
   VectorXd q_dot(nq);
   system.position_rates(y.head(nq), y.segment(nq, system.v_size()), q_dot);
   const double speed = q_dot.cwiseAbs().maxCoeff();
-  if (speed == 0.0) return 0.0;
-  const double s = line * (1.0 + y.head(nq).cwiseAbs().maxCoeff()) / speed;
+  s = speed > 0.0 ? line * (1.0 + y.head(nq).cwiseAbs().maxCoeff()) / speed : 0.0;
+  if (s == 0.0) return 0.0;
   state_.head(nq) += s * q_dot;
   system.normalize(state_.head(nq));
-  return (value(index, t, state_) - value(index, t, y)) / s;
+  return value(index, t, state_) - value(index, t, y);
 }
 
 const std::vector<EventWatch::Found>& EventWatch::scan(const Interpolant& step, const System& system, double t,
-                                                       double h) {
+                                                       double h, bool last) {
   found_.clear();
   std::fill(last_theta_.begin(), last_theta_.end(), 0.0);
   double from = 0.0;
   for (std::size_t place = fresh_ ? 0 : places.size() - usual_places; place < places.size(); ++place) {
     const std::size_t before = found_.size();
-    scan_piece(step, system, t, h, from, places[place]);
+    scan_piece(step, system, t, h, from, places[place], last && place + 1 == places.size());
     from = places[place];
     if (end_at_stop(before, t, h)) break;
   }
@@ -124,19 +139,21 @@ bool EventWatch::end_at_stop(std::size_t first, double t, double h) {
   return true;
 }
 
-void EventWatch::scan_piece(const Interpolant& step, const System& system, double t, double h, double from, double to) {
+void EventWatch::scan_piece(const Interpolant& step, const System& system, double t, double h, double from, double to,
+                            bool last) {
   for (std::size_t k = 0; k < events_.size(); ++k) {
     const auto at = [&](double theta) {
       step.interpolate(system, theta, state_);
       return value(k, t + theta * h, state_);
     };
-    const double now = at(to), last = last_value_[k];
+    const double last_value = last_value_[k], found = at(to);
+    const double now = found == 0.0 && last ? -last_value : found;
     if (now == 0.0) continue;
-    if ((last < 0.0) != (now < 0.0) && last != 0.0 && events_[k].direction * now >= 0.0) {
-      const double a = std::min(last_theta_[k], from), fa = a == 0.0 ? at(a) : last;
+    if ((last_value < 0.0) != (now < 0.0) && last_value != 0.0 && events_[k].direction * now >= 0.0) {
+      const double a = std::min(last_theta_[k], from), fa = a == 0.0 ? at(a) : last_value;
       // A sample of zero between the two has no sign, and at the start of a step the interpolant may round otherwise.
-      const double theta =
-          (fa < 0.0) == (now < 0.0) || fa == 0.0 ? a : brent(at, a, fa, to, now, events_[k].tolerance / h);
+      const bool at_a = (fa < 0.0) == (now < 0.0) || fa == 0.0;
+      const double theta = found == 0.0 ? to : at_a ? a : brent(at, a, fa, to, now, events_[k].tolerance / h);
       found_.push_back({k, theta, now > 0.0 ? 1.0 : -1.0});
     }
     last_value_[k] = now;

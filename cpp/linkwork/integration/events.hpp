@@ -60,26 +60,29 @@ class EventWatch {
   bool empty() const { return events_.empty(); }
   const Event& event(std::size_t index) const { return events_[index]; }
 
-  /// Takes the signs at (t, y), y = (q, v, work).
-  void start(double t, const VectorXd& y);
+  /// Takes the signs at (t, y), y = (q, v, work), where a motion begins: there the last event may have been, so that what
+  /// is zero up to roundoff has none.
+  void start(const System& system, double t, const VectorXd& y);
   /// The same after events that have changed the state at t from `before` to y.
   void restart(const System& system, double t, const VectorXd& before, const VectorXd& y,
                const std::vector<Found>& happened);
   /// The events of the step from t to t + h in order of time, none after the first that ends the step but those that
-  /// come with it.
-  const std::vector<Found>& scan(const Interpolant& step, const System& system, double t, double h);
+  /// come with it. `last`: of the run, at whose end zero counts as having been passed.
+  const std::vector<Found>& scan(const Interpolant& step, const System& system, double t, double h, bool last = false);
 
   /// Between steps.
   void keep(Archive& archive) { archive(last_value_, fresh_, barrier_t_); }
 
  private:
+  void take_signs(double t, const VectorXd& y);
   double value(std::size_t index, double t, const VectorXd& y);
+  double change_along(const System& system, std::size_t index, double t, const VectorXd& y, double& s);
   double rate(const System& system, std::size_t index, double t, const VectorXd& y);
   void restart(const System& system, double t, const VectorXd& before, const VectorXd& y, const Found& happened,
                double barrier_t);
   double resolved(std::size_t index, double t) const;
   bool end_at_stop(std::size_t first, double t, double h);
-  void scan_piece(const Interpolant& step, const System& system, double t, double h, double from, double to);
+  void scan_piece(const Interpolant& step, const System& system, double t, double h, double from, double to, bool last);
 
   std::vector<Event> events_;
   std::vector<double> last_value_, last_theta_;  ///< of the last sample that was not zero

@@ -88,10 +88,10 @@ class Event:
     tolerance  of the time [s], beside roundoff
 
     A step is looked at in four places: an event between two of which the function returns to its sign is
-    not seen; `step` in `simulate` limits them. A value of zero at the start or at the very end of a run is no
-    event. Events whose times are the same, but for their tolerances, all come, those that change or end the
-    run first, in the order in which they are given; each change sees what those before it have changed.
-    Events that come after ever shorter times, like the bounces of a ball, end the run with a StepSizeError;
+    not seen; `step` in `simulate` limits them. A value of zero at the start of a run is no event, at its very
+    end it is one. Events whose times are the same, but for their tolerances, all come, those that change or
+    end the run first, in the order in which they are given; each change sees what those before it have
+    changed. Events that come after ever shorter times, like the bounces of a ball, end the run with a StepSizeError;
     so does what a change has stopped and a force pushes through zero again.
     """
 
