@@ -91,8 +91,8 @@ class Event:
     not seen; `step` in `simulate` limits them. A value of zero at the start of a run is no event, at its very
     end it is one. Events whose times are the same, but for their tolerances, all come, those that change or
     end the run first, in the order in which they are given; each change sees what those before it have
-    changed. Events that come after ever shorter times, like the bounces of a ball, end the run with a StepSizeError;
-    so does what a change has stopped and a force pushes through zero again.
+    changed. Events that come after ever shorter times, like the bounces of a ball, end the run with a
+    StepSizeError; so does what a change has stopped and a force pushes through zero again.
     """
 
     function: Callable[[float, State], float]
