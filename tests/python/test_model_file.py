@@ -254,6 +254,29 @@ def test_shapes_come_back(tmp_path: Path) -> None:
         assert shape_bits(again) == shape_bits(model)
 
 
+def test_shapes_of_any_orientation_come_back_moved_or_not(tmp_path: Path) -> None:
+    """Moved shapes are where a matrix says, the Euler parameters of which are unit but for roundoff."""
+    p = np.random.default_rng(0).standard_normal((10_000, 4))
+    p /= np.linalg.norm(p, axis=1, keepdims=True)
+    boxes = [lw.Box((1, 2, 3), orientation=one) for one in p]
+    pairs = zip(boxes, lw.rotation.matrix(p[::-1]), strict=True)
+    model = crank_and_rod()
+    model.shape("crank", *boxes)
+    model.shape("rod", *(box.moved(np.zeros(3), axes) for box, axes in pairs))
+    assert shape_bits(round_trip(model, tmp_path / "model.json")) == shape_bits(model)
+
+
+def test_a_robot_comes_back_whose_box_is_turned_by_three_angles(tmp_path: Path) -> None:
+    (tmp_path / "robot.urdf").write_text(
+        '<robot name="r"><link name="base"/><link name="arm"><inertial><mass value="1"/>'
+        '<inertia ixx="1" iyy="1" izz="1"/></inertial><visual><origin rpy="2.516 -0.202 -2.527"/>'
+        '<geometry><box size="1 1 1"/></geometry></visual></link><joint name="j" type="continuous">'
+        '<parent link="base"/><child link="arm"/></joint></robot>'
+    )
+    model = lw.import_urdf(tmp_path / "robot.urdf").model
+    assert shape_bits(round_trip(model, tmp_path / "model.yaml")) == shape_bits(model)
+
+
 def shape_bits(model: lw.Model) -> list[Any]:
     return [
         (

@@ -26,6 +26,10 @@ from linkwork.errors import FileError, ModelError
 
 __all__ = ["Box", "Cylinder", "Mesh", "Rod", "Shape", "Shapes", "ShapesLike", "Sphere"]
 
+#: Euler parameters whose norm differs from 1 by no more are unit already: they stay as they are, to the last
+#: bit, so that those of any shape are the same once written to a file and read.
+ROUNDED = 8 * float(np.finfo(float).eps)
+
 
 @dataclass(frozen=True, init=False, eq=False)
 class Shape:
@@ -42,9 +46,8 @@ class Shape:
         length = float(np.linalg.norm(p))
         if abs(length - 1) > 1e-6:
             raise ModelError(f"{self.kind}: orientation has norm {length:.6g}, not 1", code="shape")
-        self._set(
-            position=_vector(self.kind, "position", position, 3), orientation=p / length, color=_color(color)
-        )
+        unit = p if abs(length - 1) <= ROUNDED else p / length
+        self._set(position=_vector(self.kind, "position", position, 3), orientation=unit, color=_color(color))
 
     def _set(self, **values: Any) -> None:
         for name, value in values.items():

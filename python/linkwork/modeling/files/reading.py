@@ -31,7 +31,7 @@ from linkwork.modeling.files.batches import Placed, add_batch, batch_key
 from linkwork.modeling.files.collection import collection_paused
 from linkwork.modeling.files.messages import faults_of_schema
 from linkwork.modeling.files.syntax import Syntax, Where, field, parse
-from linkwork.modeling.files.writing import normalized, normalized_from
+from linkwork.modeling.files.writing import normalized_from
 from linkwork.modeling.shapes import Shape
 from linkwork.options import RENAMED, renamed
 
@@ -365,7 +365,7 @@ def _with_history(model: Model, history: Sequence[float]) -> Model:
     """The same model, to the last bit, with history variables at its initial state."""
     core, count = model.compiled(), model.body_count
     q = np.array(core.q0).reshape(count, 7)
-    q[:, 3:] = normalized_from(q[:, 3:], normalized)
+    q[:, 3:] = normalized_from(q[:, 3:])
     return model.with_initial_state(q, core.v0, history)
 
 

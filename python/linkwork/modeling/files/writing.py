@@ -7,7 +7,7 @@ import json
 import os
 import re
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from itertools import repeat
 from pathlib import Path
 from typing import Any
@@ -82,7 +82,7 @@ def _bodies(core: _core.Model) -> Iterator[dict[str, Any]]:
     moments = np.diagonal(J, axis1=1, axis2=2).tolist()
     state = {
         "position": q[:, :3],
-        "orientation": normalized_from(q[:, 3:], normalized),
+        "orientation": normalized_from(q[:, 3:]),
         "velocity": v[:, :3],
         "omega": v[:, 3:],
     }
@@ -109,10 +109,7 @@ def _shapes(model: ModelBuilder) -> Iterator[dict[str, Any]]:
 
 
 def _shape_record(shape: Shape) -> dict[str, Any]:
-    record = {what: _plain(x) for what, x in shape.description().items()}
-    if "orientation" in record:
-        record["orientation"] = normalized_from(shape.orientation[None], _scaled)[0].tolist()
-    return record
+    return {what: _plain(x) for what, x in shape.description().items()}
 
 
 def _plain(value: Any) -> Any:
@@ -122,19 +119,14 @@ def _plain(value: Any) -> Any:
     return packed.pack(value) if value.ndim == 2 and len(value) >= packed.LEAST else value.tolist()
 
 
-def _scaled(p: Floats) -> Floats:
-    """As Shape does it."""
-    return np.array([one / float(np.linalg.norm(one)) for one in p]).reshape(p.shape)
-
-
 # The model normalizes the Euler parameters that it is given, which changes a few of those that are unit
 # already in the last bit. For these another p is looked for near by, from which normalization gives exactly
 # the p of the model.
-def normalized_from(p: Floats, normalized: Callable[[Floats], Floats]) -> Floats:
+def normalized_from(p: Floats) -> Floats:
     out = p.copy()
     wrong = np.arange(len(p))
     for attempt in range(1000):
-        wrong = wrong[(normalized(out[wrong]) != p[wrong]).any(axis=1)]
+        wrong = wrong[(_normalized(out[wrong]) != p[wrong]).any(axis=1)]
         if not len(wrong):
             return out
         step = attempt // 2 + 1  # up and down: at powers of two only the finer side may have one
@@ -142,7 +134,7 @@ def normalized_from(p: Floats, normalized: Callable[[Floats], Floats]) -> Floats
     raise AssertionError("no Euler parameters give those of the model")
 
 
-def normalized(p: Floats) -> Floats:
+def _normalized(p: Floats) -> Floats:
     """As the compiled model does it."""
     core, count = _core.Model(np.zeros(3)), len(p)
     still = np.zeros((count, 3))
