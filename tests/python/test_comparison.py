@@ -13,6 +13,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -22,6 +23,7 @@ import numpy as np
 import pandas
 import pytest
 from commands import running
+from drawn_words import HOSTILE, words_of
 from linkwork import mechanisms
 from linkwork.accuracy.measures import Differences, Sampled, Scales
 from linkwork.arrays import Floats
@@ -541,6 +543,14 @@ def test_picture_shows_every_method(kind: str, tmp_path: Path) -> None:
     labels = figure.axes[0].get_legend_handles_labels()[1]
     for label in slider_crank().orders():
         assert any(shown.startswith(label) for shown in labels), label
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_picture_has_the_name_of_the_model_letter_by_letter(name: str, tmp_path: Path) -> None:
+    table = slider_crank()
+    renamed = replace(table, manifest={**table.manifest, "model": name})
+    words = words_of(renamed.plot("energy"), tmp_path)
+    assert any(word.startswith(f"{name}, 0 to") for word in words)
 
 
 def test_scales_of_a_body_that_only_turns_are_those_of_its_arm() -> None:

@@ -8,6 +8,7 @@ from typing import Any
 import linkwork as lw
 import numpy as np
 import pytest
+from drawn_words import HOSTILE, words_of
 from linkwork.studies.pictures import KINDS, MOST_BINS, _at_points
 
 RUN: dict[str, Any] = {"t_end": 0.05, "step": 5e-3, "processes": 1, "progress": False}
@@ -111,6 +112,26 @@ def test_every_kind_is_drawn_and_written(kind: str, study: lw.Study, tmp_path: P
     figure = study.plot(kind, tmp_path / f"{kind}.png")
     assert (tmp_path / f"{kind}.png").stat().st_size > 5000
     assert "32 cases" in figure._suptitle.get_text()
+
+
+@pytest.fixture(scope="module")
+def oddly_named() -> lw.Study:
+    def model(_mass: float, length: float) -> lw.Model:
+        return rod(_mass, length)
+
+    outputs = {name: mixed for name in HOSTILE} | {"_$high$": "body('rod').position.z"}
+    ranges = {"_mass": (1.0, 2.0), "length": (0.5, 1.5)}
+    return lw.sweep(model, ranges, outputs, sampler="sobol", cases=16, seed=3, times=[0.01, 0.05], **RUN)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_names_are_drawn_letter_by_letter(kind: str, oddly_named: lw.Study, tmp_path: Path) -> None:
+    before = "change of " if kind == "tornado" else ""
+    outputs = ["_$high$"] if kind == "bands" else [*HOSTILE]
+    for name in outputs:
+        words = words_of(oddly_named.plot(kind, outputs=name), tmp_path)
+        assert any(word.startswith(before + name) for word in words), name
+        assert kind not in ("scatter", "surface", "tornado") or "_mass" in words
 
 
 def test_what_is_drawn_is_what_was_found(study: lw.Study) -> None:

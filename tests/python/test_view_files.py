@@ -13,6 +13,7 @@ import imageio_ffmpeg
 import linkwork as lw
 import numpy as np
 import pytest
+from drawn_words import HOSTILE, words_of
 from linkwork.cli import run
 from linkwork.errors import FileError, ModelError, OptionError
 from linkwork.view.encoding import STEPS, Pack
@@ -189,6 +190,39 @@ def test_report_says_what_the_model_is(four_bar: lw.Result) -> None:
 
 
 # --- pictures ---
+
+
+@pytest.fixture(scope="module", params=HOSTILE)
+def oddly_named(request: pytest.FixtureRequest) -> lw.Result:
+    model = lw.Model(name=request.param)
+    arm = model.body(request.param, mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0.5, 0, 0))
+    model.revolute("ground", arm, at=(0, 0, 0), axis=(0, 1, 0), name=request.param)
+    return lw.simulate(model, t_end=0.1, step=1e-2, progress=False)
+
+
+def test_names_are_drawn_letter_by_letter(oddly_named: lw.Result, tmp_path: Path) -> None:
+    """No formula is made of them, and none is left out of a legend."""
+    name = oddly_named.body_names[0]
+    of_bodies = {f"{name}  x", f"{name}  z"}
+    for kind, expected in {
+        "overview": of_bodies | {name}, "positions": of_bodies, "velocities": of_bodies,
+        "accelerations": of_bodies, "coordinates": {name}, "reactions": {name}, "phase": {name},
+    }.items():  # fmt: skip
+        words = words_of(oddly_named.plot(kind=kind), tmp_path)
+        assert words >= expected, kind
+        assert any(word.startswith(f"{name}, ") for word in words), f"title of {kind}"
+
+
+def test_a_report_takes_any_name(oddly_named: lw.Result, tmp_path: Path) -> None:
+    oddly_named.report(tmp_path / "report.html")
+    assert (tmp_path / "report.html").stat().st_size > 100_000
+
+
+def test_names_of_an_initial_pose_are_drawn_letter_by_letter(tmp_path: Path) -> None:
+    model = lw.Model(name="$x$")
+    for place, name in enumerate(HOSTILE):
+        model.body(name, mass=1.0, inertia=(0.1, 0.1, 0.1), position=(place, 0, 0))
+    assert words_of(model.plot(), tmp_path) >= {*HOSTILE, "$x$: initial pose"}
 
 
 def lines(figure: object) -> dict[str, np.ndarray]:

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from linkwork.comparison.runs import WRONG, Outcome
 from linkwork.errors import OptionError, nearest
-from linkwork.plots.figures import COLORS, new_figure, written
+from linkwork.plots.figures import COLORS, literal, new_figure, written
 
 if TYPE_CHECKING:
     from linkwork.comparison.table import Comparison
@@ -97,7 +97,7 @@ def _over_time(ax: Axes, comparison: Comparison, values: Callable[[Any], Sequenc
         if finest is None or finest.curves is None:
             continue
         magnitude = np.abs(np.asarray(values(finest.curves), dtype=float))
-        style = {**style, "marker": "", "label": f"{finest.label}, {finest.resolution}"}
+        style = {**style, "marker": "", "label": literal(f"{finest.label}, {finest.resolution}")}
         ax.semilogy(finest.curves.t, np.where(magnitude > 0, magnitude, np.nan), **style)
     ax.set_xlabel("time [s]")
 
@@ -113,7 +113,7 @@ def _methods(comparison: Comparison) -> list[tuple[list[Outcome], dict[str, Any]
             "marker": MARKERS[place % len(MARKERS)],
             "ms": 4.5,
             "lw": 1.3,
-            "label": cells[0].label,
+            "label": literal(cells[0].label),
         }
         if finished:
             out.append((finished, style))
@@ -148,7 +148,7 @@ def _dress(ax: Axes, comparison: Comparison) -> None:
     ax.spines[["top", "right"]].set_visible(False)
     ax.tick_params(which="both", labelsize=8)
     name = comparison.manifest.get("model") or "model"
-    ax.set_title(f"{name}, 0 to {comparison.t_end:g} s", fontsize=10, loc="left")
+    ax.set_title(literal(f"{name}, 0 to {comparison.t_end:g} s"), fontsize=10, loc="left")
     if ax.get_legend_handles_labels()[1]:
         left_out = len(comparison.methods) - METHODS
         title = f"{left_out} methods more are not shown" if left_out > 0 else None

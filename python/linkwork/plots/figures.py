@@ -70,7 +70,7 @@ def plot_methods(
             "color": COLORS[order % len(COLORS)],
             "ls": LINES[order % len(LINES)],
             "lw": 1.4,
-            "label": label,
+            "label": literal(label),
         }
         left.plot(result.t, magnitudes(result.violation[:, 0]), **line)
         right.plot(result.t, magnitudes(result.energy_error), **line)
@@ -85,7 +85,7 @@ def plot_methods(
     figure.legend(
         handles, labels, loc="outside lower center", ncols=min(len(results), 5), frameon=False, fontsize=9
     )
-    figure.suptitle(title, fontsize=11)
+    figure.suptitle(literal(title), fontsize=11)
     return written(figure, path)
 
 
@@ -148,7 +148,8 @@ def plot_positions(ax: Axes, result: Result, bodies: Sequence[int] | None = None
     for color, (name, position) in zip(COLORS, positions.items(), strict=False):
         for axis, (coordinate, line) in enumerate(COORDINATES):
             if len(position) and np.ptp(position[:, axis]) >= 0.02 * most:
-                ax.plot(result.t, position[:, axis], color=color, ls=line, label=f"{name}  {coordinate}")
+                label = literal(f"{name}  {coordinate}")
+                ax.plot(result.t, position[:, axis], color=color, ls=line, label=label)
                 plot_band(ax, result, position[:, axis], color, partial(_position_error, result, name, axis))
     which = "" if bodies else share(len(chosen), len(result.body_names), "bodies, those that move most")
     legend(ax, which)
@@ -167,7 +168,8 @@ def plot_reactions(
         magnitude = np.linalg.norm(getattr(result.reaction(j), part), axis=-1)
         doubt = "" if result.unique_reactions[j] else " (not unique)"
         line = "--" if doubt else "-"
-        ax.plot(result.t, magnitude, color=color, ls=line, label=f"{result.joint_names[j]}{doubt}")
+        label = literal(f"{result.joint_names[j]}{doubt}")
+        ax.plot(result.t, magnitude, color=color, ls=line, label=label)
         plot_band(ax, result, magnitude, color, partial(_reaction_error, result, j, part))
     if not chosen:
         ax.set_yticks([])
@@ -216,6 +218,13 @@ def share(shown: int, total: int, which: str) -> str:
     return f"{shown} of {total} {which}" if 0 < shown < total else ""
 
 
+def literal(text: str) -> str:
+    """Names as matplotlib draws them letter by letter: no formula between dollars, and in the legend, too,
+    where it leaves out what begins with an underscore."""
+    hidden = "\N{ZERO WIDTH SPACE}" if text.startswith("_") else ""
+    return hidden + text.replace("$", r"\$")
+
+
 def title_of(result: Result) -> str:
     manifest = result.manifest
     options = manifest.get("options", {})
@@ -224,7 +233,7 @@ def title_of(result: Result) -> str:
         *(options.get(key) for key in ("formulation", "stabilization", "integrator")),
     )
     step = f"step {options['step']:g} s" if options.get("step") else None
-    return ", ".join(str(word) for word in (*words, step) if word)
+    return literal(", ".join(str(word) for word in (*words, step) if word))
 
 
 def magnitudes(values: Floats) -> Floats:

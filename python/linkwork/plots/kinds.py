@@ -101,7 +101,8 @@ def _of_bodies(result: Result, chosen: Chosen, *quantities: tuple[str, str]) -> 
         for color, (name, value) in zip(COLORS, values.items(), strict=False):
             for axis, (component, line) in enumerate(figures.COORDINATES):
                 if np.abs(value[:, axis]).max(initial=0.0) > 1e-3 * most:
-                    ax.plot(result.t, value[:, axis], color=color, ls=line, label=f"{name}  {component}")
+                    label = figures.literal(f"{name}  {component}")
+                    ax.plot(result.t, value[:, axis], color=color, ls=line, label=label)
                     error = partial(_body_error, result, name, quantity, axis)
                     figures.plot_band(ax, result, value[:, axis], color, error)
         figures.legend(ax, which)
@@ -132,7 +133,7 @@ def _coordinates(result: Result, chosen: Chosen) -> Figure:
     for ax, which in zip(axes, shown, strict=True):
         figures.style(ax, f"{which} [{UNITS[which][0]}]")
         for color, motion in zip(COLORS, (it for it in motions if it.which == which), strict=False):
-            ax.plot(result.t, motion.value, color=color, label=motion.name)
+            ax.plot(result.t, motion.value, color=color, label=figures.literal(motion.name))
             figures.plot_band(ax, result, motion.value, color, partial(_coordinate_error, result, motion))
         figures.legend(ax, _share(result, motions, chosen))
     return figure
@@ -175,7 +176,7 @@ def _phase_of_bodies(result: Result, chosen: Chosen) -> Figure:
 
 def _orbit(ax: Axes, value: Floats, rate: Floats, color: str, name: str) -> None:
     """A dot where it starts."""
-    ax.plot(value, rate, color=color, lw=1.2, label=name)
+    ax.plot(value, rate, color=color, lw=1.2, label=figures.literal(name))
     ax.plot(value[:1], rate[:1], color=color, marker="o", ms=4, ls="")
     ax.margins(0.04)
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError, counted, nearest
-from linkwork.plots.figures import COLORS, check_format, new_figure, style, written
+from linkwork.plots.figures import COLORS, check_format, literal, new_figure, style, written
 
 if TYPE_CHECKING:
     from linkwork.studies.study import Study
@@ -50,6 +50,11 @@ class Column:
     @property
     def label(self) -> str:
         return f"{self.name} [{self.unit}]" if self.unit else self.name
+
+    @property
+    def drawn(self) -> str:
+        """The label in a picture."""
+        return literal(self.label)
 
 
 @dataclass(frozen=True)
@@ -163,7 +168,7 @@ def _title(study: Study, what: str, shown: int, total: int) -> str:
     parts += (
         [f"without {' and '.join(words)}, no {'number' if len(words) == 1 else 'numbers'}"] if words else []
     )
-    return ", ".join(parts)
+    return literal(", ".join(parts))
 
 
 def _words(study: Study) -> list[str]:
@@ -212,9 +217,9 @@ def _scatter(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
             ax.tick_params(labelsize=6)
             ax.spines[["top", "right"]].set_visible(False)
             if row == count - 1:
-                ax.set_xlabel(flat.label, fontsize=7)
+                ax.set_xlabel(flat.drawn, fontsize=7)
             if place == 0:
-                ax.set_ylabel(upright.label, fontsize=7)
+                ax.set_ylabel(upright.drawn, fontsize=7)
     figure.suptitle(_title(study, "scatter matrix", count, len(all_columns)), fontsize=10)
     return figure
 
@@ -230,7 +235,7 @@ def _histogram(study: Study, outputs: list[str], parameters: list[str]) -> Figur
         ax.hist(values, bins=_bins(values), color=COLORS[0], alpha=0.8)
         for at, dash in ((low, "--"), (middle, "-"), (high, "--")):
             ax.axvline(at, color="black", ls=dash, lw=1)
-        ax.set_xlabel(column.label, fontsize=9)
+        ax.set_xlabel(column.drawn, fontsize=9)
         ax.locator_params(axis="x", nbins=TICKS)
         told = f"median {middle:.4g}; {LOW:g} % below {low:.4g}, {LOW:g} % above {high:.4g}"
         ax.set_title(told + _missing(study, column), fontsize=8)
@@ -257,7 +262,7 @@ def _bands(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
         )
         least, low, quarter, middle, most, high, largest = edges
         unit = study.units.get(name, "")
-        style(ax, name + "".join(f"[{k}]" for k in place) + (f" [{unit}]" if unit else ""))
+        style(ax, literal(name + "".join(f"[{k}]" for k in place) + (f" [{unit}]" if unit else "")))
         if short := int((known.any(axis=1) & ~known.all(axis=1)).sum()):
             ax.set_title(f"{counted(short, 'case')} not at all times", fontsize=8)
         ax.fill_between(times, low, high, color=COLORS[0], alpha=0.2, lw=0, label="9 of 10")
@@ -292,9 +297,9 @@ def _surface(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
         figure.colorbar(filled, ax=ax).ax.tick_params(labelsize=7)
         ax.plot(x.values[known], y.values[known], ".", ms=2, color="black", alpha=0.5)
         ax.plot(x.values[~known], y.values[~known], "x", ms=4, color=FAILED)
-        ax.set_title(column.label + _missing(study, column), fontsize=9)
-        ax.set_xlabel(x.label, fontsize=8)
-        ax.set_ylabel(y.label, fontsize=8)
+        ax.set_title(column.drawn + _missing(study, column), fontsize=9)
+        ax.set_xlabel(x.drawn, fontsize=8)
+        ax.set_ylabel(y.drawn, fontsize=8)
         ax.tick_params(labelsize=7)
     count = len(over) - 2 + len(_words(study))
     others = (
@@ -324,10 +329,10 @@ def _tornado(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
             ax.barh(place, bar.change, color=COLORS[0] if bar.change >= 0 else COLORS[1])
         ax.axvline(0.0, color="black", lw=0.8)
         middle, half = (len(bars) - 1) / 2, max(len(bars), FEWEST_BARS) / 2
-        ax.set_yticks(range(len(bars)), [bar.parameter for bar in bars], fontsize=7)
+        ax.set_yticks(range(len(bars)), [literal(bar.parameter) for bar in bars], fontsize=7)
         ax.set_ylim(middle - half, middle + half)
         ax.locator_params(axis="x", nbins=TICKS)
-        ax.set_xlabel(f"change of {column.label}", fontsize=8)
+        ax.set_xlabel(f"change of {column.drawn}", fontsize=8)
         told = f"a linear fit explains {100 * bars[0].explained:.3g} % of the variance"
         ax.set_title(told + _missing(study, column), fontsize=8)
         ax.tick_params(labelsize=7)

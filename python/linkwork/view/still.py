@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from linkwork.plots.figures import new_figure, written
+from linkwork.plots.figures import literal, new_figure, written
 from linkwork.view.movie import Painter
 
 if TYPE_CHECKING:
@@ -37,16 +37,19 @@ def plot(result: Result, path: str | os.PathLike[str] | None = None) -> Figure:
     if len(result.body_names) <= NAMED:
         places = painter.projected(result.recorded("q", np.s_[0, :, :3]))
         for name, place in zip(result.body_names, places, strict=True):
-            ax.annotate(name, place, fontsize=8, color="0.25", ha="center", va="center", bbox=_paper())
+            ax.annotate(
+                literal(name), place, fontsize=8, color="0.25", ha="center", va="center", bbox=_paper()
+            )
     loose = result.manifest.get("loose", {})
     for joint, text in loose.items():
         place = painter.projected(result.joint_points(joint)[0])
         ax.plot(*place.T, color=LOOSE, marker="o", ms=5, lw=1.6, zorder=5)
-        words = f"{result.joint_names[joint]}: {text}"
+        words = literal(f"{result.joint_names[joint]}: {text}")
         ax.annotate(words, place.mean(axis=0), xytext=(8, 8), textcoords="offset points", fontsize=8,
                     color=LOOSE, bbox=_paper(), zorder=6)  # fmt: skip
     said = f"; {len(loose)} joint{'s' if len(loose) > 1 else ''} not held" if loose else ""
-    figure.suptitle(f"{result.manifest['model'].replace('_', ' ')}: initial pose{said}", fontsize=11)
+    name = literal(result.manifest["model"].replace("_", " "))
+    figure.suptitle(f"{name}: initial pose{said}", fontsize=11)
     return written(figure, path)
 
 
