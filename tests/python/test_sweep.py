@@ -350,6 +350,23 @@ def test_a_case_that_never_ends_is_given_up_after_its_time_and_takes_no_other_wi
     same(kept, lw.sweep(rod(), {"rod.mass": [1.0, 2.0]}, endless, **FEW))
 
 
+def slow(result: lw.Result) -> float:
+    """Where the mass is above 5 kg."""
+    time.sleep(0.3 if result.header.mass[0] > 5.0 else 0.0)
+    return 1.0
+
+
+@pytest.mark.parametrize("processes", [1, 2, 5])
+def test_a_time_limit_holds_for_each_case_however_they_are_shared_out(processes: int) -> None:
+    masses = np.arange(1.0, 9.0)
+    given: dict[str, Any] = {**FEW, "processes": processes}
+    none = lw.sweep(rod(), {"rod.mass": masses}, "energy.max", **given, case_seconds=1e-9)
+    assert none.status.tolist() == 8 * ["failed"]
+    assert {error["message"] for error in none.errors.values()} == {"not done after 1e-09 s"}
+    some = lw.sweep(rod(), {"rod.mass": masses}, slow, **given, case_seconds=0.25)
+    assert some.status.tolist() == 5 * ["finished"] + 3 * ["failed"]
+
+
 @pytest.mark.parametrize("value", [None, "text", [1.0, None], 1j])
 def test_what_a_function_gives_that_is_no_number_is_no_output(value: Any) -> None:
     """NumPy would take None for NaN."""

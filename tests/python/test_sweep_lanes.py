@@ -44,6 +44,13 @@ def same(one: lw.Study, other: lw.Study, *numbers: int) -> None:
         assert_array_equal(one.outputs[label][which], other.outputs[label][which])
 
 
+@pytest.mark.parametrize("processes", [1, 3])
+def test_a_time_limit_holds_for_each_case_in_lanes(processes: int) -> None:
+    none = study(processes=processes, case_seconds=1e-9)
+    assert none.manifest["lanes"] is True and set(none.status.tolist()) == {"failed"}
+    same(study(processes=processes, case_seconds=60.0), study())
+
+
 def test_a_case_in_lanes_has_the_bits_and_the_verdict_of_its_deterministic_run_by_itself() -> None:
     found = study()
     assert found.manifest["lanes"] is True

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import re
-import sys
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from linkwork.cli import base
+from linkwork.cli import base, streams
 
 if TYPE_CHECKING:
     from linkwork.studies import Study
@@ -25,7 +24,7 @@ __all__ = ["sweep"]
     "--case-seconds",
     type=click.FloatRange(0, min_open=True),
     metavar="S",
-    help="Wall time that a case may take [s]; one that takes longer counts as failed.",
+    help="Wall time that a case may take by itself [s]; one that takes longer counts as failed.",
 )
 @click.option("--output", "-o", type=click.Path(), metavar="FILE", help="All cases: .csv, or netCDF (.nc).")
 @click.option("--plot", "picture", type=click.Path(), metavar="FILE", help="A picture of the cases.")
@@ -88,7 +87,7 @@ def _say_if_none(study: Study) -> None:
     failed = int((study.status == "failed").sum())
     if failed == len(study):
         first = study.errors[min(study.errors)]["message"]
-        print(f"error: no case has finished, {failed} failed: {first}", file=sys.stderr)
+        streams.say("error", f"no case has finished, {failed} failed: {first}")
         raise click.exceptions.Exit(1)
 
 

@@ -16,7 +16,7 @@ from linkwork.comparison.workers import Lost, in_processes
 from linkwork.errors import LinkworkError
 from linkwork.studies.cases import Answer, Case, Runner
 from linkwork.studies.executors import adapted, workers_of
-from linkwork.studies.lanes import PACK
+from linkwork.studies.lanes import AT_ONCE, PACK
 
 __all__ = ["chunked", "run_cases"]
 
@@ -35,6 +35,9 @@ AHEAD = 3
 #: Beyond the time of one case a task of several has so long [s]; then each of them is tried alone.
 PATIENCE = 10 * TASK_SECONDS
 
+#: Beyond the time of the case that it has alone a process is waited for so long [s]: to start and to answer.
+HANDING_OVER = 1.0
+
 Chunk = Sequence[Case]
 Found = tuple[Chunk, Answer | Lost]
 Pool = Callable[[Runner, Sequence[Chunk]], Iterator[Found]]
@@ -51,7 +54,8 @@ def run_cases(
     """
     workers = workers_of(executor, processes)
     local = executor is None
-    pool = _local(processes, beat, case_seconds) if local else _on(adapted(executor), workers, beat)
+    together = AT_ONCE if runner.lanes else 1
+    pool = _local(processes, beat, case_seconds, together) if local else _on(adapted(executor), workers, beat)
     lost: list[Chunk] = []
     rest, mean = cases, 0.0
     for turn in range(3 if runner.lanes else 2):
@@ -103,15 +107,42 @@ def chunked(
     return [cases[start : start + size] for start in range(0, len(cases), size)]
 
 
-def _local(processes: int | None, beat: Callable[[], object], case_seconds: float | None) -> Pool:
+def _local(
+    processes: int | None, beat: Callable[[], object], case_seconds: float | None, together: int
+) -> Pool:
+    """Of which `together` cases are run side by side."""
+
     def run(runner: Runner, chunks: Sequence[Chunk]) -> Iterator[Found]:
         seconds = case_seconds
-        if seconds is not None and any(len(chunk) > 1 for chunk in chunks):
-            seconds += PATIENCE
+        if seconds is not None:
+            seconds += PATIENCE if any(len(chunk) > 1 for chunk in chunks) else HANDING_OVER
         for place, answer in in_processes(runner, chunks, processes, seconds, lambda _: beat()):
-            yield chunks[place], answer
+            yield from _judged(chunks[place], answer, case_seconds, together)
 
     return run
+
+
+def _judged(
+    chunk: Chunk, answer: Answer | Lost, case_seconds: float | None, together: int
+) -> Iterator[Found]:
+    """What took longer than a case may is late, by its own time or by that of all cases beside it.
+
+    That of a case alone decides in the end: which are late does not depend on how they are shared out.
+    """
+    if case_seconds is None:
+        yield chunk, answer
+        return
+    late = Lost(f"not done after {case_seconds:g} s", late=True)
+    if isinstance(answer, Lost):
+        yield chunk, late if answer.late else answer
+        return
+    groups = [slice(start, start + together) for start in range(0, len(chunk), together)]
+    slow = [it for it in groups if sum(run.seconds for run in answer.runs[it]) > case_seconds]
+    yield from ((chunk[it], late) for it in slow)
+    good = [it for it in groups if it not in slow]
+    cases, runs = ([one for it in good for one in many[it]] for many in (chunk, answer.runs))
+    if cases:
+        yield cases, Answer(answer.machine, runs)
 
 
 def _on(executor: Any, workers: int, beat: Callable[[], object]) -> Pool:

@@ -112,8 +112,9 @@ def sweep(
                 missing. It may be on a file system that machines share
     shard       (k, n): only every nth case, of arrays of jobs that begin at 0 or 1; needs `directory`
     gather      only collect what is in `directory`
-    case_seconds  wall time that one case may take [s], of local processes: what takes longer is failed, and
-                tried again when the study is run again. None: any time
+    case_seconds  wall time that one case may take by itself [s], of local processes: what takes longer is
+                failed, however the cases are shared out, and tried again when the study is run again. None:
+                any time
     progress    None: a line on a terminal or in a notebook; False: nothing
     options     of linkwork.simulate: step, rtol, integrator, events, ... Without record_every all steps are
                 recorded, so that nothing between frames is missed; on_inaccurate is "pass": see Study.verdict
