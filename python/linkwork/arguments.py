@@ -23,7 +23,7 @@ from linkwork.errors import FileError, LinkworkError, ModelError, OptionError, a
 __all__ = [
     "UNREADABLE", "array", "check_new", "check_suffix", "folders", "is_iterable",
     "is_number", "is_one_of", "is_text", "number",
-    "one_of", "optional_package", "path", "whole",
+    "one_of", "optional_package", "path", "refuse_dash", "whole",
 ]  # fmt: skip
 
 #: A shape (size,) of an array; None stands for any length.
@@ -114,11 +114,22 @@ def path(given: Any, what: str) -> Path:
     try:
         found = os.fspath(given)
         if isinstance(found, str) and found and "\0" not in found and _is_encodable(found):
+            refuse_dash(found, what)
             _refuse_special(found, what)
             return Path(found)
     except TypeError:
         pass
     raise FileError(f"{what} {given!r:.80} is no path of a file: give its name", code="path")
+
+
+def refuse_dash(path: str | bytes, what: str) -> None:
+    """FileError: the name by which other programs mean standard input and output."""
+    if path in ("-", b"-"):
+        raise FileError(
+            f"{what} '-': neither standard input nor output is taken: give the name of a file, or ./- of one "
+            "that is called so",
+            code="path",
+        )
 
 
 def _is_encodable(text: str) -> bool:

@@ -10,6 +10,7 @@ import subprocess
 import sys
 import threading
 from pathlib import Path
+from typing import Any
 
 import linkwork as lw
 import pytest
@@ -101,6 +102,55 @@ def test_output_for_which_there_is_no_room_is_an_error_in_one_line(words: list[s
     assert done.returncode == 1
     assert done.stderr.decode().startswith("error: standard output: no space left on device")
     assert done.stderr.count(b"\n") == 1
+
+
+COMMAND = f'"{sys.executable}" -m linkwork'
+IN_SHELL: dict[str, Any] = {"shell": True, "check": False, "text": True}
+
+
+@pytest.mark.parametrize("words", [
+    "list", "list joints --json", "check four_bar", "schema", "linearize four_bar", "--help", "run --help",
+    "run four_bar --t-end 0.01", "run four_bar --t-end 0.01 --json",
+])  # fmt: skip
+def test_standard_output_that_is_closed_is_an_error_in_one_line(words: str) -> None:
+    done = subprocess.run(f"{COMMAND} {words} >&-", stderr=subprocess.PIPE, **IN_SHELL)
+    *notes, error = done.stderr.splitlines()
+    assert (error, done.returncode) == ("error: standard output: bad file descriptor", 1)
+    assert all(line.startswith(("note: ", "warning: ")) for line in notes)
+
+
+def test_no_file_takes_the_place_of_standard_output_that_is_closed(tmp_path: Path) -> None:
+    source, target = tmp_path / "source.yaml", tmp_path / "target.yaml"
+    lw.mechanisms.four_bar().save(source)
+    done = subprocess.run(f'{COMMAND} convert "{source}" "{target}" >&-', stderr=subprocess.PIPE, **IN_SHELL)
+    assert lw.Model.load(target).hash() == lw.Model.load(source).hash()
+    assert (done.stderr, done.returncode) == ("error: standard output: bad file descriptor\n", 1)
+
+
+@pytest.mark.parametrize("end", ["2>&-", "2>/dev/full"])
+@pytest.mark.parametrize(("words", "code"), [
+    ("run four_bar --t-end 0.01 --json", 0), ("list joints --json", 0), ("run for_bar", 2),
+    ("run four_bar --t-end -1 --json", 1),
+])  # fmt: skip
+def test_standard_error_that_takes_nothing_leaves_output_and_exit_code_alone(
+    words: str, code: int, end: str
+) -> None:
+    """Notes and errors do not come between what is printed."""
+    done = subprocess.run(f"{COMMAND} {words} {end}", stdout=subprocess.PIPE, **IN_SHELL)
+    assert done.returncode == code
+    assert "--json" not in words or json.loads(done.stdout)
+    assert "error: " not in done.stdout and "note: " not in done.stdout
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="there is no such device here")
+@pytest.mark.parametrize(
+    ("words", "code"), [("run pendulum --t-end 0.01", 1), ("run pendulum --t-end -1", 1), ("run nix", 2)]
+)
+def test_a_log_for_which_there_is_no_room_is_named(words: str, code: int) -> None:
+    done = subprocess.run(f"{COMMAND} --log /dev/full {words}", stderr=subprocess.PIPE, **IN_SHELL)
+    last = done.stderr.splitlines()[-1]
+    assert last.startswith("error: log '/dev/full': cannot be written: no space left on device")
+    assert done.returncode == code and "Traceback" not in done.stderr
 
 
 HEAP = b"GCOL\x01\x00\x00\x00"

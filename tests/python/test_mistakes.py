@@ -18,6 +18,7 @@ ADVICE = ("; ", ": give ", "give ", "must be", "choose from", "the nearest is", 
 OF_MECHANISMS = ("run", "check", "compare", "equilibrium", "linearize", "kinematics")
 
 MISTAKES = [
+    "export run.h5 --csv -", "plot run.h5 -o -", "run pendulum --output -", "--log - list",
     "nix", "--nix", "list extra", "schema extra", "completion", "completion powershell", "validate nix",
     "validate --nix", "--log nowhere/x list", "--log folder list",
     *(f"{command}{rest}" for command in OF_MECHANISMS for rest in (

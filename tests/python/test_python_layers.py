@@ -18,6 +18,7 @@ ROOMS = [
     "rotation", "functions", "integrators", "options", "modeling", "equations", "motion", "accuracy",
     "plots", "view", "results", "running", "analyses", "importers", "mechanisms", "comparison", "studies",
     "ensemble", "validation", "benchmark", "linkwork", "cli",
+    "__main__",
 ]  # fmt: skip
 
 #: What everything speaks of: an earlier room may import these for type checkers.

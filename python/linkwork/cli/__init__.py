@@ -8,27 +8,22 @@ Exit codes: 0 done, 1 the model, the options or the run failed, 2 the command li
 
 from __future__ import annotations
 
-import errno
 import logging
 import os
 import sys
 import warnings
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
 from functools import partial
 from typing import Any, NoReturn
 
 import click
 
-from linkwork.cli import base, shells
+from linkwork.cli import base, logs, shells, streams
 from linkwork.cli.commands import linkwork
 from linkwork.errors import LinkworkError, cause
 from linkwork.running.interrupts import Terminated, honor_termination
 
 __all__ = ["main"]
-
-#: Why standard output takes no more; other errors of the system are not its.
-NO_ROOM = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO)
 
 log = logging.getLogger(__name__)
 
@@ -41,6 +36,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
 
     Anywhere on the line, `--debug` lets exceptions through, and `--force` replaces files that are there.
     """
+    streams.replace_closed()
     if shells.VARIABLE in os.environ:
         sys.exit(shells.complete(linkwork))
     words = list(sys.argv[1:] if arguments is None else arguments)
@@ -57,29 +53,33 @@ def main(arguments: Sequence[str] | None = None) -> None:
 
 def _leave(code: int) -> NoReturn:
     """At once: what a large model takes up is not given back piece by piece."""
-    for stream in (sys.stdout, sys.stderr):
-        with suppress(OSError, ValueError):
-            stream.flush()
+    streams.flush()
     logging.shutdown()
     os._exit(code)
 
 
 def run(words: list[str], debug: bool) -> int:
     """The exit code of one command; its errors are told in one line."""
+    try:
+        code = _run(words, debug)
+    finally:
+        log_failure = logs.close()
+    if log_failure is None:
+        return code
+    streams.say("error", str(log_failure))
+    return code or 1
+
+
+def _run(words: list[str], debug: bool) -> int:
     tell = partial(_complain, as_json="--json" in words)
     try:
-        with linkwork.make_context("linkwork", words) as context:  # not main(), which prints at Ctrl-C
-            linkwork.invoke(context)
-        sys.stdout.flush()  # what is wrong with it is to be told here, not at the end of Python
-        return 0
-    except click.exceptions.Exit as end:
-        return end.exit_code
+        return _invoke(words)
     except click.ClickException as error:
         return tell(_sentence(error), 2)
     except (KeyboardInterrupt, click.Abort) as stop:
         return tell(str(stop) or "interrupted", INTERRUPTED[isinstance(stop, Terminated)])
     except BrokenPipeError:
-        _print_no_more()
+        streams.print_no_more()
         return 1
     except LinkworkError as error:
         if debug:
@@ -90,15 +90,21 @@ def run(words: list[str], debug: bool) -> int:
     except Exception as error:
         if debug:
             raise
-        if isinstance(error, OSError) and error.filename is None and error.errno in NO_ROOM:
-            _print_no_more()
+        if streams.error_of_output(error):
+            streams.print_no_more()
             return tell(f"standard output: {cause(error)}", 1)
         return tell(f"{type(error).__name__}: {error} (unexpected; --debug shows where)", 1)
 
 
-def _print_no_more() -> None:
-    """To where nobody listens, or nothing can be written."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+def _invoke(words: list[str]) -> int:
+    code = 0
+    try:
+        with linkwork.make_context("linkwork", words) as context:  # not main(), which prints at Ctrl-C
+            linkwork.invoke(context)
+    except click.exceptions.Exit as end:
+        code = end.exit_code
+    sys.stdout.flush()  # what is wrong with it is to be told here, not at the end of Python
+    return code
 
 
 def _complain(
@@ -110,9 +116,13 @@ def _complain(
 
         word = {2: "usage", **dict.fromkeys(INTERRUPTED, "interrupted")}.get(code, "failed")
         usual = {"type": "UsageError" if code == 2 else "Error", "code": word}
-        print_json({"error": {**usual, "message": message, **(facts or {}), "exit_code": code}})
+        try:
+            print_json({"error": {**usual, "message": message, **(facts or {}), "exit_code": code}})
+            sys.stdout.flush()
+        except OSError:  # it is told on standard error
+            streams.print_no_more()
     for line in message.splitlines() or [""]:
-        print("error:", " ".join(line.split()), file=sys.stderr)
+        streams.say("error", line)
     return code
 
 
@@ -143,4 +153,4 @@ def _sentence(error: click.ClickException) -> str:
 
 def _show_warning(message: Warning | str, *_: Any, **__: Any) -> None:
     log.warning("%s", " ".join(str(message).split()))
-    print("warning:", " ".join(str(message).split()), file=sys.stderr)
+    streams.say("warning", str(message))

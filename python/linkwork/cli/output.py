@@ -13,6 +13,7 @@ from typing import Any
 
 from linkwork.arguments import SUFFIXES, check_new
 from linkwork.arguments import path as path_of
+from linkwork.cli import streams
 from linkwork.cli.base import may_replace
 from linkwork.errors import FileError, unwritable
 
@@ -25,7 +26,7 @@ def print_json(document: Any) -> None:
 
 def note(text: str) -> None:
     """A remark, on standard error: what is printed stays what was asked for."""
-    print(f"note: {text}", file=sys.stderr)
+    streams.say("note", text)
 
 
 def print_pairs(pairs: Iterable[tuple[str, str]]) -> None:
