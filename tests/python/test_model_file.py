@@ -95,6 +95,13 @@ def test_numbers_at_the_edges_come_back(suffix: str, tmp_path: Path) -> None:
     assert bits(round_trip(model, tmp_path / f"model{suffix}")) == bits(model)
 
 
+@pytest.mark.parametrize("zero", ["0", "0.0", "-0.0", "0e-400", "+0.000E-5", "00.0"])
+def test_a_number_that_is_written_as_zero_is_zero(zero: str, tmp_path: Path) -> None:
+    (tmp_path / "model.yaml").write_text(f"linkwork: 1\ngravity: [{zero}, 5e-324, -2.5e-320]\n")
+    gravity = lw.Model.load(tmp_path / "model.yaml").compiled().gravity
+    assert gravity.tolist() == [0.0, 5e-324, -2.5e-320]
+
+
 @pytest.mark.parametrize("suffix", SUFFIXES)
 def test_any_printable_name_comes_back(suffix: str, tmp_path: Path) -> None:
     names = ["null", "1e3", "true", "~", "yes", "a: b", "# no", "- x", "[0]", "{", "'", '"', "\\", "é",

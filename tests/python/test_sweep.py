@@ -12,6 +12,7 @@ import signal
 import subprocess
 import sys
 import time
+import warnings
 from collections import Counter
 from pathlib import Path
 from typing import Any
@@ -797,6 +798,31 @@ def test_command_refuses_before_the_first_case_what_it_could_not_write_or_draw(
         ("linkwork_study: 1", "linkwork_study: 2", r"study.yaml:1: linkwork_study: 2 is not 1"),
         ("model: rod.yaml", "model: rot.yaml", r"model file '.*rot.yaml'"),
         ("rod.mass: [1.0, 2.0, -3.0]", "rod.mass: {norn: {loc: 1}}", "no distribution 'norn'; .*'norm'"),
+        *(
+            (
+                "rod.mass: [1.0, 2.0, -3.0]",
+                f"rod.mass: {{{words}}}\ncases: 4\nsampler: random\nseed: 1",
+                f"^{said}",
+            )
+            for words, said in (
+                (
+                    "norm: {lc: 1}",
+                    "error: parameter 'rod.mass': norm has no number 'lc'; the nearest is 'loc'",
+                ),
+                ("poisson: {mu: 3, scale: 1}", "error: parameter 'rod.mass': poisson has no number 'scale'"),
+                ("beta: {a: 1}", "error: parameter 'rod.mass': beta needs a number 'b'"),
+                ("norm: {loc: x}", "error: parameter 'rod.mass': norm: loc 'x' is not a finite number"),
+                (
+                    "norm: {scale: 0}",
+                    "error: parameter 'rod.mass': its distribution is none: check its numbers",
+                ),
+                (
+                    "norm: {scale: 1e-400}",
+                    "error: .*study.yaml:6: .*scale: 1e-400 is nearer to zero than any other",
+                ),
+            )
+        ),
+        ("linkwork_study: 1", "linkwork_study: true", "study.yaml:1: linkwork_study: true is not 1"),
         (
             "rod.mass: [1.0, 2.0, -3.0]",
             "rod.mass: {norm: {loc: 1}}\ncases: 4",
@@ -822,6 +848,15 @@ def test_a_wrong_file_is_refused_with_its_line(
     (folder / "study.yaml").write_text(STUDY.replace(old, new))
     assert run(["sweep", str(folder / "study.yaml")], False) == 1
     assert re.search(message, capsys.readouterr().err)
+
+
+def test_a_distribution_that_is_none_is_refused_without_warnings() -> None:
+    from scipy import stats
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with pytest.raises(lw.OptionError, match="'rod.mass': its distribution is none"):
+            lw.sweep(rod(), {"rod.mass": stats.norm(1, 0)}, "final", sampler="random", cases=4, seed=1, **FEW)
 
 
 @pytest.mark.parametrize(("sign", "code"), [(signal.SIGINT, 130), (signal.SIGKILL, -signal.SIGKILL)])

@@ -17,9 +17,9 @@ directory: variants               # without it that of this file's name
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 from pydantic import Field, ValidationError
 
@@ -27,7 +27,7 @@ from linkwork.arguments import is_number
 from linkwork.errors import Fault, Faults, ModelFileError, OptionError, nearest
 from linkwork.mechanisms import MECHANISMS, named
 from linkwork.modeling.files.messages import faults_of_schema
-from linkwork.modeling.files.schema import Number, Record, Word
+from linkwork.modeling.files.schema import FormatVersion, Number, Record, Word
 from linkwork.modeling.files.syntax import Syntax, Where, field, parse
 
 __all__ = ["VERSION", "read_study"]
@@ -46,7 +46,7 @@ OF_STUDIES = {
 
 
 class _Document(Record):
-    linkwork_study: Literal[1]
+    linkwork_study: FormatVersion
     model: Word
     t_end: Number = Field(gt=0)
     parameters: dict[Word, Any]
@@ -135,9 +135,26 @@ def _parameter(name: str, value: Any) -> Any:
             f"parameter '{name}': scipy.stats has no distribution '{kind}'{nearest(kind, known)}",
             code="parameters",
         )
+    family = getattr(stats, kind)
+    needed = [] if family.shapes is None else family.shapes.split(", ")
+    _check_numbers(f"parameter '{name}': {kind}", numbers, needed,
+                   ["loc"] if isinstance(family, stats.rv_discrete) else ["loc", "scale"])  # fmt: skip
     try:
-        if not all(map(is_number, numbers.values())):
-            raise TypeError("its parameters are numbers")
-        return getattr(stats, kind)(**numbers)
+        return family(**numbers)
     except (TypeError, ValueError) as error:
         raise OptionError(f"parameter '{name}': {kind}: {error}", code="parameters") from error
+
+
+def _check_numbers(
+    who: str, numbers: Mapping[str, Any], needed: Sequence[str], others: Sequence[str]
+) -> None:
+    """OptionError: a number of a distribution that it does not have, that is missing, or none."""
+    known = [*needed, *others]
+    for what, number in numbers.items():
+        if what not in known:
+            raise OptionError(f"{who} has no number '{what}'{nearest(what, known)}", code="parameters")
+        if not is_number(number):
+            raise OptionError(f"{who}: {what} {number!r:.80} is not a finite number", code="parameters")
+    for what in needed:
+        if what not in numbers:
+            raise OptionError(f"{who} needs a number '{what}'", code="parameters")

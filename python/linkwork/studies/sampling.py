@@ -255,7 +255,8 @@ def _is_distribution(given: Any) -> bool:
 def _quantile(name: str, given: Any) -> Callable[[Floats], Floats]:
     """From the unit interval to values. OptionError: neither bounds nor a distribution."""
     if _is_distribution(given):
-        middle = given.ppf(0.5)
+        with np.errstate(all="ignore"):  # what is wrong is told below
+            middle = given.ppf(0.5)
         if np.ndim(middle) > 0:
             raise OptionError(
                 f"parameter '{name}': its distribution is of {np.size(middle)} numbers: give each its own",

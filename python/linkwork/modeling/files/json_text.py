@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any, NoReturn
 
 from linkwork.errors import MOST_FAULTS, Fault, Faults
+from linkwork.modeling.files.decimals import TOO_SMALL, Vanished, decimal
 
 _SPACE = re.compile(r"[ \t\n\r]*")
 _TOKENS = re.compile(r'"[^"\\]*(?:\\.[^"\\]*)*"|[\[\]{}]')
@@ -39,9 +40,10 @@ class JsonText:
         self._text = text
         self._reached: dict[tuple[str | int, ...], tuple[int, int]] = {}  # of a list: an entry, and its place
         self._offsets: dict[tuple[str | int, ...], int] = {}
-        self._any_repeated = False
+        self._any_repeated = self._any_vanished = False
         try:
-            self.data = json.loads(text, object_pairs_hook=self._object, parse_constant=_refuse_constant)
+            self.data = json.loads(text, object_pairs_hook=self._object, parse_float=self._number,
+                                   parse_constant=_refuse_constant)  # fmt: skip
         except RecursionError:
             raise Malformed([_too_deep(text)]) from None
         except json.JSONDecodeError as error:
@@ -50,9 +52,9 @@ class JsonText:
             ) from None
         except ValueError as error:  # NaN; an integer with more digits than Python takes
             raise Malformed([_unreadable_number(text, str(error))]) from None
-        if self._any_repeated:
+        if self._any_repeated or self._any_vanished:
             faults = Faults()
-            for fault in self._repetitions(self.data, (), faults):
+            for fault in self._found(self.data, (), faults):
                 faults.add(fault)
             raise Malformed(faults.all())
 
@@ -71,18 +73,29 @@ class JsonText:
         self._any_repeated = True
         return repeated
 
-    def _repetitions(self, data: Any, where: tuple[str | int, ...], so_far: Faults) -> Iterator[Fault]:
+    def _number(self, text: str) -> float:
+        value = decimal(text)
+        self._any_vanished |= isinstance(value, Vanished)
+        return value
+
+    def _found(self, data: Any, where: tuple[str | int, ...], so_far: Faults) -> Iterator[Fault]:
+        """Names that are repeated, and numbers that vanished."""
         if isinstance(data, _Repeated):
-            place = "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in where)
-            if not so_far.full:
-                self._find(where, data.names[:MOST_FAULTS])
-            for name in data.names:
-                line = 1 if so_far.full else self.line((*where, name))  # those that are counted have none
-                yield Fault(line, f"{place}.{name[:80]}".removeprefix("."), "is given twice")
+            yield from self._repetitions(data, where, so_far)
         parts = data.items() if isinstance(data, dict) else enumerate(data) if isinstance(data, list) else ()
         for part, value in parts:
             if isinstance(value, dict | list):
-                yield from self._repetitions(value, (*where, part), so_far)
+                yield from self._found(value, (*where, part), so_far)
+            elif isinstance(value, Vanished):
+                line = 1 if so_far.full else self.line((*where, part))
+                yield Fault(line, _field((*where, part)), f"{value.text} {TOO_SMALL}")
+
+    def _repetitions(self, data: _Repeated, where: tuple[str | int, ...], so_far: Faults) -> Iterator[Fault]:
+        if not so_far.full:
+            self._find(where, data.names[:MOST_FAULTS])
+        for name in data.names:
+            line = 1 if so_far.full else self.line((*where, name))  # those that are counted have none
+            yield Fault(line, _field((*where, name[:80])), "is given twice")
 
     def _offset(self, where: tuple[str | int, ...]) -> int:
         """Where in the text the value begins; of a name that is repeated the last."""
@@ -129,6 +142,11 @@ class JsonText:
             if text[place] == ",":
                 place = _skip(text, place + 1)
         return found
+
+
+def _field(where: Sequence[str | int]) -> str:
+    """A place in words: bodies[3].mass"""
+    return "".join(f"[{part}]" if isinstance(part, int) else f".{part}" for part in where).removeprefix(".")
 
 
 def _behind(text: str, place: int) -> int:

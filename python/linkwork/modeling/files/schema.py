@@ -17,7 +17,8 @@ from operator import or_
 from typing import Annotated, Any, Literal, get_origin, get_type_hints
 
 from annotated_types import Len
-from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag, create_model
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, Tag, create_model
+from pydantic_core import PydanticCustomError
 
 from linkwork import _core, functions
 from linkwork.functions.expressions import LONGEST
@@ -42,6 +43,16 @@ Vector = Annotated[list[Number], Len(3, 3)]
 Quaternion = Annotated[list[Number], Len(4, 4)]
 Matrix = Annotated[list[Vector], Len(3, 3)]
 Word = Annotated[str, Field(strict=True, min_length=1, max_length=1000)]
+
+
+def _whole(value: Any) -> Any:
+    """True and 1.0 are equal to 1."""
+    if isinstance(value, bool | float):
+        raise PydanticCustomError("literal_error", "is not {expected}", {"expected": VERSION})
+    return value
+
+
+FormatVersion = Annotated[Literal[1], BeforeValidator(_whole)]
 
 
 def _either(one: Any, many: Any) -> Any:
@@ -453,7 +464,7 @@ def setting_names() -> list[str]:
 class Document(Record):
     """A mechanism. SI units: m, kg, s, N, rad. Positions and velocities are inertial unless it is said."""
 
-    linkwork: Literal[1] = Field(description="version of the format")
+    linkwork: FormatVersion = Field(description="version of the format")
     units: Literal["SI"] = Field("SI", description="of everything in the file; there is no other choice")
     name: str = ""
     gravity: Vector = Field([0.0, 0.0, -9.81], description="acceleration, inertial [m/s2]")

@@ -18,6 +18,7 @@ from yaml import events
 from yaml.error import MarkedYAMLError, YAMLError
 
 from linkwork.errors import Fault, Faults
+from linkwork.modeling.files.decimals import TOO_SMALL, Vanished, decimal
 
 #: Levels of lists and mappings in each other.
 DEPTH = 64
@@ -30,7 +31,7 @@ OLD_BREAKS = re.compile("[\x85\u2028\u2029]")
 
 _CORE: Mapping[str, tuple[str, Callable[[str], Any]]] = {
     "int": (r"[-+]?[0-9]{1,300}", int),
-    "float": (r"[-+]?(?:\.[0-9]+|[0-9]+(?:\.[0-9]*)?)(?:[eE][-+]?[0-9]+)?", float),
+    "float": (r"[-+]?(?:\.[0-9]+|[0-9]+(?:\.[0-9]*)?)(?:[eE][-+]?[0-9]+)?", decimal),
     "null": (r"null|Null|NULL|~|", lambda _: None),
     "true": (r"true|True|TRUE", lambda _: True),
     "false": (r"false|False|FALSE", lambda _: False),
@@ -162,9 +163,13 @@ class YamlText:
             line = parent.key_line
             parent.data[key] = value
         self._lines.append(line)
-        if not is_node or parent is self._root:
+        vanished = isinstance(value, Vanished)
+        if not (is_node or vanished) or parent is self._root:
             return ""
-        return f"{parent.where}{f'[{key}]' if isinstance(key, int) else f'.{key[:80]}'}".removeprefix(".")
+        where = f"{parent.where}{f'[{key}]' if isinstance(key, int) else f'.{key[:80]}'}".removeprefix(".")
+        if vanished:
+            self._faults.add(Fault(line, where, f"{value.text} {TOO_SMALL}"))
+        return where
 
     def _check_plain(self, event: Any, line: int) -> None:
         if event.anchor is not None:
