@@ -97,6 +97,20 @@ def test_a_result_of_a_file_takes_its_laws_from_the_model(result: lw.Result, tmp
     assert np.array_equal(loaded.force("coil", swinging()).force, result.force("coil").force)
     with pytest.raises(lw.OptionError, match="has other force elements or bodies"):
         loaded.force("coil", lw.mechanisms.pendulum())
+
+
+def test_a_result_of_a_file_refuses_the_laws_of_a_model_with_other_numbers(
+    result: lw.Result, tmp_path: Path
+) -> None:
+    """Also where it is only a mass; a result that does not say of which model it is takes any of its kind."""
+    result.save(tmp_path / "run.h5")
+    loaded = lw.Result.load(tmp_path / "run.h5")
+    other = swinging().replaced(result.body_names[0], mass=7.0)
+    for found in (loaded, result):
+        with pytest.raises(lw.OptionError, match="is another model than that of this result"):
+            found.force("coil", other)
+    del loaded.header.manifest["model_hash"]
+    assert np.array_equal(loaded.force("coil", other).force, result.force("coil").force)
     with pytest.raises(lw.ModelError, match="no force element named 'koil'"):
         result.force("koil")
 

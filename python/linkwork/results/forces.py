@@ -50,16 +50,30 @@ def _law(result: Result, model: Model | None) -> ForceElement:
             "force: a result from a file has no laws of forces: give the model, result.force(name, model)",
             code="no_model",
         )
+    _check_model(result, model)
     core = model.compiled()
+    options = _core.Options()
+    options.formulation = "augmented_lagrangian"  # takes redundant joints and massless bodies, too
+    return _core.Dynamics(core, options).force_element
+
+
+def _check_model(result: Result, model: Model) -> None:
+    """OptionError: the laws of another model."""
+    core, header = model.compiled(), result.header
     own = [core.force_name(k) for k in range(core.force_count)]
     if own != list(header.force_names) or core.body_count != header.body_count:
         raise OptionError(
             f"force: the model '{model.name}' has other force elements or bodies than this result",
             code="model",
         )
-    options = _core.Options()
-    options.formulation = "augmented_lagrangian"  # takes redundant joints and massless bodies, too
-    return _core.Dynamics(core, options).force_element
+    recorded = result.manifest.get("model_hash")
+    if recorded is not None and recorded != model.hash():
+        raise OptionError(
+            f"force: the model '{model.name}' is another model than that of this result: it has other "
+            f"numbers, functions or another initial state (hash {model.hash():.8}, not {recorded!s:.8}); "
+            "give the one that was simulated",
+            code="model",
+        )
 
 
 def _deflection(result: Result, place: int, turned: Floats) -> Floats | None:

@@ -379,7 +379,8 @@ class Result:
 
             power = result.force("spring").power
 
-        model  for a result from a file, which has no laws of forces: the model of which it is
+        model  for a result from a file, which has no laws of forces: the model of which it is, with the
+               numbers, functions and initial state that it had (compared by `Model.hash`)
 
         ModelError: no such force element. OptionError: a file without `model`, or another model.
         """
