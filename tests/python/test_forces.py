@@ -43,6 +43,42 @@ def test_a_bushing_swings_at_the_frequencies_of_its_six_springs() -> None:
     assert np.abs(result.energy_error).max() < 1e-12
 
 
+def turned_bushing(q: np.ndarray, w: np.ndarray, C: tuple[float, ...]) -> tuple[np.ndarray, float]:
+    """Torque on the body, inertial, and the potential; `w` in body axes."""
+    model = lw.Model(gravity=(0, 0, 0))
+    body = ball(model, orientation=q, omega=w)
+    model.bushing("ground", body, at=((0, 0, 0), (0, 0, 0)), orientation=((1, 0, 0, 0), (1, 0, 0, 0)),
+                  rotational_stiffness=(1.0, 20.0, 300.0), rotational_damping=C, frames="body")  # fmt: skip
+    result = run(model, 1e-4, 1e-4)
+    return result.force(0).torque[0], float(result.potential_energy[0])
+
+
+def test_a_bushing_turns_by_the_potential_of_its_rotation_vector() -> None:
+    """Not by -K phi, from which it is far at one radian where stiffnesses differ."""
+    phi, still, h = np.array([1.0, 0.5, 0.2]), np.zeros(3), 1e-5
+    q = lw.rotation.about(phi, np.linalg.norm(phi))
+    torque, potential = turned_bushing(q, still, (0, 0, 0))
+    assert potential == pytest.approx(phi @ (np.array([1.0, 20.0, 300.0]) * phi) / 2, rel=1e-12)
+    A = lw.rotation.matrix(q)
+    for axis, found in zip(np.eye(3), torque, strict=True):
+        ahead, behind = (
+            turned_bushing(
+                lw.rotation.from_matrix(lw.rotation.matrix(lw.rotation.about(axis, s)) @ A), still, (0, 0, 0)
+            )[1]
+            for s in (h, -h)
+        )
+        assert found == pytest.approx(-(ahead - behind) / (2 * h), rel=1e-7)
+
+
+def test_the_torque_of_a_bushing_is_the_one_of_its_docstring() -> None:
+    phi, w, C = np.array([1.0, 0.5, 0.2]), np.array([0.3, -0.4, 0.7]), (0.3, 0.02, 0.5)
+    a = float(np.linalg.norm(phi))
+    tilde = np.cross(np.eye(3), phi)
+    J = np.eye(3) + tilde / 2 + (1 / a**2 - (1 + np.cos(a)) / (2 * a * np.sin(a))) * tilde @ tilde
+    expected = -J @ (np.array([1.0, 20.0, 300.0]) * phi + np.array(C) * (J @ w))
+    np.testing.assert_allclose(turned_bushing(lw.rotation.about(phi, a), w, C)[0], expected, rtol=1e-12)
+
+
 def test_a_bushing_turned_far_keeps_the_energy() -> None:
     model = lw.Model()
     body = ball(model, velocity=(0.3, 0.2, 0), omega=(2.0, 1.5, -1.0))

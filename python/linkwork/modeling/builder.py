@@ -415,9 +415,16 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         breaks: ArrayLike = (),
         name: str | None = None,
     ) -> Force:
-        """Join frames of a and b elastically: -k u - c u_dot along a's axes, -K phi - C phi_dot about them.
+        """Join frames of a and b elastically: springs and dampers along and about three axes.
 
-        u is the shift of b's point in a's frame, phi the rotation vector of b's frame against a's.
+        The force on b's point is -k u - c u_dot along a's axes, u its shift in a's frame [m]. Turns follow
+        the rotation vector phi of b's frame against a's [rad], below half a turn: the torque on b, in a's
+        axes, is
+
+            -J (K phi + C phi_dot),  J = I + phi~/2 + (1/a^2 - (1 + cos a) / (2 a sin a)) phi~^2,  a = |phi|
+
+        so that its power is that of the potential phi^T K phi / 2 and of the loss phi_dot^T C phi_dot; for
+        small angles J is I.
 
             body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
             model.bushing("ground", body, at=(1, 0, 0), stiffness=(1e5, 1e5, 2e4), damping=(50.0, 50.0, 9.0))
