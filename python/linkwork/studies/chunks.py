@@ -140,9 +140,9 @@ def _judged(
     slow = [it for it in groups if sum(run.seconds for run in answer.runs[it]) > case_seconds]
     yield from ((chunk[it], late) for it in slow)
     good = [it for it in groups if it not in slow]
-    cases, runs = ([one for it in good for one in many[it]] for many in (chunk, answer.runs))
-    if cases:
-        yield cases, Answer(answer.machine, runs)
+    if good:
+        runs = [run for it in good for run in answer.runs[it]]
+        yield [case for it in good for case in chunk[it]], Answer(answer.machine, runs)
 
 
 def _on(executor: Any, workers: int, beat: Callable[[], object]) -> Pool:
