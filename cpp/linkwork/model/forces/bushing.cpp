@@ -27,8 +27,9 @@ struct Bushing {
              {"rotational_damping_z", "N m s/rad", "about z", Takes::function, {.usual = 0.0, .example = 10.0}}},
         .documentation =
             "Elastic bearing between frames of a and b: along the axes of a's frame -k u - c u_dot [N] "
-            "acts on the point of b, u its shift [m]; about them -K phi - C phi_dot [N m], phi the "
-            "rotation vector of b's frame against a's [rad], exact for large rotations below half a turn."};
+            "acts on the point of b, u its shift [m]; about them -J (K phi + C phi_dot) [N m], phi the rotation "
+            "vector of b's frame against a's [rad], below half a turn, and J(phi) what makes phi_dot of the angular "
+            "velocity: 1 for small angles. The energy is phi^T K phi / 2."};
   }
 
   template <class Real>
