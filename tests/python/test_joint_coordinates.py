@@ -22,9 +22,20 @@ def run(model: lw.Model, t_end: float = 2.0, **options: object) -> lw.Result:
 def test_an_angle_goes_on_over_full_turns_however_few_frames_there_are() -> None:
     """Between two frames the rotor turns 3.2 times."""
     result = run(rotor(omega=(0, 0, -20.0)), record_every=1000)
-    angle = result.coordinate("joint")
+    with pytest.warns(lw.LinkworkWarning, match="but by its rates there"):
+        angle = result.coordinate("joint")
     assert angle.value == pytest.approx(-20.0 * result.t, abs=1e-8)
     assert angle.rate == pytest.approx(np.full(len(result), -20.0), abs=1e-9)
+
+
+def test_frames_that_are_in_step_with_a_swing_are_told() -> None:
+    """At full speed in all of them: that it goes round, or to and fro, looks the same."""
+    model = rotor(omega=(0, 0, 2 * np.pi))
+    J = float(model.compiled().inertia[0][2, 2])
+    model.rotational_spring_damper("ground", "rotor", axis=(0, 0, 1), stiffness=J * 4 * np.pi**2)
+    result = run(model, t_end=4.0, record_every=1000)
+    with pytest.warns(lw.LinkworkWarning, match="to tell but by its rates there how often it went round"):
+        result.coordinate("joint")
 
 
 def test_a_cylindrical_joint_has_two_coordinates() -> None:

@@ -107,3 +107,42 @@ def test_the_parameter_of_a_run_that_fails_is_told() -> None:
         lw.sensitivity(lambda mass: thrown(1.0, 1.0, mass), {"mass": 1e-4}, OUTPUTS, steps={"mass": 1.0},
                        t_end=0.1, step=0.01)  # fmt: skip
     assert "mass = -0.9999" in caught.value.__notes__[0]
+
+
+@pytest.mark.parametrize(
+    "run", [{"step": 0.05}, {"step": 0.1}, {"rtol": 1e-3}, {"step": 0.02, "integrator": "heun"}], ids=str
+)
+@pytest.mark.filterwarnings("ignore:.*(tolerances are too large|step is too long)")
+def test_the_error_counts_what_the_runs_are_off_by(run: dict[str, object]) -> None:
+    """A rod on a hinge with a torsion spring, against a run that is exact."""
+
+    def build(stiffness: float) -> lw.Model:
+        model = lw.Model()
+        rod = model.body("rod", mass=1.0, inertia=(0.1,) * 3, position=(1, 0, 0))
+        model.revolute("ground", rod, at=(0, 0, 0), axis=(0, 1, 0), name="pin")
+        model.rotational_spring_damper("ground", rod, axis=(0, 1, 0), stiffness=stiffness)
+        return model
+
+    def found(**options: object) -> lw.Sensitivity:
+        angle = {"angle": lambda result: result.coordinate("pin").value[-1]}
+        return lw.sensitivity(build, {"stiffness": 5.0}, angle, t_end=5.0, **options)
+
+    exact = found(rtol=1e-12, integrator="dop853")
+    coarse = found(**run)
+    off = abs(coarse.derivatives["angle"]["stiffness"] - exact.derivatives["angle"]["stiffness"])
+    assert off > 1e-6
+    assert off <= coarse.errors["angle"]["stiffness"]
+
+
+def test_at_a_kink_the_error_is_half_of_the_jump() -> None:
+    """What stands beyond the end of the way of a slider, which it just reaches."""
+
+    def build(speed: float) -> lw.Model:
+        model = lw.Model(gravity=(0, 0, 0))
+        model.body("slider", mass=1.0, inertia=(0.1,) * 3, velocity=(speed, 0, 0))
+        return model
+
+    beyond = {"beyond": lambda result: max(0.0, result.position[-1, 0, 0] - 1.0)}
+    found = lw.sensitivity(build, {"speed": 1.0}, beyond, t_end=1.0, step=1e-2)
+    assert found.derivatives["beyond"]["speed"] == pytest.approx(0.5, abs=1e-9)
+    assert found.errors["beyond"]["speed"] == pytest.approx(0.5, rel=1e-6)

@@ -475,3 +475,30 @@ def test_a_link_with_two_hinges_may_be_of_any_length(length: float) -> None:
     v_dot, _ = lw.System(model).accelerations(0.0, model.compiled().q0, model.compiled().v0)
     fall = [0, 0, -9.81 * length, 0, 0, 0]  # nothing holds it but a link that points along it
     np.testing.assert_allclose(v_dot, fall, atol=1e-9 * length)
+
+
+@pytest.mark.parametrize("offset", [1.0, 2 * np.pi, -20 * np.pi])
+def test_an_offset_that_is_not_met_where_joints_are_made_is_refused(offset: float) -> None:
+    """Whole turns, too: nothing has turned yet."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("disc", mass=1.0, inertia=INERTIA)
+    model.body("slider", mass=1.0, inertia=INERTIA, position=(0, 1, 0))
+    model.revolute("ground", "disc", at=(0, 0, 0), axis=(0, 0, 1), name="pin")
+    model.translational("ground", "slider", at=(0, 1, 0), axis=(1, 0, 0), name="slide")
+    model.coupler([("pin", 1.0), ("slide", 10.0)], offset=offset, name="coupler")
+    with pytest.raises(lw.ModelError, match="do not satisfy 1 joint"):
+        lw.simulate(model, t_end=0.1, step=1e-3)
+
+
+@pytest.mark.parametrize("kind", ["fixed", "revolute"])
+def test_frames_that_are_turned_by_half_a_turn_are_told(kind: str) -> None:
+    """The equations of joints say that axes are perpendicular: they hold for opposite ones as well."""
+    model = lw.Model(gravity=(0, 0, 0))
+    body = model.body("body", mass=1.0, inertia=INERTIA, orientation=(0, 1, 0, 0))
+    place: dict[str, Any] = {"at": ((0, 0, 0), (0, 0, 0)), "frames": "body", "name": "joint"}
+    if kind == "fixed":
+        model.fixed("ground", body, orientation=((1, 0, 0, 0), (1, 0, 0, 0)), **place)
+    else:
+        model.revolute("ground", body, axis=((0, 0, 1), (0, 0, 1)), **place)
+    with pytest.warns(lw.LinkworkWarning, match="axes of 'joint' point in opposite directions"):
+        lw.simulate(model, t_end=0.1, step=1e-2)

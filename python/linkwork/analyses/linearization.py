@@ -36,6 +36,9 @@ PRELOAD = 1e-6
 #: rounding of the differences. Its eigenvalue is rounding up to such a part of the largest, of a double one.
 NEUTRAL, ROUNDED = 1e-10, 1e-7
 
+#: And below this part of the largest stiffness.
+EPSILON = 1e-14
+
 #: Growth below this part of an eigenvalue, or this part of the largest one, is none.
 GROWTH, GROWTH_OF_LARGEST = 1e-6, 1e-12
 
@@ -204,7 +207,7 @@ def linearize(
         eigenvalues, shapes = _dense(M, C, K, Z)
     else:
         eigenvalues, shapes = _sparse(M, C, K, D, modes or MODES, near)
-    eigenvalues, shapes = _slow_first(_without_rounding(eigenvalues, shapes, M, K), shapes)
+    eigenvalues, shapes = _one_of_each_pair(_without_rounding(eq, eigenvalues, shapes, M, K), shapes)
     if small:
         eigenvalues, shapes = eigenvalues[:modes], shapes[:, :modes]
     n = model.body_count
@@ -245,8 +248,7 @@ def _accelerations(eq: Equations, t: float, q: Floats, v: Floats) -> tuple[Float
 
 def _check_balance(eq: Equations, g: Floats, K: Sparse, unbalanced: Floats) -> None:
     """ModelError: forces in the directions that the joints leave."""
-    scaled = K.multiply(eq.scale[:, None]).multiply(eq.scale[None, :])
-    springs = PRELOAD * eq.length * float(abs(scaled).max()) if K.nnz else 0.0
+    springs = PRELOAD * eq.length * float(abs(_scaled(eq, K)).max()) if K.nnz else 0.0
     scale = max(float(np.abs(g * eq.scale).max(initial=0.0)), eq.weight, springs) or 1.0
     size = np.abs(unbalanced * eq.scale)
     if size.max() > BALANCE * scale:
@@ -322,32 +324,35 @@ def _refuse_change(
         )
 
 
+def _scaled(eq: Equations, K: Sparse) -> Sparse:
+    """In N/m: rotations by the size of the mechanism."""
+    return K.multiply(eq.scale[:, None]).multiply(eq.scale[None, :])
+
+
 def _norm(a: Floats) -> float:
     return float(np.linalg.norm(a))
 
 
-def _without_rounding(s: Complex, shapes: Complex, M: Sparse, K: Sparse) -> Complex:
+def _without_rounding(eq: Equations, s: Complex, shapes: Complex, M: Sparse, K: Sparse) -> Complex:
     """Zero for neutral motions: those whose stiffness is none, and that no damping brings to rest."""
 
     def of(A: Sparse, x: Complex | Floats) -> Floats:
         return np.asarray(np.abs(np.sum(x.conj() * (A @ x), axis=0)))
 
     largest = np.abs(s).max(initial=0.0)
-    noise, mass = NEUTRAL * of(abs(K), np.abs(shapes)), of(M, shapes)
+    stiffest = float(abs(_scaled(eq, K)).max()) if K.nnz else 0.0
+    noise = NEUTRAL * of(abs(K), np.abs(shapes))
+    noise += EPSILON * stiffest * np.sum(np.abs(shapes / eq.scale[:, None]) ** 2, axis=0)
+    mass = of(M, shapes)
     neutral = (of(K, shapes) <= noise) & (np.abs(s) ** 2 * mass <= noise + (ROUNDED * largest) ** 2 * mass)
     return np.where(neutral, 0.0, s)
-
-
-def _slow_first(s: Complex, shapes: Complex) -> tuple[Complex, Complex]:
-    order = np.argsort(np.abs(s), kind="stable")
-    return s[order], shapes[:, order]
 
 
 # --- small models ---
 
 
 def _dense(M: Sparse, C: Sparse, K: Sparse, Z: Floats) -> tuple[Complex, Complex]:
-    """Eigenvalues (k,) and shapes (6n, k): y'' + ... over x = Z y, slow ones first."""
+    """Eigenvalues (k,) and shapes (6n, k): y'' + ... over x = Z y; of conjugate pairs both."""
     from scipy.linalg import eig, eigh
 
     reduced = [Z.T @ (a @ Z) for a in (M, C, K)]
@@ -366,7 +371,7 @@ def _dense(M: Sparse, C: Sparse, K: Sparse, Z: Floats) -> tuple[Complex, Complex
     left = np.block([[np.zeros((f, f)), np.eye(f)], [-k, -c]])
     right = np.block([[np.eye(f), np.zeros((f, f))], [np.zeros((f, f)), m]])
     s, y = eig(left, right)
-    return _one_of_each_pair(s * rate, Z @ y[:f])
+    return s * rate, Z @ y[:f]
 
 
 def _refuse_massless(m: Floats) -> None:
@@ -391,7 +396,9 @@ def _from_squares(squares: Floats) -> Complex:
 
 def _one_of_each_pair(s: Complex, shapes: Complex) -> tuple[Complex, Complex]:
     keep = s.imag >= -REAL * np.abs(s)
-    return _slow_first(s[keep], shapes[:, keep])
+    s, shapes = s[keep], shapes[:, keep]
+    order = np.argsort(np.abs(s), kind="stable")
+    return s[order], shapes[:, order]
 
 
 # --- large models ---

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from linkwork.accuracy.verdict import Verdict
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.modeling.model import Model
@@ -83,10 +84,11 @@ def sensitivity(
         found.derivatives["height"]["length"], found.errors["height"]["length"]
 
     Central differences with the steps h and h/2 and Richardson's extrapolation, (4 d(h/2) - d(h)) / 3, of
-    fourth order: four runs for each parameter and one at the middle. The estimated error is
-    |d(h/2) - d(h)| / 3, which is that of d(h/2), a bound for what is better, and not less than what rounding
-    makes of the differences. Where it is large, the output is not smooth in the parameter (events, stops,
-    another branch, adaptive steps with loose tolerances), or the step is not suitable. Use a fixed step, or a
+    fourth order: four runs for each parameter and one at the middle. The estimated error is the largest of
+    |d(h/2) - d(h)| / 3, which is that of d(h/2), of half the jump between the derivatives on both sides, and
+    of what rounding makes of the differences; and beside, that part of the derivative by which the verdicts
+    say that the runs are off. Where it is large, the output is not smooth in the parameter (events, stops,
+    another branch, adaptive steps with loose tolerances), or steps are not suitable. Use a fixed step, or a
     tight rtol.
 
     build       makes the model: build(length=1.0, mass=2.0)
@@ -109,11 +111,16 @@ def sensitivity(
             code="options",
         )
 
+    inexact = 0.0  # the runs, relative
+
     def measured(changed: str, value: float) -> dict[str, Floats]:
+        nonlocal inexact
         try:
             model = build(**{**at, changed: value})
             check_bodies(model)
             result = run(model) if run is not None else simulate(model, **{"progress": False, **options})
+            verdict = getattr(result, "verdict", None)
+            inexact = max(inexact, verdict.error if isinstance(verdict, Verdict) else 0.0)
             return {name: _output(name, f(result), changed, value) for name, f in outputs.items()}
         except Exception as error:
             error.add_note(f"sensitivity: in the run with {changed} = {value!r}")
@@ -128,15 +135,25 @@ def sensitivity(
         for name in outputs:
             samples = [end[name] for end in ends]
             _check_shapes(name, parameter, middle[name], samples)
-            derivatives[name][parameter], errors[name][parameter] = _extrapolated(samples, h[parameter])
+            derivative, error = _extrapolated(samples, middle[name], h[parameter])
+            derivatives[name][parameter], errors[name][parameter] = derivative, error
+    for name, found in errors.items():
+        for parameter in found:
+            found[parameter] = found[parameter] + inexact * np.abs(derivatives[name][parameter])
     return Sensitivity(middle, derivatives, errors, at, h, 1 + 4 * len(at))
 
 
-def _extrapolated(samples: list[Floats], h: float) -> tuple[Floats, Floats]:
-    """The derivative and its error from outputs at -h, -h/2, h/2, h."""
+def _extrapolated(samples: list[Floats], middle: Floats, h: float) -> tuple[Floats, Floats]:
+    """The derivative and its error from outputs at -h, -h/2, h/2, h and 0.
+
+    Central differences do not see a kink: the derivatives on both sides do, which differ by second
+    differences over h. These go to zero with h, or to the jump, half of which the derivative is off by.
+    """
     coarse, fine = (samples[3] - samples[0]) / (2 * h), (samples[2] - samples[1]) / h
+    bend, less = (samples[3] - 2 * middle + samples[0]) / h, (samples[2] - 2 * middle + samples[1]) / (h / 2)
     rounding = np.finfo(float).eps * np.max(np.abs(samples), axis=0) / h
-    return (4 * fine - coarse) / 3, np.maximum(np.abs(fine - coarse) / 3, rounding)
+    apart = np.maximum(np.abs(fine - coarse) / 3, np.abs(2 * less - bend) / 2)
+    return (4 * fine - coarse) / 3, np.maximum(apart, rounding)
 
 
 def _parameters(given: Mapping[str, float]) -> dict[str, float]:

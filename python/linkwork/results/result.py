@@ -836,11 +836,14 @@ def _check_every(every: object) -> None:
 
 
 def _check_turns(what: str, t: Floats, angle: JointCoordinate) -> None:
-    """LinkworkWarning: between frames the mean of their rates misses the angle by up to half a turn."""
-    missed = np.abs(np.diff(angle.value) - np.diff(t) * (angle.rate[1:] + angle.rate[:-1]) / 2)
-    if (missed > MISSED_TURN).any():
-        k = int(np.argmax(missed > MISSED_TURN))
-        warn(
-            f"{what}: frames are too far apart, such as at t = {t[k]:g} and {t[k + 1]:g} s, to tell how "
-            "often it went round between them: record more frames"
-        )
+    """LinkworkWarning: turns between frames follow from the rates at these alone, or not even from them."""
+    change = np.diff(angle.value)
+    missed = np.abs(change - np.diff(t) * (angle.rate[1:] + angle.rate[:-1]) / 2)
+    for doubtful, how in ((missed > MISSED_TURN, ""), (np.abs(change) > np.pi, " but by its rates there")):
+        if doubtful.any():
+            k = int(np.argmax(doubtful))
+            return warn(
+                f"{what}: frames are too far apart, such as at t = {t[k]:g} and {t[k + 1]:g} s, to tell{how} "
+                "how often it went round between them: record more frames"
+            )
+    return None

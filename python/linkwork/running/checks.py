@@ -11,7 +11,7 @@ import numpy as np
 from linkwork import _core
 from linkwork.arguments import array, number
 from linkwork.arrays import Floats
-from linkwork.equations import stiffness
+from linkwork.equations import branches, stiffness
 from linkwork.equations.assembly import Assembly, assemble
 from linkwork.equations.system import System
 from linkwork.errors import ModelError, OptionError, warn
@@ -22,6 +22,9 @@ from linkwork.motion.records import Snapshot
 
 #: Residuals of the initial state that are more than rounding, relative to the size of what is placed.
 RESIDUAL_TOLERANCE = 1e-9
+
+#: Joints whose axes are compared at the start: of more it would take longer than all else.
+MOST_COMPARED = 100_000
 
 #: Of a coordinate, relative.
 ROUNDOFF = 1e-14
@@ -184,6 +187,19 @@ def consistent(
     if not quiet:
         warn(f"{found}: corrected {changes}")
     return assembly
+
+
+def warn_of_opposed_axes(model: Model, q: Floats) -> None:
+    """LinkworkWarning: axes of joints that point away from each other, where their equations hold as well."""
+    core = model.compiled()
+    if core.joint_count > MOST_COMPARED:
+        return
+    names = [core.joint_name(int(joint)) for joint in branches.opposed(core, np.ravel(q))[:3]]
+    if names:
+        warn(
+            f"the axes of {', '.join(map(repr, names))} point in opposite directions, where the equations "
+            "hold, too: they stay turned by 180 degrees; turn the bodies, if that is not meant"
+        )
 
 
 def start_time(start: Snapshot | None) -> float:

@@ -96,18 +96,20 @@ void Coupler::evaluate(const BodyState<double>* bodies, const Signal<double>* pa
 
 /// At the first pose, such as the last one of another run: the fewest turns of two of the angles with which the
 /// relation holds, and what is left of its violation. None where it is off by little, or never holds: such a pose is to
-/// be corrected.
+/// be corrected. None either where all angles are zero, as in the pose in which joints are made: there nothing has
+/// turned yet, and an offset that is not met is a mistake.
 double Coupler::choose_turns(double violation, double* turns) const {
   std::vector<std::size_t> angles;
-  double sum = 0.0, least = std::numeric_limits<double>::infinity();
+  double sum = 0.0, least = std::numeric_limits<double>::infinity(), largest = 0.0;
   for (std::size_t k = 0; k < terms_.size(); ++k)
     if (terms_[k].coordinate->angle()) {
       angles.push_back(k);
       sum += std::abs(terms_[k].factor);
+      largest = std::max(largest, std::abs(turns[terms_[k].history]));
       least = std::min(least, std::abs(terms_[k].factor));
     }
   const auto holds = [&](double rest) { return std::abs(rest) <= same * sum; };
-  if (angles.empty() || std::abs(violation) < off * least) return violation;
+  if (angles.empty() || largest <= same || std::abs(violation) < off * least) return violation;
   const std::size_t a = angles[0], b = angles[angles.size() > 1 ? 1 : 0];
   const double f_a = turn * terms_[a].factor, f_b = turn * terms_[b].factor;
   for (int n = 0; n <= (a == b ? 0 : most_turns); ++n)
