@@ -111,36 +111,52 @@ def sensitivity(
             code="options",
         )
 
-    inexact = 0.0  # the runs, relative
+    runs = _Runs(build, at, outputs, run, options)
+    first = next(iter(at))
+    middle = runs.outputs_of(first, at[first])
+    derivatives: dict[str, dict[str, Floats]] = {name: {} for name in outputs}
+    errors: dict[str, dict[str, Floats]] = {name: {} for name in outputs}
+    for parameter, value in at.items():
+        ends = [runs.outputs_of(parameter, value + c * h[parameter]) for c in (-1.0, -0.5, 0.5, 1.0)]
+        for name in outputs:
+            samples = [end[name] for end in ends]
+            _check_shapes(name, parameter, middle[name], samples)
+            found, errors[name][parameter] = _extrapolated(samples, middle[name], h[parameter])
+            derivatives[name][parameter] = found
+    for name, by in errors.items():
+        for parameter in by:
+            by[parameter] = by[parameter] + runs.inexact * np.abs(derivatives[name][parameter])
+    return Sensitivity(middle, derivatives, errors, at, h, 1 + 4 * len(at))
 
-    def measured(changed: str, value: float) -> dict[str, Floats]:
-        nonlocal inexact
+
+@dataclass
+class _Runs:
+    """Runs with one parameter changed, and by how much the worst of them is off, relative."""
+
+    build: Callable[..., Model]
+    at: Mapping[str, float]
+    outputs: Mapping[str, Callable[[Result], ArrayLike]]
+    run: Callable[[Model], Any] | None
+    options: Mapping[str, Any]
+    inexact: float = 0.0
+
+    def outputs_of(self, changed: str, value: float) -> dict[str, Floats]:
+        """Errors name the parameter and its value in a note."""
         try:
-            model = build(**{**at, changed: value})
+            model = self.build(**{**self.at, changed: value})
             check_bodies(model)
-            result = run(model) if run is not None else simulate(model, **{"progress": False, **options})
+            result = self._result(model)
             verdict = getattr(result, "verdict", None)
-            inexact = max(inexact, verdict.error if isinstance(verdict, Verdict) else 0.0)
-            return {name: _output(name, f(result), changed, value) for name, f in outputs.items()}
+            self.inexact = max(self.inexact, verdict.error if isinstance(verdict, Verdict) else 0.0)
+            return {name: _output(name, f(result), changed, value) for name, f in self.outputs.items()}
         except Exception as error:
             error.add_note(f"sensitivity: in the run with {changed} = {value!r}")
             raise
 
-    first = next(iter(at))
-    middle = measured(first, at[first])
-    derivatives: dict[str, dict[str, Floats]] = {name: {} for name in outputs}
-    errors: dict[str, dict[str, Floats]] = {name: {} for name in outputs}
-    for parameter, value in at.items():
-        ends = [measured(parameter, value + c * h[parameter]) for c in (-1.0, -0.5, 0.5, 1.0)]
-        for name in outputs:
-            samples = [end[name] for end in ends]
-            _check_shapes(name, parameter, middle[name], samples)
-            derivative, error = _extrapolated(samples, middle[name], h[parameter])
-            derivatives[name][parameter], errors[name][parameter] = derivative, error
-    for name, found in errors.items():
-        for parameter in found:
-            found[parameter] = found[parameter] + inexact * np.abs(derivatives[name][parameter])
-    return Sensitivity(middle, derivatives, errors, at, h, 1 + 4 * len(at))
+    def _result(self, model: Model) -> Any:
+        if self.run is not None:
+            return self.run(model)
+        return simulate(model, **{"progress": False, **self.options})
 
 
 def _extrapolated(samples: list[Floats], middle: Floats, h: float) -> tuple[Floats, Floats]:

@@ -228,13 +228,12 @@ def _prepared(
     resume = resuming.of(start, key, plan.t_end)
     if start is not None:
         checks.check_start(model, system.compiled(), start, known=resume is not None)
+    known: Sequence[float] = breaks
     if resume is None:
         checks.warn_of_opposed_axes(model, start.q if start is not None else system.model.compiled().q0)
     else:
         key = resume.checkpoint.method
         system = _as_then(system, model, options, given["assemble"], key)
-    known: Sequence[float] = breaks
-    if resume is not None:
         known = breakpoints.of_run(model, given["breaks"], resume.checkpoint.t, plan.t_end)
     run = plan.run(method, system, [event for _, event in watched], start, known)
     if in_file:
