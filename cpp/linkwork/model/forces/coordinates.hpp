@@ -135,6 +135,26 @@ struct Stop : LawAlong<Stop<Coordinate>, Coordinate> {
   }
 };
 
+/// Spring, damper and actuator: parameters stiffness, damping, where the spring is free, force of the actuator.
+template <class Coordinate>
+struct LinearSpring : LawAlong<LinearSpring<Coordinate>, Coordinate> {
+  static constexpr HistoryKind history = Coordinate::history;
+  static constexpr bool valued = true;
+
+  template <class Real>
+  LINKWORK_PRIMITIVE static Along<Real> law(const ForceParameters<Real>& parameters, const Real& x, const Real& rate,
+                                            HistoryVariable<Real>& of_angle) {
+    const Real stiffness = parameters[0].value, damping = parameters[1].value;
+    of_angle.rate = select(stiffness == Real(0), Real(0), of_angle.rate);
+    const Real deflection = x - parameters[2].value;
+    const Real dissipative = parameters[3].value - damping * rate;
+    return {.force = dissipative - stiffness * deflection,
+            .potential = Real(0.5) * stiffness * deflection * deflection,
+            .power = dissipative * rate + Real(0.5) * parameters[0].rate * deflection * deflection -
+                     stiffness * deflection * parameters[2].rate};
+  }
+};
+
 /// Spring and damper by their characteristics: parameters 0 and 1, functions of extension and rate; 2 is where the
 /// spring is free. All of its power counts as work. Evaluated one by one, as all that takes functions of the state.
 template <class Coordinate>

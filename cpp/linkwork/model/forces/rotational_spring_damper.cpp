@@ -3,10 +3,7 @@
 namespace linkwork {
 
 /// Rotational spring, damper and actuator about the z axis of a joint frame.
-struct RotationalSpringDamper : LawAlong<RotationalSpringDamper, Angle> {
-  static constexpr HistoryKind history = Angle::history;
-  static constexpr bool valued = true;
-
+struct RotationalSpringDamper : LinearSpring<Angle> {
   static KindInfo info() {
     return {.name = "rotational_spring_damper",
             .placement = Angle::placement,
@@ -18,19 +15,6 @@ struct RotationalSpringDamper : LawAlong<RotationalSpringDamper, Angle> {
                 "Spring [N m/rad], damper [N m s/rad] and actuator [N m] about a joint axis: the torque on b "
                 "about the axis is -k (theta - theta_0) - c theta_dot + n, theta the angle of b against a "
                 "[rad], zero where the joint frames agree and continued over full turns."};
-  }
-
-  template <class Real>
-  LINKWORK_PRIMITIVE static Along<Real> law(const ForceParameters<Real>& parameters, const Real& theta,
-                                            const Real& rate, HistoryVariable<Real>& history) {
-    const Real stiffness = parameters[0].value, damping = parameters[1].value;
-    history.rate = select(stiffness == Real(0), Real(0), history.rate);
-    const Real deflection = theta - parameters[2].value;
-    const Real dissipative = parameters[3].value - damping * rate;
-    return {.force = dissipative - stiffness * deflection,
-            .potential = Real(0.5) * stiffness * deflection * deflection,
-            .power = dissipative * rate + Real(0.5) * parameters[0].rate * deflection * deflection -
-                     stiffness * deflection * parameters[2].rate};
   }
 };
 

@@ -3,10 +3,7 @@
 namespace linkwork {
 
 /// Spring, damper and actuator along the z axis of a joint frame.
-struct TranslationalSpringDamper : LawAlong<TranslationalSpringDamper, Displacement> {
-  static constexpr HistoryKind history = Displacement::history;
-  static constexpr bool valued = true;
-
+struct TranslationalSpringDamper : LinearSpring<Displacement> {
   static KindInfo info() {
     return {
         .name = "translational_spring_damper",
@@ -23,18 +20,6 @@ struct TranslationalSpringDamper : LawAlong<TranslationalSpringDamper, Displacem
             "Spring [N/m], damper [N s/m] and actuator [N] along a joint axis: the force on b along the axis "
             "is -k (x - x_0) - c x_dot + f, x the shift of the point of b against that of a along the "
             "axis of a [m], which may have either sign."};
-  }
-
-  template <class Real>
-  LINKWORK_PRIMITIVE static Along<Real> law(const ForceParameters<Real>& parameters, const Real& x, const Real& rate,
-                                            HistoryVariable<Real>&) {
-    const Real stiffness = parameters[0].value;
-    const Real deflection = x - parameters[2].value;
-    const Real dissipative = parameters[3].value - parameters[1].value * rate;
-    return {.force = dissipative - stiffness * deflection,
-            .potential = Real(0.5) * stiffness * deflection * deflection,
-            .power = dissipative * rate + Real(0.5) * parameters[0].rate * deflection * deflection -
-                     stiffness * deflection * parameters[2].rate};
   }
 };
 
