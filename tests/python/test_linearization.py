@@ -222,6 +222,22 @@ def test_each_of_many_equal_modes_of_a_large_model_is_found() -> None:
     assert near == pytest.approx([9, 9, 10, 10, 11, 11], rel=1e-8)
 
 
+def test_a_large_model_with_many_neutral_motions_has_them_and_no_others_first() -> None:
+    """Links in a row on balls, every tenth of which is held elastically: 600 freedoms, few with springs."""
+    model = lw.Model(gravity=(0, 0, 0))
+    before: lw.Body | str = "ground"
+    for k in range(200):
+        link = model.body(f"link {k}", mass=1.0, inertia=(0.1,) * 3, position=(k + 0.5, 0, 0))
+        model.spherical(before, link, at=(k, 0, 0))
+        if k % 10 == 0:
+            model.bushing("ground", link, at=(k + 0.5, 0, 0), stiffness=(100.0,) * 3)
+        before = link
+    found = lw.linearize(model, modes=10)
+    assert found.frequencies == pytest.approx(np.zeros(10))
+    assert np.linalg.matrix_rank(found.shapes.reshape(10, -1)) == 10
+    assert found.stable
+
+
 def test_velocities_that_do_not_follow_a_driver_are_refused() -> None:
     """A bead in the slot of a hub that turns is stable only as long as the hub rests."""
     model = lw.Model(gravity=(0, 0, 0))

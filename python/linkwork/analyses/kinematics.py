@@ -62,6 +62,7 @@ def kinematics(
     t = _times(times)
     one_of(on_singular, ("pass", "warn", "stop"), "on_singular")
     checks.check_bodies(model)
+    checks.warn_of_opposed_axes(model, model.compiled().q0)
     checks.check_tables(model, float(t[-1]))
     continuation = Continuation(Equations(model), float(t[-1]))
     continuation.prepare()
