@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from linkwork import functions
 from linkwork.functions.derivatives import disagreement
 from random_mechanisms import examples
 
@@ -61,6 +62,12 @@ def test_right_derivatives_are_taken(name: str) -> None:
     sliding().drive("slide", position=tuple(RIGHT[name]))
 
 
+@pytest.mark.parametrize("t_end", [7.0, 30.0, 1e4])
+@pytest.mark.parametrize("name", RIGHT)
+def test_right_derivatives_are_taken_all_over_a_run(name: str, t_end: float) -> None:
+    functions.as_time_function(tuple(RIGHT[name]), name).check(t_end)
+
+
 #: What goes wrong: of a derivative g.
 MISTAKES: dict[str, Callable[[Function], Function]] = {
     "sign": lambda g: lambda t: -g(t),
@@ -78,6 +85,22 @@ def test_wrong_derivatives_are_refused(name: str, mistake: str) -> None:
         sliding().drive("slide", position=(f, MISTAKES[mistake](df), ddf))
     with pytest.raises(lw.ModelError, match=r"position: the second derivative adds up to"):
         sliding().drive("slide", position=(f, df, MISTAKES[mistake](ddf)))
+
+
+@pytest.mark.parametrize("order", [1, 2])
+@pytest.mark.parametrize("wrap", ["none", "breaks"])
+def test_derivatives_that_are_wrong_later_are_refused_before_a_run(order: int, wrap: str) -> None:
+    """From 6 s on, beyond what is looked at when a driver is made."""
+    f = [lambda t: 0.3 - 0.3 * math.cos(t), lambda t: 0.3 * math.sin(t), lambda t: 0.3 * math.cos(t)]
+    right = f[order]
+    f[order] = lambda t: right(t) * (1.0 if t < 6.0 else 0.5)
+    model = sliding()
+    model.drive("slide", position=functions.with_breaks(tuple(f), 6.0) if wrap == "breaks" else tuple(f))
+    with pytest.raises(lw.ModelError, match="derivative adds up to"):
+        lw.kinematics(model, np.linspace(0, 10, 201))
+    with pytest.raises(lw.ModelError, match="derivative adds up to"):
+        lw.simulate(model, 10.0, 0.01)
+    lw.simulate(model, 5.0, 0.01)
 
 
 @st.composite

@@ -223,6 +223,12 @@ def test_wrong_derivatives_are_refused() -> None:
         as_time_function((math.sin, math.sin, math.cos), "drive")
 
 
+def test_integrals_that_would_cancel_are_refused() -> None:
+    """A cos(w t) / w beside its value at 0: at 3e-6 rad/s a position from an acceleration has 5 digits left."""
+    with pytest.raises(lw.ModelError, match=r"its integral at 3e-06 rad/s .*: give the position"):
+        functions.harmonic(1.0, 3e-6).integral()
+
+
 @pytest.mark.parametrize(("t", "values"), [
     ([0, 1], [1e308, -1e308]), ([0, 5e-324], [0, 1]), ([-1e308, 1e308], [0, 1]),
 ])  # fmt: skip

@@ -7,14 +7,14 @@ where f' is smooth, in the function's own size. Where it does not converge, the 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
 import numpy as np
 
 from linkwork.arrays import Floats
 
-__all__ = ["Disagreement", "disagreement"]
+__all__ = ["Disagreement", "disagreement", "later_starts"]
 
 Function = Callable[[float], float]
 
@@ -23,6 +23,9 @@ STARTS, LONGEST, SHORTEST = (0.0, 0.173, 1.31, 4.7), 1.0, 1e-7
 
 #: Of an interval, which is looked at, too: over whole periods everything adds up to nothing.
 PART = 0.6180339887498949
+
+#: Intervals of a run beyond the first seconds.
+LATER = 12
 
 #: By which a derivative may miss the change of the function, as a part of its own integral of |f'|.
 AGREE = 1e-3
@@ -65,12 +68,20 @@ class _Interval(NamedTuple):
         return self.miss > AGREE * self.size + 10 * self.error + self.rounding
 
 
-def disagreement(f: Function, derivative: Function) -> Disagreement | None:
-    """Where `derivative` is not that of f, in the first seconds; None where they agree.
+def later_starts(t_end: float) -> list[float]:
+    """Where intervals of a run to t_end [s] begin, beyond those of its first seconds."""
+    begins = [t_end * (k * PART % 1.0) for k in range(1, LATER + 1)]
+    return [t for t in begins if STARTS[-1] + LONGEST < t < t_end - LONGEST]
+
+
+def disagreement(
+    f: Function, derivative: Function, starts: Iterable[float] = STARTS
+) -> Disagreement | None:
+    """Where `derivative` is not that of f in intervals that begin there; None where they agree.
 
     Times at which one of them is not defined, or not smooth enough to tell, are passed over.
     """
-    for start in STARTS:
+    for start in starts:
         length = LONGEST
         while length >= SHORTEST:
             whole = _interval(f, derivative, start, start + length)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -24,6 +24,9 @@ __all__ = [
     "cycloidal", "expression", "harmonic", "piecewise_polynomial", "polynomial", "table", "with_breaks",
 ]  # fmt: skip
 
+#: Of a harmonic, below which an integral has no digits left in the first seconds [rad/s].
+SLOWEST = 1e-4
+
 #: A number, a TimeFunction, a function f(t), or a tuple (f, df, ddf) of functions of t.
 TimeFunctionLike = Any
 
@@ -40,6 +43,9 @@ class TimeFunction(ABC):
     def has_derivatives(self) -> bool:
         """False where the derivatives are not known: then the function cannot drive a constraint."""
         return True
+
+    def check(self, t_end: float) -> None:
+        """ModelError: derivatives of the user's own are wrong somewhere up to t_end [s]."""
 
     def integral(self) -> TimeFunction:
         """The function with this derivative, zero at t = 0. ModelError: it is not known."""
@@ -98,6 +104,12 @@ class Harmonic(TimeFunction):
     def integral(self) -> TimeFunction:
         if self.frequency == 0:
             return Polynomial((0.0, self.offset + self.amplitude * math.sin(self.phase)))
+        if abs(self.frequency) < SLOWEST:
+            raise ModelError(
+                f"harmonic: its integral at {self.frequency:g} rad/s would be a difference of numbers much "
+                f"larger than it, below {SLOWEST:g} rad/s: give the position instead, or a polynomial",
+                code="time_function",
+            )
         size = self.amplitude / self.frequency
         swing = Harmonic(size, self.frequency, self.phase - math.pi / 2, size * math.cos(self.phase))
         return swing if self.offset == 0 else Sum((swing, Polynomial((0.0, self.offset))))
@@ -129,6 +141,10 @@ class Sum(TimeFunction):
     @property
     def has_derivatives(self) -> bool:
         return all(term.has_derivatives for term in self.terms)
+
+    def check(self, t_end: float) -> None:
+        for term in self.terms:
+            term.check(t_end)
 
     def compiled(self) -> _core.TimeFunction:
         return _core.TimeFunction.sum([term.compiled() for term in self.terms])
@@ -182,6 +198,13 @@ class Callback(TimeFunction):
     def has_derivatives(self) -> bool:
         return self.rate is not None and self.acceleration is not None
 
+    def check(self, t_end: float) -> None:
+        """Its first seconds were looked at when it was made."""
+        from linkwork.functions.derivatives import later_starts
+
+        if self.has_derivatives and (starts := later_starts(t_end)):
+            _check_derivatives(self.value, self.rate, self.acceleration, self.what, starts)
+
     def compiled(self) -> _core.TimeFunction:
         if self.rate is None or self.acceleration is None:
             return _core.TimeFunction.callback(self.value, what=self.what)
@@ -205,6 +228,9 @@ class Broken(TimeFunction):
     @property
     def has_derivatives(self) -> bool:
         return self.function.has_derivatives
+
+    def check(self, t_end: float) -> None:
+        self.function.check(t_end)
 
     def compiled(self) -> _core.TimeFunction:
         return _core.TimeFunction.with_breaks(self.function.compiled(), list(self.times))
@@ -401,7 +427,9 @@ def as_time_function(x: TimeFunctionLike, what: str) -> float | TimeFunction:
         for function, name in zip(x, ("value", "first derivative", "second derivative"), strict=False):
             _finite(_at_zero(function, f"{what}: {name}"), f"{what}: {name} at t = 0")
         if len(x) == 3:
-            _check_derivatives(*x, what)
+            from linkwork.functions.derivatives import STARTS
+
+            _check_derivatives(*x, what, STARTS)
         return Callback(*x, what=what)  # type: ignore[misc]
     return _finite(x, what)
 
@@ -415,12 +443,12 @@ def _at_zero(function: Callable[[float], Any], what: str) -> Any:
         raise
 
 
-def _check_derivatives(f: Any, df: Any, ddf: Any, what: str) -> None:
-    """ModelError: `df` or `ddf` is not the derivative of what comes before it."""
+def _check_derivatives(f: Any, df: Any, ddf: Any, what: str, starts: Iterable[float]) -> None:
+    """ModelError: `df` or `ddf` is not the derivative of what comes before it, in an interval from there."""
     from linkwork.functions.derivatives import disagreement
 
     for name, function, derivative in (("first", f, df), ("second", df, ddf)):
-        if found := disagreement(function, derivative):
+        if found := disagreement(function, derivative, starts):
             before = "value" if name == "first" else "first derivative"
             raise ModelError(
                 f"{what}: the {name} derivative adds up to {found.integral:.6g} from t = {found.start:g} to "

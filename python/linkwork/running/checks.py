@@ -74,7 +74,7 @@ def check_bodies(model: Model) -> None:
 
 
 def check_tables(model: Model, t_end: float) -> None:
-    """OptionError: a function of time is not known from 0 to t_end."""
+    """OptionError: a function of time is not known from 0 to t_end. ModelError: its derivatives are wrong."""
     for what, signal in model.signals:
         first, last = signal.span
         if first > 0.0 or last < t_end:
@@ -83,6 +83,7 @@ def check_tables(model: Model, t_end: float) -> None:
                 "extend the table or shorten the run",
                 code="time_function_range",
             )
+        signal.check(t_end)
     _check_limits(model, t_end)
 
 
