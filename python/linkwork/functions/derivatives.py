@@ -74,9 +74,7 @@ def later_starts(t_end: float) -> list[float]:
     return [t for t in begins if STARTS[-1] + LONGEST < t < t_end - LONGEST]
 
 
-def disagreement(
-    f: Function, derivative: Function, starts: Iterable[float] = STARTS
-) -> Disagreement | None:
+def disagreement(f: Function, derivative: Function, starts: Iterable[float] = STARTS) -> Disagreement | None:
     """Where `derivative` is not that of f in intervals that begin there; None where they agree.
 
     Times at which one of them is not defined, or not smooth enough to tell, are passed over.
