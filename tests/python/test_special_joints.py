@@ -502,6 +502,10 @@ def test_frames_that_are_turned_by_half_a_turn_are_told(kind: str) -> None:
         model.revolute("ground", body, axis=((0, 0, 1), (0, 0, 1)), **place)
     with pytest.warns(lw.LinkworkWarning, match="axes of 'joint' point in opposite directions"):
         lw.simulate(model, t_end=0.1, step=1e-2)
+    with pytest.warns(lw.LinkworkWarning, match="axes of 'joint' point in opposite directions"):
+        lw.simulate_many(model, {"body.mass": [1.0, 2.0]}, 0.1, step=1e-2)
+    with pytest.warns(lw.LinkworkWarning, match="axes of 'joint' point in opposite directions"):
+        lw.sweep(model, {"body.mass": [1.0, 2.0]}, outputs=["final"], t_end=0.1, step=1e-2, processes=1)
     if kind == "fixed":  # without freedoms
         with pytest.warns(lw.LinkworkWarning, match="axes of 'joint' point in opposite directions"):
             lw.kinematics(model, [0.0, 0.1])

@@ -24,7 +24,7 @@ from linkwork.modeling.model import Model, check_model
 from linkwork.options import TABLE, check_name, check_number, check_option
 from linkwork.options import names as option_names
 from linkwork.results.result import Result
-from linkwork.running import recording, schedule
+from linkwork.running import checks, recording, schedule
 from linkwork.running.manifest import platform_facts
 from linkwork.running.members import FRAMES, Member, Method, method_of, run_members
 from linkwork.running.progress import ShowOption, counting
@@ -171,6 +171,7 @@ class Ensemble:
         _check_options(options)
         count = processor_count() if threads is None else whole(threads, 1, "threads")
         example = self._members.example()
+        checks.warn_of_opposed_axes(example, example.compiled().q0)
         asked = None if outputs is None else wanted.outputs_of(outputs)
         warns = options.get("on_inaccurate", "warn") == "warn"
         arguments = {"step": step, "integrator": integrator, "record_every": record_every, **options,

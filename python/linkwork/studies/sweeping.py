@@ -30,7 +30,7 @@ from linkwork.motion.header import Header
 from linkwork.options import TABLE, check_name, check_number, check_option, without_threads
 from linkwork.options import names as option_names
 from linkwork.results.result import Result
-from linkwork.running import recording, schedule
+from linkwork.running import checks, recording, schedule
 from linkwork.running.manifest import platform_facts
 from linkwork.running.progress import ShowOption, counting
 from linkwork.running.simulation import check_run, simulate
@@ -140,6 +140,7 @@ def sweep(
     asked = wanted.outputs_of(outputs)
     _check_names(drawn, asked)
     number, example = _example(model, source, drawn)
+    checks.warn_of_opposed_axes(example, example.compiled().q0)
     first = example if number == 0 else None
     _check_run(source, drawn, first, float(t_end), run_options)
     checked = [wanted.checked(it, probe(example, run_options), wanted_times) for it in asked]
