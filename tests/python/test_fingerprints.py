@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import functools
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import linkwork as lw
 import pytest
 import scipy.interpolate
+import scipy.spatial
 from linkwork.fingerprints import digest
 
 MINE = """
@@ -317,3 +320,40 @@ def test_models_with_forces_by_objects_are_told_apart_by_what_these_hold(
     points = ([0.0, 1.0, 2.0], [0.0, 1.0, 0.0]), ([0.0, 1.0, 2.0], [0.0, 2.0, 0.0])
     laws = {hashed(spline(*it)) for it in points}
     assert len(laws) == 2
+
+
+def rod(length: float) -> lw.Model:
+    model = lw.Model(name="rod")
+    model.body("rod", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(length, 0, 0))
+    model.revolute("ground", "rod", at=(0, 0, 0), axis=(0, 1, 0), name="pin")
+    return model
+
+
+REFERENCE: Any = None
+
+
+def reads_a_global(result: lw.Result) -> Any:
+    return REFERENCE
+
+
+def takes(result: lw.Result, reference: Any) -> Any:
+    return reference
+
+
+@pytest.mark.parametrize("make", [
+    rod, lambda length: lw.simulate(rod(length), 0.01, step=1e-3),
+    lambda length: scipy.spatial.transform.Rotation.from_euler("z", length),
+])  # fmt: skip
+def test_models_results_and_rotations_that_a_function_reads_count(
+    make: Callable[[float], Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """By what they hold: results of the same motion are the same, whatever time it took."""
+
+    def found(value: Any) -> tuple[str, ...]:
+        monkeypatch.setitem(globals(), "REFERENCE", value)
+        around = functools.partial(takes, reference=value)
+        return digest(reads_a_global), digest(around), digest(lambda result: value), digest([value])
+
+    usual, again, other = (found(make(length)) for length in (1.0, 1.0, 1.1))
+    assert usual == again
+    assert all(a != b for a, b in zip(usual, other, strict=True))

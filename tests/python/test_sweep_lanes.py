@@ -146,6 +146,31 @@ def test_with_and_without_lanes_cases_are_runs(options: dict[str, Any]) -> None:
 
 
 @pytest.mark.parametrize("in_lanes", [True, False])
+@pytest.mark.parametrize(("how", "times"), [
+    ({"step": 5e-4}, None), ({"rtol": 1e-8}, None), ({"step": 5e-4}, [1.0, 2.0]), ({"rtol": 1e-8}, [1.0, 2.0]),
+])  # fmt: skip
+def test_full_turns_are_counted_between_the_times_of_outputs(
+    how: dict[str, float], times: list[float] | None, in_lanes: bool
+) -> None:
+    """An indexing table, w t - sin w t: at rest after each turn, where few frames see neither angle nor rate."""
+    w, options = 10 * np.pi, {"progress": False, **how}
+    model = lw.Model(name="indexing table", gravity=(0, 0, 0))
+    model.revolute("ground", model.body("table", mass=1.0, inertia=(0.1, 0.1, 0.1)),
+                   at=(0, 0, 0), axis=(0, 1, 0), name="pin")  # fmt: skip
+    model.drive("pin", position=lw.functions.expression(f"{w}*t - sin({w}*t)"))
+    output = "coordinate('pin').value" + ("" if times else ".final")
+    turned = w * np.array(times) if times else 2.0 * w
+    if in_lanes:
+        many = lw.Ensemble(model, {"table.mass": [1.0, 2.0]})
+        found = many.simulate(2.0, outputs=output, times=times, **options).outputs[output]
+        np.testing.assert_allclose(found[0], turned, rtol=1e-6)
+    study = lw.sweep(model, {"table.mass": [1.0]}, output, t_end=2.0, times=times, processes=1,
+                     deterministic=in_lanes, **options)  # fmt: skip
+    assert study.manifest["lanes"] is in_lanes
+    np.testing.assert_allclose(study.outputs[output][0], turned, rtol=1e-6)
+
+
+@pytest.mark.parametrize("in_lanes", [True, False])
 def test_a_model_that_lanes_refuse_is_run_as_ever(in_lanes: bool) -> None:
     """With a limit of accelerations; not for its body with very many joints in loops."""
     model = mechanisms.scissors(16, 2)

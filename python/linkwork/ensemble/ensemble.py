@@ -177,7 +177,7 @@ class Ensemble:
         arguments = {"step": step, "integrator": integrator, "record_every": record_every, **options,
                      "deterministic": True, "on_inaccurate": "pass"}  # fmt: skip
         wanted_times, arguments = _recorded(asked, times, float(t_end), arguments)
-        last_state = asked is not None and times is None and all(it.of_last_state for it in asked)
+        last_state = asked is not None and times is None and all(it.at_end for it in asked)
         state_alone = asked is not None and all(it.of_state_alone for it in asked)
         method = method_of(example, float(t_end), arguments, count, judged=True, last_state=last_state,
                            state_alone=state_alone)  # fmt: skip
@@ -292,7 +292,7 @@ def _recorded(
         at_end = all(it.at_end for it in asked) and arguments["step"] is not None
         if at_end and times is None:
             arguments["record_every"] = max(1, math.ceil(t_end / float(arguments["step"]) / FRAMES))
-    return check_times(times, t_end, arguments)
+    return check_times(times, t_end, arguments, asked)
 
 
 def _check_run(members: _Members, method: Method) -> None:

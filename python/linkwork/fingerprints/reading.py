@@ -130,10 +130,11 @@ def _counts(value: Any, own: str) -> bool:
     kind = type(value)
     if isinstance(value, _VALUES) or value is None or hasattr(kind, "__array__"):
         return True
-    if _is_own(kind.__module__, own) or dataclasses.is_dataclass(value):
+    if _is_own(kind.__module__, own) or dataclasses.is_dataclass(value) or hasattr(kind, "__fingerprint__"):
         return True
     held = attributes(value)
-    return bool(held) and all(it is None or callable(it) or isinstance(it, _VALUES) for _, it in held)
+    said = (*_VALUES, ModuleType)
+    return bool(held) and all(it is None or callable(it) or isinstance(it, said) for _, it in held)
 
 
 def of_class(kind: type) -> list[tuple[str, Any]]:

@@ -71,7 +71,7 @@ def digests(head: str, columns: Mapping[str, Sequence[Any]]) -> list[str]:
 def canonical(value: Any) -> str:
     """A text with every bit of the value. Functions count by their code, defaults, closures, and by the data,
     functions and classes that they read of their own module and others that are not installed; objects by
-    their attributes, and by their classes where these are not installed."""
+    their attributes, and by their classes where these are not installed, or by their `__fingerprint__`."""
     try:
         return _Writer().text(value)
     except RecursionError:  # a chain of objects that is long, or for ever
@@ -168,6 +168,8 @@ def _parts_of_object(value: Any) -> list[Any]:
             kind.__qualname__,
             str(value) if isinstance(value, PathLike) else getattr(value, "__name__", ""),
         ]
+    if hasattr(kind, "__fingerprint__"):
+        return [kind.__qualname__, value.__fingerprint__()]
     own: list[Any] = [kind] if is_users(kind.__module__) else []
     if dataclasses.is_dataclass(value):
         return [*own, *((it.name, getattr(value, it.name)) for it in dataclasses.fields(value))]

@@ -226,6 +226,13 @@ class Model(ModelBuilder):
             digest.update(f"{law(own)} {place}".encode())
         return digest.hexdigest()
 
+    def __fingerprint__(self) -> str:
+        """For those who tell one value from another: see linkwork.fingerprints."""
+        core = self._core
+        bodies = [core.body_name(body) for body in range(core.body_count)]
+        joints = [core.joint_name(joint) for joint in range(core.joint_count)]
+        return repr((self.hash(), self.name, bodies, joints))
+
     def describe(self) -> str:
         """
         One line: what the model consists of.

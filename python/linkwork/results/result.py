@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import math
 import os
 import uuid
@@ -46,6 +47,9 @@ if TYPE_CHECKING:
     from linkwork.view.serving import Server
 
 Frame = Literal["inertial", "joint"]
+
+#: Frames of which a hash is made at once.
+HASHED = 256
 
 #: By which the mean rate may miss an angle between two frames before its full turns are doubtful [rad].
 MISSED_TURN = np.pi / 2
@@ -781,6 +785,17 @@ class Result:
         header = replace(state["_header"], manifest=renamed_manifest(state["_header"].manifest))
         self._checkpoint = None
         self.__dict__.update(state, _header=header, statistics=renamed_statistics(state["statistics"]))
+
+    def __fingerprint__(self) -> str:
+        """Of the motion, whatever time it took: see linkwork.fingerprints."""
+        digest = hashlib.blake2b(f"{self._header.manifest.get('model_hash')}".encode(), digest_size=16)
+        digest.update(self.t.tobytes())
+        for first in range(0, len(self), HASHED):
+            for name in ("q", "v"):
+                digest.update(
+                    np.ascontiguousarray(self._field(name, np.s_[first : first + HASHED])).tobytes()
+                )
+        return digest.hexdigest()
 
     # --- how it works ---
 

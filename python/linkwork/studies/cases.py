@@ -26,6 +26,9 @@ __all__ = ["Answer", "Case", "Run", "Runner", "machine"]
 #: A time that differs from the end by no more than this, relative, is the end: 3 * 0.1 is not 0.3.
 ROUNDED = 1e-12
 
+#: Frames of steps of any size from which turns of joints are followed.
+FOLLOWED = 1001
+
 #: Characters of remarks that are kept of a case.
 REMARKS = 300
 
@@ -129,8 +132,10 @@ def _verdict(result: Result | LastState) -> dict[str, Any]:
     return {"level": verdict.level, "error": float(verdict.error), "sentence": verdict.sentence}
 
 
-def check_times(times: Any, t_end: float, options: Mapping[str, Any]) -> tuple[Floats | None, dict[str, Any]]:
-    """The times of arrays (k,) [s], and options with frames there.
+def check_times(
+    times: Any, t_end: float, options: Mapping[str, Any], outputs: Sequence[Output]
+) -> tuple[Floats | None, dict[str, Any]]:
+    """The times of arrays (k,) [s], and options with frames there, and between where outputs are followed.
 
     OptionError: not ascending, beyond the run, or between the frames of fixed steps.
     """
@@ -148,7 +153,8 @@ def check_times(times: Any, t_end: float, options: Mapping[str, Any]) -> tuple[F
     if options.get("rtol") is not None or options.get("atol") is not None:
         if options.get("record_every") is None:
             del made["record_every"]
-        made["times"] = np.union1d(wanted, [0.0, t_end]).tolist()
+        between = FOLLOWED if any(it.followed for it in outputs) else 2
+        made["times"] = np.union1d(wanted, np.linspace(0.0, t_end, between)).tolist()
         return wanted, made
     apart = float(options.get("step") or t_end) * whole(made["record_every"], 1, "record_every")
     off = np.abs(wanted / apart - np.round(wanted / apart)) * apart > 1e-9 * t_end

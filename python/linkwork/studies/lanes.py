@@ -107,7 +107,7 @@ def _model_or_error(runner: Runner, case: Case) -> Model | Exception:
 
 
 def _method(runner: Runner, example: Model) -> Method:
-    last_state = runner.times is None and all(it.of_last_state for it in runner.outputs)
+    last_state = runner.times is None and all(it.at_end for it in runner.outputs)
     return method_of(
         example, runner.t_end, {**runner.options, "threads": 1}, 1, judged=True, last_state=last_state,
         state_alone=all(it.of_state_alone for it in runner.outputs),

@@ -86,15 +86,14 @@ class Output:
         return self.function is None and not self.reduction
 
     @property
-    def at_end(self) -> bool:
-        """Whether the last frame is enough."""
-        return self.reduction == "final" or self.of_state_alone
+    def followed(self) -> bool:
+        """Whether it depends on the frames before, as angles over full turns do."""
+        return any(step[1:2] == ("coordinate",) for step in self.steps)
 
     @property
-    def of_last_state(self) -> bool:
-        """Whether it does not depend on the frames before, as angles over full turns do."""
-        followed = any(step[1:2] == ("coordinate",) for step in self.steps)
-        return self.at_end and not followed
+    def at_end(self) -> bool:
+        """Whether the last frame is enough."""
+        return self.of_state_alone or (self.reduction == "final" and not self.followed)
 
     @property
     def of_state_alone(self) -> bool:
