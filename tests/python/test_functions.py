@@ -224,7 +224,7 @@ def test_wrong_derivatives_are_refused() -> None:
 
 
 def test_integrals_that_would_cancel_are_refused() -> None:
-    """A cos(w t) / w beside its value at 0: at 3e-6 rad/s a position from an acceleration has 5 digits left."""
+    """A cos(w t) / w less its value at 0: at 3e-6 rad/s a position from an acceleration has 5 digits."""
     with pytest.raises(lw.ModelError, match=r"its integral at 3e-06 rad/s .*: give the position"):
         functions.harmonic(1.0, 3e-6).integral()
 

@@ -46,6 +46,7 @@ class TimeFunction(ABC):
 
     def check(self, t_end: float) -> None:
         """ModelError: derivatives of the user's own are wrong somewhere up to t_end [s]."""
+        return
 
     def integral(self) -> TimeFunction:
         """The function with this derivative, zero at t = 0. ModelError: it is not known."""
