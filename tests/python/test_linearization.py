@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import linkwork as lw
 import numpy as np
 import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
 from linkwork.analyses.equations import Equations
 from linkwork.analyses.stiffness import damping, stiffness
 from linkwork.analyses.tangent import between, displaced, to_body_axes
@@ -153,6 +158,62 @@ def test_forces_of_the_users_own_count_beside_stiffer_ones(law: str, stiff: floa
     assert found.eigenvalues**2 == pytest.approx([0, -2 * k, -stiff], rel=1e-7, abs=1e-6)
     assert found.stable == (k > 0)
     assert lw.equilibrium(model, stable=False).stability == ("neutral" if k > 0 else "unstable")
+
+
+HANGERS: dict[str, Callable[[lw.Model, float, float, float], Any]] = {
+    "along an axis": lambda model, z, k, c: model.translational_spring_damper(
+        "ground", "block", at=(0, 0, z), axis=(0, 0, 1), stiffness=k, damping=c),
+    "between points": lambda model, z, k, c: model.spring_damper(
+        "ground", "block", at=((0, 0, 0), (0, 0, z)), stiffness=k, damping=c, free_length=z),
+    "bushing": lambda model, z, k, c: model.bushing(
+        "ground", "block", at=(0, 0, z), stiffness=(k,) * 3, damping=(c,) * 3),
+    "on a coordinate": lambda model, z, k, c: model.joint_force(
+        "guide", lambda t, x, v: -k * x - c * v),
+    "of two that pull": lambda model, z, k, c: [model.spring_damper(
+        "ground", "block", at=((0, 0, end), (0, 0, z)), stiffness=k / 2, damping=c / 2, free_length=z / 2)
+        for end in (0.0, 2 * z)],
+}  # fmt: skip
+
+
+@given(
+    hanger=st.sampled_from(list(HANGERS)), mass=st.floats(-9, 6), size=st.floats(-5, 3),
+    gravity=st.sampled_from((0, G)), frequency=st.floats(-1, 4),
+    ratio=st.floats(-5, -0.2),
+)  # fmt: skip
+def test_what_hangs_on_springs_alone_has_its_damping(
+    hanger: str, mass: float, size: float, gravity: float, frequency: float, ratio: float
+) -> None:
+    """Where springs balance a weight nothing is left of forces but rounding. Exponents of 10."""
+    m, z, w, ratio = (10.0**exponent for exponent in (mass, size, frequency, ratio))
+    assume(gravity / w**2 < 0.2 * z)
+    model = lw.Model(gravity=(0, 0, -gravity))
+    model.body("block", mass=m, inertia=(m * z**2 / 10,) * 3, position=(0, 0, z))
+    model.translational("ground", "block", at=(0, 0, z), axis=(0, 0, 1), name="guide")
+    HANGERS[hanger](model, z, m * w * w, 2 * ratio * m * w)
+    try:
+        rest = lw.equilibrium(model).model
+    except lw.NotConvergedError:  # where a change of the last digit of a position changes forces by more
+        assume(False)
+    found = lw.linearize(rest)
+    assert found.frequencies == pytest.approx([w], rel=1e-6)
+    assert found.damping_ratios == pytest.approx([ratio], rel=1e-4)
+
+
+def test_an_engine_on_bushings_has_their_damping() -> None:
+    model, places = lw.Model(), [(x, y) for x in (-0.3, 0.3) for y in (-0.2, 0.2)]
+    engine = model.body("engine", mass=200.0, inertia=(10.0, 14.0, 12.0), position=(0, 0, 0.5))
+    for x, y in places:
+        model.bushing(
+            "ground", engine, at=(x, y, 0.4), stiffness=(4e4, 4e4, 9e4), damping=(80.0, 80.0, 180.0)
+        )
+    exact = np.zeros((6, 6))
+    for x, y in places:
+        arm = np.array([[0, -0.1, -y], [0.1, 0, x], [y, -x, 0]])  # v of the point = v_c + arm @ omega
+        J = np.hstack([np.eye(3), arm])
+        exact += J.T @ np.diag([80.0, 80.0, 180.0]) @ J
+    found = lw.linearize(lw.equilibrium(model).model)
+    assert found.stable
+    np.testing.assert_allclose(found.C.toarray(), exact, atol=1e-8 * exact.max())
 
 
 @pytest.mark.parametrize("place", [0.0, 10.0])

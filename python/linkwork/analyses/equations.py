@@ -19,8 +19,8 @@ __all__ = ["Equations", "Terms", "Sparse"]
 #: A matrix of scipy.sparse.
 Sparse = Any
 
-#: Rates that are none [1/s].
-AT_REST = 1e-11
+#: Of the size of a mechanism: arms that are none.
+HARDLY = 1e-2
 
 #: Joints or motions that a message names.
 LISTED = 4
@@ -59,8 +59,7 @@ class Equations:
         self.independent = np.delete(np.arange(self.rank.rows), self.rank.redundant_rows)
         self.length = _size(self.core)
         found = self.dynamics.residuals(0.0, self.core.q0, self.core.v0)
-        self.row_lengths, rate, self.rounding = found[2:]
-        self.rate = rate if rate > AT_REST else 1.0  #: of its motion, or of what its forces would do [1/s]
+        self.row_lengths, _, self.rounding = found[2:]
         self.joint_of_row = np.repeat(np.arange(self.core.joint_count), np.diff(self.core.joint_rows))
         self.holonomic = self._holonomic()
         self._still = np.zeros(6 * self.core.body_count)
@@ -90,6 +89,26 @@ class Equations:
             potential=found["potential"],
             force_power=found["force_power"],
         )
+
+    def gross_forces(self, t: float, q: Floats, v: Floats) -> Floats:
+        """How large what acts on each body is before it adds up (6n,) [N, N m]: where springs balance weights
+        nothing is left of it but its rounding."""
+        core, rest = self.core, np.zeros_like(v)
+        parts = np.abs(self.dynamics.evaluate(t, q, v)["g"]).reshape(-1, 2, 3)
+        parts[:, 0] += (np.asarray(core.mass) * np.linalg.norm(core.gravity))[:, None]
+        history = np.asarray(self.dynamics.history)
+        for element, pair in enumerate(core.force_arrays()["bodies"].reshape(-1, 2)):
+            found = self.dynamics.force_element(element, np.array([t]), q, v, rest, history)
+            force, torque = (float(np.linalg.norm(it)) for it in found[:2])
+            parts[pair[pair >= 0]] += np.array([[force], [torque + force * self.length]])
+        return parts.ravel()
+
+    def rate(self, v: Floats, gross: Floats) -> float:
+        """Of its motion, or of what its gross forces would do one by one [1/s]; 1 where there are none."""
+        force = float(np.abs(gross * self.scale).reshape(-1, 6).max(axis=1).sum())
+        inertia = self.length * float(np.sum(self.core.mass))
+        of_forces = np.sqrt(force / inertia) if inertia > 0 else 0.0
+        return max(float(np.abs(v / self.scale).max(initial=0.0)) / self.length, float(of_forces)) or 1.0
 
     def Phi(self, t: float, q: Floats) -> Floats:
         """(m,) [m] or [1]"""
@@ -157,12 +176,26 @@ class Equations:
 def _size(core: _core.Model) -> float:
     """The largest arm of a joint, or distance of a body from the middle of all [m].
 
-    Without either the largest distance of the middle from a point on the ground; 1 for none.
+    Where these are as good as none the largest arm of a force element, distance of the middle from a point
+    on the ground, or the smallest radius of gyration; 1 for none.
     """
     r = core.q0.reshape(-1, 7)[:, :3]
-    joints, middle = core.joint_arrays(), r.mean(axis=0)
-    on_bodies = joints["bodies"] >= 0
-    arms = np.abs(joints["origin"][on_bodies]).max(initial=0.0)
-    spread = np.linalg.norm(r - middle, axis=1).max(initial=0.0)
-    way = np.linalg.norm(joints["origin"][~on_bodies] - middle, axis=1).max(initial=0.0)
-    return float(max(arms, spread) or way) or 1.0
+    middle = r.mean(axis=0)
+    arms, way = _reach(core.joint_arrays(), middle)
+    size = max(arms, float(np.linalg.norm(r - middle, axis=1).max(initial=0.0)))
+    other = max(way, *_reach(core.force_arrays(), middle), _gyration(core))
+    return (size if size > HARDLY * other else other) or 1.0
+
+
+def _reach(elements: dict[str, Any], middle: Floats) -> tuple[float, float]:
+    """The largest arm on a body, and distance of a point on the ground from the middle [m]."""
+    on_bodies, origin = elements["bodies"] >= 0, elements["origin"]
+    way = np.linalg.norm(origin[~on_bodies] - middle, axis=1)
+    return float(np.abs(origin[on_bodies]).max(initial=0.0)), float(way.max(initial=0.0))
+
+
+def _gyration(core: _core.Model) -> float:
+    """The smallest of the bodies' radii of gyration [m]; 0 where none has mass and inertia."""
+    mass = np.asarray(core.mass)
+    squares = np.trace(np.asarray(core.inertia), axis1=1, axis2=2)[mass > 0] / (2 * mass[mass > 0])
+    return float(np.sqrt(squares[squares > 0].min(initial=np.inf))) if (squares > 0).any() else 0.0

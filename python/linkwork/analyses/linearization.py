@@ -239,7 +239,7 @@ def _coefficients(
         unbalanced, multipliers, _ = balance(eq, at.t, q)
     terms = eq.terms(at.t, q, v)
     if check:
-        _check_velocities(eq, terms, v)
+        _check_velocities(eq, terms, v, eq.gross_forces(at.t, q, v))
     K, C = stiffness(eq, at.t, q, v, multipliers), damping(eq, at.t, q, v)
     if check:
         _check_balance(eq, terms.g, K, unbalanced)
@@ -266,11 +266,10 @@ def _check_balance(eq: Equations, g: Floats, K: Sparse, unbalanced: Floats) -> N
         )
 
 
-def _check_velocities(eq: Equations, terms: Terms, v: Floats) -> None:
+def _check_velocities(eq: Equations, terms: Terms, v: Floats, gross: Floats) -> None:
     """ModelError: a driver moves, and the bodies do not."""
-    rate = max(eq.rate, float(np.abs(v / eq.scale).max()) / eq.length)
     off = np.abs(terms.Phi_dot) / eq.row_lengths
-    if off.max(initial=0.0) > FOLLOWED * rate:
+    if off.max(initial=0.0) > FOLLOWED * eq.rate(v, gross):
         name = eq.joints([int(off.argmax())])[0]
         raise ModelError(
             f"linearize: the velocities of the model '{eq.model.name}' do not satisfy joint '{name}', as "

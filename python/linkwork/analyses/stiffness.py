@@ -13,6 +13,7 @@ the geometric stiffness: it is what a string gains by its tension.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,8 +27,14 @@ __all__ = ["damping", "stiffness"]
 
 Indices = NDArray[np.intp]
 
+#: Of a small motion (6n,): the change of g, and what is its rounding (6n,).
+Difference = Callable[[Floats], tuple[Floats, Floats]]
+
 #: Of the differences: in sizes of the mechanism and rad for constraints and forces; of velocities relative.
 CONSTRAINT_STEP, FORCE_STEP, VELOCITY_STEP = 1e-3, 1e-5, 1e-4
+
+#: Of those of forces at least, in distances from the origin: positions have 16 digits.
+PLACE_STEP = 1e-10
 
 #: f' = sum w_k f(k h) / h.
 STENCIL = ((-2, 1 / 12), (-1, -2 / 3), (1, 2 / 3), (2, -1 / 12))
@@ -41,7 +48,7 @@ AGREEMENT, FEW = 1e-6, 50
 
 #: Differences in steps shorter by this factor are the same but for such a part, or the steps become shorter,
 #: so often at most.
-SHORTEN, SMOOTH, SHORTER = 8.0, 1e-5, 5
+SHORTEN, SMOOTH, SHORTER = 8.0, 1e-6, 5
 
 
 def stiffness(equations: Equations, t: float, q: Floats, v: Floats, multipliers: Floats) -> Sparse:
@@ -54,7 +61,9 @@ def stiffness(equations: Equations, t: float, q: Floats, v: Floats, multipliers:
         g: Floats = equations.dynamics.evaluate(t, displaced(q, x), v)["g"]
         return g
 
-    elastic = _force_part(equations, force, FORCE_STEP * equations.length / units)
+    gross = equations.gross_forces(t, q, v)
+    step = max(FORCE_STEP * equations.length, PLACE_STEP * float(np.abs(q.reshape(-1, 7)[:, :3]).max()))
+    elastic = _force_part(equations, force, step / units, gross)
     return -(turn.T @ (geometric + elastic)).tocsr()
 
 
@@ -68,12 +77,9 @@ def damping(equations: Equations, t: float, q: Floats, v: Floats) -> Sparse:
         g: Floats = equations.dynamics.evaluate(t, q, v + change)["g"]
         return g
 
-    steps = (
-        VELOCITY_STEP
-        * equations.scale
-        * max(equations.length * equations.rate, float(np.abs(v / equations.scale).max()))
-    )
-    C = -(turn.T @ _force_part(equations, force, steps) @ turn)
+    gross = equations.gross_forces(t, q, v)
+    steps = VELOCITY_STEP * equations.scale * equations.length * equations.rate(v, gross)
+    C = -(turn.T @ _force_part(equations, force, steps, gross) @ turn)
     omega = v.reshape(-1, 6)[:, 3:]
     if omega.any():  # v_dot of a small motion x is T x'' - omega x (T x') in the rotations
         blocks = np.zeros((n, 6, 6))
@@ -119,24 +125,30 @@ def _constraint_part(equations: Equations, t: float, q: Floats, multipliers: Flo
     return _assembled(parts, 6 * n, coo_array)
 
 
-def _force_part(equations: Equations, force: Callable[[Floats], Floats], steps: Floats) -> Sparse:
-    """dg/dx (6n, 6n) for any g(x), x = 0 at the state, by force elements between two bodies each."""
+def _force_part(
+    equations: Equations, force: Callable[[Floats], Floats], steps: Floats, gross: Floats
+) -> Sparse:
+    """dg/dx (6n, 6n) for any g(x), x = 0 at the state, by force elements between two bodies each.
+
+    `gross` (6n,): what g is the sum of, see Equations.gross_forces.
+    """
+    difference = partial(_difference, force, gross)
     core, n = equations.core, equations.core.body_count
     laws = np.array(core.joint_force_bodies, dtype=int).reshape(-1, 2)
     pairs = np.concatenate([np.asarray(core.force_arrays()["bodies"], dtype=int).reshape(-1, 2), laws])
     direction = np.random.default_rng(0).uniform(0.5, 1.0, 6 * n)
-    steps = _resolving(equations, force, steps, direction, pairs)
-    J = _colored(n, pairs, force, steps)
+    steps = _resolving(equations, difference, steps, direction, pairs)
+    J = _colored(n, pairs, difference, steps)
     if equations.model.user_force_count:  # these act between whichever bodies
-        expected, noise = _difference(force, steps * direction)
+        expected, noise = difference(steps * direction)
         off = np.abs(J @ (steps * direction) - expected)
         if n <= FEW or (off > AGREEMENT * np.abs(expected) + noise).any():
-            J = _colored(n, np.stack(np.triu_indices(n, 1), axis=1), force, steps)
+            J = _colored(n, np.stack(np.triu_indices(n, 1), axis=1), difference, steps)
     return J
 
 
 def _resolving(
-    equations: Equations, force: Callable[[Floats], Floats], steps: Floats, direction: Floats, pairs: Indices
+    equations: Equations, difference: Difference, steps: Floats, direction: Floats, pairs: Indices
 ) -> Floats:
     """Steps (6n,) that are shorter at bodies whose forces change otherwise in them than in shorter ones: as
     where a contact is less deep than the steps are long, or friction sticks."""
@@ -144,20 +156,20 @@ def _resolving(
     def largest(forces: Floats) -> Floats:  # of each body [N]
         return np.asarray(np.abs(forces * equations.scale).reshape(-1, 6).max(axis=1))
 
-    value, _ = _difference(force, steps * direction)
+    value, _ = difference(steps * direction)
     for _ in range(SHORTER):
-        shorter, noise = (SHORTEN * part for part in _difference(force, steps * direction / SHORTEN))
+        shorter, noise = (SHORTEN * part for part in difference(steps * direction / SHORTEN))
         off = largest(value - shorter) > SMOOTH * largest(value) + largest(noise)
         if not off.any():
             break
         inner = pairs[(pairs >= 0).all(axis=1)]
         off[inner[off[inner].any(axis=1)]] = True
         steps = np.where(off.repeat(6), steps / SHORTEN, steps)
-        value, _ = _difference(force, steps * direction)
+        value, _ = difference(steps * direction)
     return steps
 
 
-def _colored(n: int, pairs: NDArray[np.integer], force: Callable[[Floats], Floats], steps: Floats) -> Sparse:
+def _colored(n: int, pairs: NDArray[np.integer], difference: Difference, steps: Floats) -> Sparse:
     from scipy.sparse import coo_array, eye_array
 
     inner = pairs[(pairs >= 0).all(axis=1)]
@@ -178,15 +190,15 @@ def _colored(n: int, pairs: NDArray[np.integer], force: Callable[[Floats], Float
             x = np.zeros((n, 6))
             x[color == c, k] = steps.reshape(n, 6)[color == c, k]
             h = steps.reshape(n, 6)[moved[bodies], k].repeat(6)
-            values = _difference(force, x.ravel())[0][rows] / h
+            values = difference(x.ravel())[0][rows] / h
             parts.append((values, rows, (6 * moved[bodies] + k).repeat(6)))
     return _assembled(parts, 6 * n, coo_array)
 
 
-def _difference(force: Callable[[Floats], Floats], x: Floats) -> tuple[Floats, Floats]:
+def _difference(force: Callable[[Floats], Floats], gross: Floats, x: Floats) -> tuple[Floats, Floats]:
     """The derivative of force(s x) by s at s = 0, and below which size it is rounding: there it is zero."""
     terms = np.array([w * force(s * x) for s, w in STENCIL])
-    total, rounding = terms.sum(axis=0), ROUNDING * np.abs(terms).sum(axis=0)
+    total, rounding = terms.sum(axis=0), ROUNDING * np.maximum(np.abs(terms).sum(axis=0), gross)
     return np.where(np.abs(total) > rounding, total, 0.0), rounding
 
 
