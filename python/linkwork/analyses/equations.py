@@ -101,7 +101,8 @@ class Equations:
             found = self.dynamics.force_element(element, np.array([t]), q, v, rest, history)
             force, torque = (float(np.linalg.norm(it)) for it in found[:2])
             parts[pair[pair >= 0]] += np.array([[force], [torque + force * self.length]])
-        return parts.ravel()
+        gross: Floats = parts.ravel()
+        return gross
 
     def rate(self, v: Floats, gross: Floats) -> float:
         """Of its motion, or of what its gross forces would do one by one [1/s]; 1 where there are none."""
