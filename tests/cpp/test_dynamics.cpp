@@ -61,7 +61,7 @@ TEST_CASE("a zero-order hold enters the rates until it ends, and never the accel
   const auto n = dynamics.system().v_size();
   dynamics.evaluate(0.0, y);
   dynamics.rates(free);
-  dynamics.begin_zero_order_hold({2.0, 5.0});
+  dynamics.begin_zero_order_hold({2.0, 5.0}, 0.01);
   dynamics.rates(held);
   VectorXd v_dot(n), lambda(dynamics.system().row_count());
   dynamics.accelerations(v_dot, lambda);
@@ -74,6 +74,21 @@ TEST_CASE("a zero-order hold enters the rates until it ends, and never the accel
   CHECK(relative_error(v_dot, free.segment(dynamics.system().q_size(), n)) < 1e-13);
 }
 
+TEST_CASE("a step that was cut short corrects violations as one of the usual length") {
+  const Model model = pendulum();
+  Dynamics dynamics(model, Options());
+  VectorXd y = dynamics.initial_y(), usual(dynamics.y_size()), held(dynamics.y_size());
+  y[2] += 1e-3;  // off the hinge
+  dynamics.evaluate(0.0, y);
+  dynamics.begin_zero_order_hold(deadbeat_gains(0.5, 0.01), 0.01);
+  dynamics.rates(usual);
+  dynamics.end_zero_order_hold();
+  dynamics.correct_over(0.01);
+  dynamics.begin_zero_order_hold(deadbeat_gains(0.5, 1e-9), 1e-9);
+  dynamics.rates(held);
+  CHECK((held - usual).norm() <= 1e-12 * usual.norm());
+}
+
 TEST_CASE("the halves keep the zero-order hold of the whole step") {
   const Model model = pendulum();
   Dynamics dynamics(model, Options());
@@ -81,12 +96,12 @@ TEST_CASE("the halves keep the zero-order hold of the whole step") {
   y[2] += 1e-3;  // off the hinge
   dynamics.evaluate(0.0, y);
   dynamics.rates(free);
-  dynamics.begin_zero_order_hold(deadbeat_gains(0.5, 0.01));
+  dynamics.begin_zero_order_hold(deadbeat_gains(0.5, 0.01), 0.01);
   dynamics.rates(held);
   dynamics.begin_parts(0.5);
-  dynamics.begin_zero_order_hold(deadbeat_gains(0.5, 0.005));
+  dynamics.begin_zero_order_hold(deadbeat_gains(0.5, 0.005), 0.005);
   dynamics.end_zero_order_hold();
-  dynamics.begin_zero_order_hold(deadbeat_gains(0.5, 0.005));
+  dynamics.begin_zero_order_hold(deadbeat_gains(0.5, 0.005), 0.005);
   dynamics.rates(halved);
   CHECK((held - free).norm() > 1e-3);
   CHECK((halved - held).norm() <= 1e-12 * held.norm());

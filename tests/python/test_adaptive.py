@@ -268,3 +268,39 @@ def test_the_manifest_says_what_was_chosen() -> None:
     chosen = run(slider_crank(), 0.1, 1e-7).manifest["options"]
     assert (chosen["integrator"], chosen["rtol"], chosen["atol"]) == ("dopri5", 1e-7, 1e-10)
     assert "rtol 1e-07" in run(slider_crank(), 0.1, 1e-7).summary()
+
+
+# --- steps that are cut short ---
+
+
+@pytest.mark.parametrize("gap", [1e-14, 1e-12, 1e-9])
+@pytest.mark.parametrize("rtol", [1e-4, 1e-6, 1e-8])
+def test_breaks_side_by_side_make_no_velocities_of_violations(gap: float, rtol: float) -> None:
+    """A correction of positions within so short a step would be a velocity of any size."""
+    one, two = (
+        run(mechanisms.chain(3), 1.0, rtol, breaks=breaks, on_inaccurate="pass")
+        for breaks in ([0.3], [0.3, 0.3 + gap])
+    )
+    assert difference(one, two) <= 10 * rtol
+    assert largest(two.energy_error) <= 2 * largest(one.energy_error)
+
+
+@pytest.mark.parametrize("integrator", ["dopri5", "dop853"])
+def test_contacts_that_begin_almost_together_cost_no_accuracy(integrator: str) -> None:
+    """A cart that drops flat on four spheres: tighter tolerances are not worse ones."""
+
+    def cart(rtol: float, **options: Any) -> lw.Result:
+        model = lw.Model()
+        model.body("cart", mass=2.0, inertia=(0.1, 0.12, 0.2), position=(0, 0, 0.3))
+        model.body("arm", mass=0.5, inertia=(0.01, 0.01, 0.01), position=(0, 0, 0.7))
+        model.spherical("cart", "arm", at=(0, 0, 0.5))
+        for k, (x, y) in enumerate(((0.3, 0.2), (0.3, -0.2), (-0.3, 0.2), (-0.3, -0.2))):
+            at = (0, 0, 0), (x, y, 0.15 + k * 1e-12)
+            model.sphere_plane_contact("ground", "cart", at=at, normal=(0, 0, 1), radius=0.1, stiffness=1e5,
+                                       hysteresis=0.3)  # fmt: skip
+        return run(model, 0.3, rtol, integrator, on_inaccurate="pass", **options)
+
+    truth = cart(1e-11, stabilization="projection", times=[0.3])
+    errors = [difference(cart(rtol, times=[0.3]), truth) for rtol in (1e-6, 1e-9)]
+    assert errors[0] < 3e-5
+    assert errors[1] < 1e-6

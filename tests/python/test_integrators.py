@@ -196,3 +196,23 @@ def test_a_tableau_of_the_users_own_runs() -> None:
     result = lw.simulate(lw.mechanisms.rod_pendulum(), t_end=0.1, step=1e-3, integrator=ralston)
     assert result.manifest["options"]["integrator"] == "ralston"
     assert np.abs(result.energy_error).max() < 1e-5
+
+
+@pytest.mark.parametrize("integrator", ["rk4", "heun", "semi_implicit_euler", "dop853"])
+@pytest.mark.parametrize("rest", [1e-3, 1e-6, 1e-9])
+def test_a_short_last_step_makes_no_velocities_of_violations(integrator: str, rest: float) -> None:
+    """It changes the state by its accelerations, and corrects its part of what a whole step would correct."""
+    step, steps = 5e-3, 100
+    whole, more = (
+        lw.simulate(lw.mechanisms.chain(3), step * count, step, integrator, on_inaccurate="pass")
+        for count in (steps, steps + rest)
+    )
+    if rest > 1e-9:  # of a step: not the same time
+        assert more.t[-1] > whole.t[-1]
+    after = whole.v[-1] + rest * step * whole.recorded("vdot", -1)
+    np.testing.assert_allclose(more.v[-1], after, atol=0.1 * rest + 1e-12)
+    truth = lw.simulate(lw.mechanisms.chain(3), float(more.t[-1]), integrator="dop853", rtol=1e-12)
+    off = np.abs(more.position[-1] - truth.position[-1]).max() / 1.5
+    off_in_velocity = np.abs(more.velocity[-1] - truth.velocity[-1]).max() / np.abs(truth.velocity).max()
+    assert more.verdict is not None
+    assert max(off, off_in_velocity) <= more.verdict.error + 1e-10  # of the reference

@@ -31,6 +31,8 @@ class FixedSteps {
     return step >= count_ && !whole_ ? t_end_ : static_cast<double>(step) * step_;
   }
   double size(std::int64_t step) const { return time(step + 1) - time(step); }
+  /// See Dynamics::correct_over.
+  double correction_length(std::int64_t step) const { return whole_ || step + 1 < count_ ? 0.0 : step_; }
   bool records(std::int64_t step) const { return step == count_ || step % record_every_ == 0; }
   /// Of a frame.
   double frame_time(std::int64_t step) const { return step == count_ ? t_end_ : time(step); }

@@ -45,7 +45,7 @@ LanePack::LanePack(const LaneStructure& structure, const InstructionSet& instruc
       stepper_(structure, instructions, mechanisms_of(lanes_), tableau),
       projection_(stepper_, mechanisms_of(lanes_)),
       spans_(stepper_.width()),
-      whole_(stepper_.width(), 1.0),
+      shares_(stepper_.width(), 1.0),
       ends_(stepper_.width(), 0.0),
       watches_(structure, instructions, stepper_, lanes_),
       pivots_(lanes_.size()),
@@ -133,7 +133,7 @@ void LanePack::begin_step(std::int64_t step) {
   const double h = step < steps_.count() ? steps_.size(step) : 0.0;
   for (int l = 0; l < stepper_.width(); ++l) spans_.set(l, t, h);
   stepper_.evaluate(spans_, *this);
-  if (h > 0.0) stepper_.hold(spans_, whole_.data());
+  if (h > 0.0) hold(step);
   watches_.begin_step();
   const bool needs_state =
       steps_.records(step) || watches_.watched() || watches_.judged() || limited_ || !structure_.dropped.empty();
@@ -143,6 +143,13 @@ void LanePack::begin_step(std::int64_t step) {
     if (needs_state && lane.alive()) begin_lane(l, step);
   });
   for (int l = 0; l < static_cast<int>(lanes_.size()); ++l) take_usual_pivots(l);
+}
+
+void LanePack::hold(std::int64_t step) {
+  const double length = steps_.correction_length(step);
+  std::fill(shares_.begin(), shares_.end(), share_of_correction(steps_.size(step), length));
+  stepper_.hold(spans_, shares_.data());
+  each_lane([&](int, Lane& lane) { lane.dynamics().correct_over(length); });
 }
 
 /// Those that join, or leap, have a state that is not the pack's.

@@ -42,6 +42,7 @@ class LanePack final : private LaneGuard {
   std::int64_t first_step() const;
 
   void begin_step(std::int64_t step);
+  void hold(std::int64_t step);
   void continue_lane(int l, std::int64_t step);
   void begin_lane(int l, std::int64_t step);
   void set_state(int l, const VectorXd& y);
@@ -57,8 +58,8 @@ class LanePack final : private LaneGuard {
   LaneStepper stepper_;
   LaneProjection projection_;
   LaneSpans spans_;
-  AlignedDoubles whole_;  ///< the shares of steps that are not parts
-  AlignedDoubles ends_;   ///< of the step
+  AlignedDoubles shares_;  ///< of the corrections of violations
+  AlignedDoubles ends_;    ///< of the step
   LaneWatches watches_;
   /// Of a lane, whose watch is told of usual pivots when the step is over.
   struct Pivots {

@@ -88,7 +88,7 @@ void LaneRetake::take(std::size_t parts) {
 /// The correction that a step holds is that of the whole, in all of its parts.
 void LaneRetake::hold() {
   for (int l = 0; l < stepper_.count(); ++l)
-    if (lanes_[l].active) shares_[l] = spans_.h[l] / lanes_[l].step->h;
+    if (lanes_[l].active) shares_[l] = spans_.h[l] / std::max(lanes_[l].step->h, lanes_[l].step->correction_length);
   stepper_.hold(spans_, shares_.data());
 }
 

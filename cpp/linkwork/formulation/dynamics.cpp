@@ -364,9 +364,10 @@ Gains Dynamics::gains_or(Gains defaults) const {
   return {options_.baumgarte_alpha.value_or(defaults.alpha), options_.baumgarte_beta.value_or(defaults.beta)};
 }
 
-void Dynamics::begin_zero_order_hold(Gains gains) {
+void Dynamics::begin_zero_order_hold(Gains gains, double h) {
   if (!sampled() || (held_ && first_part_ > 0.0)) return;
-  if (first_part_ > 0.0) gains = {gains.alpha * first_part_, gains.beta * first_part_};
+  const double share = first_part_ > 0.0 ? first_part_ : share_of_correction(h, correction_length_);
+  if (share < 1.0) gains = {gains.alpha * share, gains.beta * share};
   gains = gains_or(gains);
   held_u_ = -2.0 * gains.alpha * at_.Phi_dot - gains.beta * gains.beta * at_.Phi;
   held_ = true;

@@ -140,8 +140,12 @@ class Dynamics {
 
   // Sampled stabilization, for integrators. All three do nothing where another stabilization was chosen.
   bool sampled() const { return kind_ == StabilizationKind::sampled_baumgarte; }
-  /// Computes u from the current state with these gains (the user's, where given) and holds it for `rates`.
-  void begin_zero_order_hold(Gains gains);
+  /// Violations are corrected over steps of at least this length [s]: in a step that was cut short, a correction of
+  /// positions within it would be a velocity without bounds. 0: over those that are taken.
+  void correct_over(double length) { correction_length_ = length; }
+  double correction_length() const { return correction_length_; }
+  /// Computes u from the current state with these gains of a step h (the user's, where given) and holds it for `rates`.
+  void begin_zero_order_hold(Gains gains, double h);
   const VectorXd& held_correction() const { return held_u_; }  ///< u, while it is held
   void end_zero_order_hold() { held_ = held_ && first_part_ > 0.0; }
   /// From here to end_parts a step is taken in parts, the first of this share: the correction that it holds is that of
@@ -191,6 +195,7 @@ class Dynamics {
   int clocked_ = 1;
   bool traces_ = false, held_ = false;
   double first_part_ = 0.0;  ///< its share, of a step that is taken in parts, else 0
+  double correction_length_ = 0.0;
   InterruptionMeter meter_;
   mutable std::atomic_flag busy_;
 };

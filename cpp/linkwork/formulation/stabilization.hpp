@@ -52,5 +52,7 @@ constexpr Gains textbook_gains{5.0, 5.0};
 ///   Phi' = Phi + h Phi_dot + s w,   h Phi_dot' = h Phi_dot + w,   w = -2 alpha h (h Phi_dot) - (beta h)^2 Phi,
 /// and this map is nilpotent exactly for beta h = 1, alpha h = 1 - s/2.
 inline Gains deadbeat_gains(double s, double h) { return {(1.0 - 0.5 * s) / h, 1.0 / h}; }
+/// Of the gains of a step h, where violations are corrected over at least `length`.
+inline double share_of_correction(double h, double length) { return h < length ? h / length : 1.0; }
 
 }  // namespace linkwork

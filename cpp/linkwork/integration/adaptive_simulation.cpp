@@ -45,6 +45,10 @@ constexpr double jump = 1e-9;   // of velocities of drivers, relative: what is l
 constexpr int most_tries = 6;
 constexpr double try_decrease = 0.1;
 
+// Violations are corrected over the longest step of late, less this part of what went by since: steps that become short
+// for a while, as where a contact begins or at an end, would make velocities of the roundoff of positions.
+constexpr double forgetting = 0.25;
+
 constexpr double too_far = 1e3;  // error of a step in which full turns cannot be counted
 
 std::string scientific(double value) {
@@ -117,7 +121,7 @@ bool AdaptiveSimulation::near_end() const {
 void AdaptiveSimulation::keep(Archive& archive) {
   Run::keep(archive);
   archive(t_, begun_, evaluated_, step_, proposed_, controller_, watch_, last_stop_, last_interval_, shorter_);
-  archive(usual_step_, tries_, best_step_, best_error_);
+  archive(usual_step_, tries_, best_step_, best_error_, correction_length_);
   crossing_.keep(archive, false);
   Dynamics::Place place = dynamics_.place();
   archive(place.t, place.factorized, place.fallback);
@@ -179,6 +183,7 @@ double AdaptiveSimulation::initial_step() {
 bool AdaptiveSimulation::prepare_trial() {
   if (!evaluated_) evaluate(clock(), y_);
   if (leap()) return false;
+  dynamics_.correct_over(correction_length_);
   sampling_.before(dynamics_, y_);
   double h = proposed_ = std::min(step_, schedule_.largest_step);
   h = std::min(h, crossing_.most_step());
@@ -348,6 +353,7 @@ void AdaptiveSimulation::accept(double h, double error) {
   accepted_ = evaluated_ = true;
   switch_.reset();
   h_ = h;
+  correction_length_ = std::max(correction_length_, h) - forgetting * h;
   y_new_ = stepper_.y_new();
   statistics_.smallest = std::min(statistics_.smallest, h);
   statistics_.largest = std::max(statistics_.largest, h);

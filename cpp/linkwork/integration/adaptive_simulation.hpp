@@ -140,7 +140,8 @@ class AdaptiveSimulation final : public Run {
   VectorXd Phi_, Phi_dot_;  ///< where the step begins
   bool yields_ = false;     ///< the formulation lets constraints be violated
   // Near a singular pose
-  double usual_step_ = 0.0;  ///< the last outside
+  double usual_step_ = 0.0;         ///< the last outside
+  double correction_length_ = 0.0;  ///< see Dynamics::correct_over
   int tries_ = 0;
   double best_step_ = 0.0, best_error_ = 0.0;  ///< of these tries
   bool begun_ = false;

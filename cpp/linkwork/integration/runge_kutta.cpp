@@ -32,7 +32,7 @@ void evaluate_stages(const ButcherTableau& tableau, Dynamics& dynamics, const St
 }
 
 void evaluate_first_stage(const ButcherTableau& tableau, Dynamics& dynamics, const StepSpan& step, MatrixXd& k) {
-  dynamics.begin_zero_order_hold(deadbeat_gains(tableau.b.dot(tableau.c), step.h));
+  dynamics.begin_zero_order_hold(deadbeat_gains(tableau.b.dot(tableau.c), step.h), step.h);
   dynamics.rates(k.col(0));
 }
 

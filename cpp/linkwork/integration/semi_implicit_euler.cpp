@@ -11,7 +11,7 @@ class SemiImplicitEuler final : public Integrator {
 
   void step(Dynamics& dynamics, double, double h, VectorXd& y) override {
     const int nq = dynamics.system().q_size(), nv = dynamics.system().v_size();
-    dynamics.begin_zero_order_hold(deadbeat_gains(1.0, h));
+    dynamics.begin_zero_order_hold(deadbeat_gains(1.0, h), h);
     dynamics.rates(rates_);
     dynamics.end_zero_order_hold();
     y.tail(nv + 1) += h * rates_.tail(nv + 1);

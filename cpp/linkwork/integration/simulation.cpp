@@ -130,6 +130,7 @@ double Simulation::begin_step() {
   while (!finished_) {
     if (!evaluated_ && natural()) mark(steps_done_ == steps_total_ - (whole_ ? 0 : 1));
     look_where_steps_are_long(y_.size());
+    dynamics_.correct_over(whole_ || steps_done_ + 1 < steps_total_ ? 0.0 : schedule_.step);
     divergence_.blame(y_, t(), schedule_.step, [&] { with_time(t(), NAN, [&] { evaluate_and_record(); }); });
     finished_ = steps_done_ == steps_total_;
     kept_y_ = y_;
@@ -234,7 +235,7 @@ void Simulation::add_work() {
   if (steps_done_ > 0 && !leapt_) y_.tail<1>()[0] += 0.5 * h * (last_power_ + power);
   last_power_ = power;
   last_t_ = t();
-  dynamics_.begin_zero_order_hold(deadbeat_gains(0.5, next_step()));
+  dynamics_.begin_zero_order_hold(deadbeat_gains(0.5, next_step()), next_step());
 }
 
 void Simulation::accept(const ConstVector& q_and_v) {

@@ -90,6 +90,7 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside, co
   out.change = step.change;
   out.force = out.torque = out.largest_force = out.largest_torque = NAN;
   came_inside_ = false;
+  dynamics_.correct_over(step.correction_length);
   try {
     const bool rows_change = dynamics_.dropped().rows() != step.left_out;
     if (retaken.end.size() == 0 || retaken.rows_change != rows_change) take_again(step);
@@ -116,7 +117,7 @@ void StepJudge::take_again(const KeptStep& step) {
   came_inside_ = false;
   y_ = step.y;
   dynamics_.set_history(step.history);
-  dynamics_.begin_parts((parts.front().to - parts.front().from) / step.h);
+  dynamics_.begin_parts((parts.front().to - parts.front().from) / std::max(step.h, step.correction_length));
   for (const Span& part : parts) {
     dynamics_.evaluate(part.from, y_);
     if (&part == &parts.front()) leave_out(step.left_out);

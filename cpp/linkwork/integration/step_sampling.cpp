@@ -136,6 +136,7 @@ void StepSampling::before(const Dynamics& dynamics, const VectorXd& y, double ki
   if (history.size() > 0) look_for_contacts(history, y);
   balance(y, kinetic, potential);
   if (history.size() > 0) history_ = history;
+  correction_length_ = dynamics.correction_length();
   if (const std::vector<int>& rows = dynamics.dropped().rows(); left_out_ != rows) left_out_ = rows;
 }
 
@@ -247,6 +248,7 @@ void StepSampling::keep(KeptStep& place, double t, double h, double change, cons
   place.y = y;
   place.y_new = y_new;
   place.history = history_;
+  place.correction_length = correction_length_;
   place.left_out = left_out_;
 }
 

@@ -12,6 +12,7 @@ namespace linkwork {
 /// A step as a run took it, from y at t to y_new at t + h; y = (q, v, work).
 struct KeptStep {
   double t = 0.0, h = 0.0;
+  double correction_length = 0.0;  ///< see Dynamics::correct_over
   double change = -1.0;  ///< how much the accelerations differ from those of the step before; see StepSampling
   VectorXd y, y_new;
   VectorXd history;           ///< variables of the elements, at t
@@ -131,6 +132,7 @@ class StepSampling {
   bool compared_ = false;  ///< rates_ are those of the step before
   VectorXd rates_;
   VectorXd history_;
+  double correction_length_ = 0.0;
   std::vector<int> left_out_;
   std::vector<RunPart> parts_;
   const System* system_;

@@ -16,7 +16,7 @@ from linkwork.motion.records import Resume, Snapshot
 from linkwork.options import without_threads
 
 #: Of what the driver writes: another one is none of ours.
-FORMAT = 3
+FORMAT = 4
 
 #: After the digest: the initial state of the model had been corrected.
 ASSEMBLED = "+assembled"
