@@ -223,7 +223,8 @@ void StepJudge::compare_history(const KeptStep& step, StepError& out) {
   }
   const VectorXd& found = dynamics_.history();
   for (Eigen::Index k = 0; k < found.size(); ++k)
-    out.end.velocity = std::max(out.end.velocity, std::abs(found[k] - step.history_new[k]));
+    if (step.history_new[k] != 0.0)  // else it begins in the next step
+      out.end.velocity = std::max(out.end.velocity, std::abs(found[k] - step.history_new[k]));
 }
 
 void StepJudge::compare_reactions(const KeptStep& step, StepError& out) {

@@ -42,6 +42,9 @@ GOOD, WRONG = 1e-2, 1e-1
 #: What a better step or tolerance is to give.
 AIM = 1e-4
 
+#: Steps follow no tolerance below.
+LEAST_RTOL = 1e-13
+
 #: On the estimate: too large is better than too small.
 SAFETY = 2.0
 
@@ -179,6 +182,8 @@ class Method:
 
     def advice(self, error: float) -> str:
         """ "the step is too long: about 4 % off; 2e-4 s would give 1e-4"."""
+        if self.rtol is not None and self.rtol * AIM / error < LEAST_RTOL:
+            return f"{_off(error)}, which smaller tolerances would hardly mend: something is not smooth there"
         if self.rtol is not None:
             better, what = f"rtol {_rounded(self.rtol * AIM / error):g}", "the tolerances are too large"
         else:
