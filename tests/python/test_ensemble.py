@@ -597,6 +597,68 @@ def test_members_may_differ_in_the_number_of_bodies() -> None:
     assert found.trajectories["energy"].shape == (3, len(found.t))
 
 
+class Mine(Exception):
+    """Of a user."""
+
+
+@pytest.mark.parametrize("error", [RuntimeError, AttributeError, KeyError, Mine])
+def test_an_error_in_an_output_fails_one_member_with_the_facts_of_a_study(error: type[Exception]) -> None:
+    def crossing(result: lw.Result) -> float:
+        if result.header.mass[0] == 2.0:
+            raise error("none found")
+        return 1.0
+
+    model, masses = mechanisms.chain(1), {"link[0].mass": [1.0, 2.0, 3.0]}
+    found = lw.simulate_many(model, masses, 0.02, 1e-3, outputs=[crossing], progress=False)
+    study = lw.sweep(model, masses, [crossing], t_end=0.02, step=1e-3, processes=1, progress=False)
+    assert found.status.tolist() == study.status.tolist() == ["finished", "failed", "finished"]
+    assert found.errors == study.errors and "output 'crossing': " in found.errors[1]["message"]
+    assert np.isnan(found.accuracy[1]) and np.isfinite(found.accuracy[[0, 2]]).all()
+    assert repr(found).startswith("<EnsembleResult: 3 members: 2 finished, 1 failed, 3 in lanes>")
+
+
+def test_outputs_of_another_shape_than_the_first_fail() -> None:
+    models = [mechanisms.chain(2), mechanisms.chain(3), mechanisms.chain(2)]
+    found = many(models, 0.02, 1e-3, outputs="final")
+    assert found.status.tolist() == ["finished", "failed", "finished"]
+    assert found.errors[1]["message"] == (
+        "output 'final.q' has shape (3, 7), not (2, 7) as in the first case"
+    )
+    assert found.outputs["final.q"].shape == (3, 2, 7) and np.isnan(found.outputs["final.q"][1]).all()
+    np.testing.assert_array_equal(found.outputs["final.q"][2], alone(models[2], 0.02, 1e-3).q[-1])
+    assert np.isnan(found.accuracy[1]) and np.isfinite(found.accuracy[[0, 2]]).all()
+
+
+def test_parameters_that_no_array_can_hold_are_told_in_words() -> None:
+    paths = [[1.0, 2.0], [1.0, 2.0, 3.0]]
+    found = lw.simulate_many(lambda path: mechanisms.chain(len(path)), {"path": paths},
+                             0.01, 1e-3, outputs="energy.max", progress=False)  # fmt: skip
+    assert found.status.tolist() == 2 * ["finished"]
+    assert found.parameters["path"].tolist() == ["[1.0, 2.0]", "[1.0, 2.0, 3.0]"]
+
+
+@pytest.mark.parametrize(
+    "name", ["status", "accuracy", "alone", "error", "time", "member", "q", "energy", "row"]
+)
+def test_a_name_that_the_data_set_has_is_refused(name: str) -> None:
+    """Those of motions only where these are kept."""
+
+    def build(**given: float) -> lw.Model:
+        return mechanisms.chain(1)
+
+    def found(outputs: Any) -> lw.EnsembleResult:
+        return lw.simulate_many(build, {name: [1.0, 2.0]}, 0.01, 1e-3, outputs=outputs, progress=False)
+
+    with pytest.raises(lw.OptionError, match=f"'{name}': is the name of a part of the data set"):
+        found(None)
+    if name in ("q", "energy", "row"):
+        pytest.importorskip("xarray")
+        assert found("energy.max").to_xarray()[name].values.tolist() == [1.0, 2.0]
+    else:
+        with pytest.raises(lw.OptionError, match=f"'{name}': is the name of a part of the data set"):
+            found("energy.max")
+
+
 @pytest.mark.parametrize(
     ("wrong", "said"),
     [
@@ -614,6 +676,9 @@ def test_members_may_differ_in_the_number_of_bodies() -> None:
         ({"outputs": ["reaction('krank pin').force.max"]}, "krank pin"),
         ({"outputs": ["energy"]}, "energy"),
         ({"times": [0.01]}, "times"),
+        ({"outputs": {"crank.mass": "energy.max"}}, "name of a parameter"),
+        ({"outputs": {"status": "energy.max"}}, "data set of every ensemble"),
+        ({"outputs": ["energy[::2].max"]}, "among the frames"),
         ({"output": "run.h5"}, "output"),
         ({"start": None}, "start"),
         ({"deterministic": False}, "deterministic"),

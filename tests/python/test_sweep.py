@@ -376,6 +376,53 @@ def test_what_a_function_gives_that_is_no_number_is_no_output(value: Any) -> Non
     assert "output 'mine': its function gives " in study.errors[0]["message"]
 
 
+def test_what_a_function_masks_is_nan() -> None:
+    def below(result: lw.Result) -> Any:
+        return np.ma.masked_less([-1.0, 2.0], 0.0)
+
+    def at(result: lw.Result) -> Any:
+        return np.ma.masked_array(3, mask=True)
+
+    study = lw.sweep(rod(), {"rod.mass": [1.0]}, [below, at], **FEW)
+    assert_array_equal(study.outputs["below"], [[np.nan, 2.0]])
+    assert_array_equal(study.outputs["at"], [np.nan])
+
+
+@pytest.mark.parametrize("joint", ["'pin'", "name='pin'", "which='angle', name='pin'", "'pin', 'angle'"])
+def test_a_coordinate_is_named_in_every_way_of_a_call(joint: str) -> None:
+    output = f"coordinate({joint}).value.max"
+    study = lw.sweep(rod(), {"rod.mass": [1.0]}, output, **FEW)
+    assert study.outputs[output][0] == study.simulate(0).coordinate("pin").value.max() > 0
+    assert study.units[output] == "rad"
+
+
+class Silent(Exception):
+    """It cannot say what it is."""
+
+    def __str__(self) -> str:
+        raise AttributeError("limit")
+
+
+@pytest.mark.parametrize(("error", "message"), [
+    (Silent(), "Silent"), (ValueError("x" * 3000), "x" * 2000 + " ... (3000 characters)"),
+    (ValueError("of \udcff\n mine"), "of ? mine"),
+])  # fmt: skip
+def test_whatever_an_error_says_it_fails_one_case_and_goes_to_files(
+    error: Exception, message: str, tmp_path: Path
+) -> None:
+    def build(k: int) -> lw.Model:
+        if k == 1:
+            raise error
+        return rod()
+
+    study = lw.sweep(build, {"k": [0, 1, 2]}, "energy.max", **FEW, directory=tmp_path / "kept")
+    assert study.status.tolist() == ["finished", "failed", "finished"]
+    assert study.errors[1]["message"] == message and study.errors[1]["reached"] is None
+    study.to_csv(tmp_path / "study.csv")
+    many = lw.simulate_many(build, {"k": [0, 1, 2]}, 0.05, 5e-3, outputs="energy.max", progress=False)
+    assert many.errors == {1: study.errors[1]}
+
+
 def test_failed_cases_are_kept_with_their_reason(tmp_path: Path) -> None:
     def fails(result: lw.Result) -> float:
         if result.header.mass[0] == 3.0:
@@ -408,6 +455,7 @@ def test_arrays_of_a_function_that_differ_in_shape_are_failures() -> None:
     study = lw.sweep(rod(), {"rod.mass": [1, 2]}, {"it": lambda it: np.ones(int(it.header.mass[0]))}, **FEW)
     assert study.status.tolist() == ["finished", "failed"]
     assert "shape (2,), not (1,)" in study.errors[1]["message"]
+    assert np.isnan(study.accuracy[1]) and study.verdict.tolist() == ["good", ""]
 
 
 def test_an_inaccurate_case_has_its_verdict() -> None:
@@ -426,6 +474,8 @@ def test_an_inaccurate_case_has_its_verdict() -> None:
         ({"parameters": {"rod.mass": [[1, 2]]}}, lw.OptionError, r"shape \(2,\), not \(\)"),
         ({"parameters": {"rod.mass": ["heavy"]}}, lw.OptionError, "not made of finite numbers"),
         ({"parameters": {"gravity": [[0, 0, 1]], "gravity[2]": [1]}}, lw.OptionError, "same value"),
+        ({"parameters": {"pin.at[2]": [0], "pin.attachment.origin[0]": [0]}}, lw.OptionError, "same"),
+        ({"parameters": {"pin.attachment.origin[0]": [0], "pin.at[2]": [0]}}, lw.OptionError, "same"),
         ({"parameters": {"rod.mass": []}}, lw.OptionError, "'rod.mass': has no values, so there is no case"),
         ({"parameters": {}}, lw.OptionError, "no case"),
         ({"parameters": [{"rod.mass": 1}, {}]}, lw.OptionError, "case 1 and case 0 differ in 'rod.mass'"),
@@ -441,6 +491,11 @@ def test_an_inaccurate_case_has_its_verdict() -> None:
         ({"outputs": ["energy.maximum"]}, lw.OptionError, "'maximum'"),
         ({"outputs": ["__import__('os')"]}, lw.OptionError, "no quantity"),
         ({"outputs": []}, lw.OptionError, "outputs"),
+        ({"outputs": "body('rod').position.z[::2]", "times": [0.05]}, lw.OptionError, r"z\[::2\]': .*times="),
+        ({"outputs": "body('rod').position.z[:3].final"}, lw.OptionError, "add one of .max"),
+        ({"outputs": "body('rod').position[..., -1:, 2].max"}, lw.OptionError, "among the frames"),
+        ({"outputs": "energy[[0]].max"}, lw.OptionError, "among the frames"),
+        ({"outputs": "energy[None].max"}, lw.OptionError, "among the frames"),
         ({"times": [0.001]}, lw.OptionError, "between the frames"),
         ({"times": [9.0]}, lw.OptionError, "ascending"),
         ({"stepp": 1}, lw.OptionError, "'stepp'.*'step'"),
@@ -918,6 +973,16 @@ def test_columns_of_one_name_are_refused() -> None:
     study = lw.sweep(rod(), {"rod.mass": [1]}, outputs, **FEW)
     with pytest.raises(lw.OptionError, match=r"two columns are 'a\[0\]'"):
         study.to_frame()
+
+
+def test_dimensions_have_no_name_of_a_parameter_or_output() -> None:
+    pytest.importorskip("xarray")
+    outputs = {"a": lambda r: np.array([1.0, 2.0, 3.0]), "a_1": lambda r: 9.0}
+    study = lw.sweep(rod(), {"rod.mass": [1, 2]}, outputs, **FEW)
+    many = lw.simulate_many(rod(), {"rod.mass": [1, 2]}, 0.05, 5e-3, outputs=outputs, progress=False)
+    for found in (study.to_xarray(), many.to_xarray()):
+        assert found["a_1"].values.tolist() == [9.0, 9.0]
+        assert found["a"].values.tolist() == 2 * [[1.0, 2.0, 3.0]]
 
 
 def test_times_of_very_short_runs_are_told_apart() -> None:

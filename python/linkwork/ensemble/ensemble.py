@@ -14,11 +14,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork import memory
-from linkwork.accuracy.verdict import Verdict
 from linkwork.arguments import whole
 from linkwork.arrays import Floats
 from linkwork.comparison.workers import processor_count
-from linkwork.ensemble.outcome import TRAJECTORIES, EnsembleResult, whole_number
+from linkwork.ensemble.outcome import DIMENSIONS, OWN, TRAJECTORIES, EnsembleResult, whole_number
 from linkwork.errors import LinkworkError, LinkworkWarning, OptionError, warn
 from linkwork.modeling.model import Model, check_model
 from linkwork.options import TABLE, check_name, check_number, check_option
@@ -30,9 +29,11 @@ from linkwork.running.members import FRAMES, Member, Method, method_of, run_memb
 from linkwork.running.progress import ShowOption, counting
 from linkwork.running.simulation import check_run, simulate
 from linkwork.studies import outputs as wanted
-from linkwork.studies.cases import check_times
+from linkwork.studies.cases import Run, check_times, kept
+from linkwork.studies.collected import Collected
 from linkwork.studies.sampling import Cases, cases_of
-from linkwork.studies.sweeping import probe
+from linkwork.studies.study import array_of
+from linkwork.studies.sweeping import check_names, probe
 from linkwork.studies.variants import Built, source_of
 
 __all__ = ["Ensemble", "simulate_many"]
@@ -107,8 +108,8 @@ class Ensemble:
 
     @property
     def parameters(self) -> Mapping[str, np.ndarray[Any, Any]]:
-        """By name: values (n, ...)."""
-        return {name: np.array(values) for name, values in self._members.columns.items()}
+        """By name: values (n, ...); what no array can hold in words."""
+        return {name: array_of(values) for name, values in self._members.columns.items()}
 
     def model(self, number: int) -> Model:
         """Of one member.
@@ -173,6 +174,7 @@ class Ensemble:
         example = self._members.example()
         checks.warn_of_opposed_axes(example, example.compiled().q0)
         asked = None if outputs is None else wanted.outputs_of(outputs)
+        _check_names(self._members, asked)
         warns = options.get("on_inaccurate", "warn") == "warn"
         arguments = {"step": step, "integrator": integrator, "record_every": record_every, **options,
                      "deterministic": True, "on_inaccurate": "pass"}  # fmt: skip
@@ -183,11 +185,11 @@ class Ensemble:
                            state_alone=state_alone)  # fmt: skip
         _check_run(self._members, method)
         if asked is not None:
-            found = probe(example, arguments)
-            asked = [wanted.checked(it, found, wanted_times) for it in asked]
+            first_frame = probe(example, arguments)
+            asked = [wanted.checked(it, first_frame, wanted_times) for it in asked]
         else:
             _check_memory(len(self), method, example)
-        members = _Kept(asked, wanted_times)
+        members = _Kept(len(self), asked, wanted_times)
         with counting(progress, len(self)) as report:
             for first in range(0, len(self), AT_ONCE * count):
                 report(first, f"{first} of {len(self)} members")
@@ -197,9 +199,10 @@ class Ensemble:
                     members.keep(number, member)
         about = {**platform_facts(), "t_end": float(t_end), "step": step, "threads": count,
                  "seconds": time.perf_counter() - started}  # fmt: skip
+        found = members.outcome(self, about)
         if warns:
-            members.warn_of_inaccurate()
-        return members.outcome(self, about)
+            members.warn_of_inaccurate(found)
+        return found
 
 
 # --- members ---
@@ -279,6 +282,13 @@ def _check_options(options: Mapping[str, Any]) -> None:
         )
 
 
+def _check_names(members: _Members, asked: Sequence[wanted.Output] | None) -> None:
+    """OptionError: names that a data set of the result could not tell apart."""
+    own = OWN if asked is not None else (*OWN, *TRAJECTORIES, *DIMENSIONS)
+    taken = dict.fromkeys(own, "a part of the data set of every ensemble")
+    check_names(taken, list(members.columns), [it.label for it in asked or ()])
+
+
 def _recorded(
     asked: Sequence[wanted.Output] | None, times: ArrayLike | None, t_end: float, arguments: dict[str, Any]
 ) -> tuple[Floats | None, dict[str, Any]]:
@@ -332,61 +342,60 @@ def _check_memory(count: int, method: Method, example: Model) -> None:
 
 
 class _Kept:
-    def __init__(self, outputs: Sequence[wanted.Output] | None, times: Floats | None) -> None:
+    def __init__(self, count: int, outputs: Sequence[wanted.Output] | None, times: Floats | None) -> None:
         self._outputs, self._times = outputs, times
-        self._members: list[Member] = []
-        self._values: dict[str, dict[int, Floats]] = {it.label: {} for it in outputs or ()}
-        self._verdicts: dict[int, Verdict] = {}
+        self._found = Collected([str(k) for k in range(count)])
+        self._results: dict[int, Result] = {}
+        self._alone: dict[int, str] = {}
+        self._in_lanes = 0
+        self._doubts: dict[int, str] = {}  # of verdicts that are not good
 
     def keep(self, number: int, member: Member) -> None:
         """With outputs instead of the motion, where they were asked for."""
-        motion = member.motion
-        verdict = None if motion is None else motion.verdict
-        if verdict is not None:
-            self._verdicts[number] = verdict
-        if self._outputs is not None and motion is not None:
-            try:
-                for it in self._outputs:
-                    self._values[it.label][number] = it.value(motion, self._times)
-                member = Member(None, member.reason, {}, member.remarks)
-            except (LinkworkError, ArithmeticError, LookupError, TypeError, ValueError) as error:
-                facts = {"type": type(error).__name__, "code": "", "message": str(error)}
-                member = Member(None, member.reason, facts, member.remarks)
-        self._members.append(member)
-
-    def warn_of_inaccurate(self) -> None:
-        """LinkworkWarning: members are more than 1 % off."""
-        bad = {k: it for k, it in self._verdicts.items() if it.level != "good"}
-        if not bad:
-            return
-        worst = max(bad, key=lambda k: bad[k].error)
-        count = f"{len(bad)} of {len(self._members)} members are more than 1 % off"
-        warn(
-            f"{count}, the worst is {worst}: {bad[worst].sentence} (the result's `accuracy` tells of each, "
-            "on_inaccurate='pass' nothing)"
-        )
+        found: dict[str, Any] = {"status": "failed", "error": member.error}
+        if member.motion is not None:
+            found = kept(member.motion, self._outputs or (), self._times)
+            self._in_lanes += not member.reason
+        if self._outputs is None and member.result is not None:
+            self._results[number] = member.result
+        if member.reason:
+            self._alone[number] = member.reason
+        verdict = found.get("verdict", {})
+        if verdict.get("level", "good") != "good":
+            self._doubts[number] = verdict["sentence"]
+        self._found.add(Run(str(number), **found, remarks="; ".join(member.remarks)))
 
     def outcome(self, ensemble: Ensemble, about: Mapping[str, Any]) -> EnsembleResult:
-        members = dict(enumerate(self._members))
-        results = {k: it.result for k, it in members.items() if it.result is not None}
-        longest = max((it.t for it in results.values()), key=len, default=np.zeros(0))
-        outputs = {label: _stacked(values, len(members)) for label, values in self._values.items()}
-        asked = self._outputs or ()
+        asked, count = self._outputs or (), () if self._times is None else (len(self._times),)
+        longest = max((it.t for it in self._results.values()), key=len, default=np.zeros(0))
+        outputs = self._found.outputs({it.label: count if it.over_time else () for it in asked})
         return EnsembleResult(
             parameters=ensemble.parameters,
-            status=np.array(["failed" if it.error else "finished" for it in members.values()]),
-            errors={k: dict(it.error) for k, it in members.items() if it.error},
-            alone={k: it.reason for k, it in members.items() if it.reason},
-            remarks={k: "; ".join(it.remarks) for k, it in members.items() if it.remarks},
-            accuracy=np.array([self._verdicts[k].error if k in self._verdicts else np.nan for k in members]),
+            status=self._found.status({}, ()),
+            errors={k: dict(it) for k, it in self._found.errors({}, ()).items()},
+            alone=self._alone,
+            remarks=self._found.remarks(),
+            accuracy=self._found.accuracy,
             t=np.asarray(longest),
-            trajectories=dict(_trajectories(results, len(members), longest)),
+            trajectories=dict(_trajectories(self._results, len(ensemble), longest)),
             outputs=outputs,
             units={**ensemble._members.units, **{it.label: it.unit for it in asked}},
             times=self._times,
-            manifest=dict(about),
+            manifest={**about, "lanes": self._in_lanes},
             over_time=frozenset(it.label for it in asked if it.over_time),
-            results=results,
+            results=self._results,
+        )
+
+    def warn_of_inaccurate(self, found: EnsembleResult) -> None:
+        """LinkworkWarning: members are more than 1 % off."""
+        bad = [k for k in self._doubts if found.status[k] == "finished"]
+        if not bad:
+            return
+        worst = max(bad, key=lambda k: found.accuracy[k])
+        count = f"{len(bad)} of {len(found)} members are more than 1 % off"
+        warn(
+            f"{count}, the worst is {worst}: {self._doubts[worst]} (the result's `accuracy` tells of each, "
+            "on_inaccurate='pass' nothing)"
         )
 
 
@@ -408,16 +417,3 @@ def _trajectories(results: Mapping[int, Result], count: int, times: Floats) -> I
 
 def _of(result: Result, name: str) -> Floats:
     return result.energy if name == "energy" else result.recorded(name)
-
-
-def _stacked(values: Mapping[int, Floats], count: int) -> Floats:
-    """(n, ...), NaN where there is none."""
-    shapes = {np.shape(it) for it in values.values()}
-    if len(shapes) > 1:
-        raise OptionError(
-            f"outputs: a function gives arrays of shapes {sorted(map(str, shapes))}", code="outputs"
-        )
-    found = np.full((count, *(next(iter(shapes)) if shapes else ())), np.nan)
-    for k, value in values.items():
-        found[k] = value
-    return found

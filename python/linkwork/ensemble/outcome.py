@@ -15,6 +15,7 @@ from linkwork.arguments import optional_package
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError
 from linkwork.results.result import Result
+from linkwork.studies.study import dimensions
 
 if TYPE_CHECKING:
     import xarray
@@ -29,6 +30,11 @@ TRAJECTORIES = {
     "q": (("body", "q"), "m, 1"), "v": (("body", "v"), "m/s, rad/s"),
     "vdot": (("body", "v"), "m/s2, rad/s2"), "lambda": (("row",), "N, N m"), "energy": ((), "J"),
 }  # fmt: skip
+
+
+#: Coordinates that a data set has of every ensemble, and dimensions that it has of motions.
+OWN = ("member", "status", "accuracy", "alone", "error", "time")
+DIMENSIONS = ("body", "row")
 
 
 @dataclass(frozen=True, repr=False)
@@ -48,7 +54,7 @@ class EnsembleResult:
     outputs       by label: (n, ...); NaN in members that failed
     units         of parameters and outputs that are known
     times         (j,) [s] of outputs that are arrays over time
-    manifest      what was run
+    manifest      what was run; "lanes": how many members in lanes
 
     A member has the bits and the verdict that `simulate(model, ..., deterministic=True)` gives, whatever runs
     beside it.
@@ -75,8 +81,7 @@ class EnsembleResult:
     def __repr__(self) -> str:
         counts = Counter(self.status.tolist())
         parts = [f"{counts[name]} {name}" for name in ("finished", "failed") if counts[name]]
-        lanes = len(self) - len(self.alone) - sum(k not in self.alone for k in self.errors)
-        parts.append(f"{lanes} in lanes")
+        parts.append(f"{self.manifest['lanes']} in lanes")
         why = Counter(text.split(" (at t = ")[0] for text in self.alone.values()).most_common(LISTED)
         failed = Counter(str(it["message"]) for it in self.errors.values()).most_common(LISTED)
         lines = [f"  {count} by itself: {text}" for text, count in why]
@@ -147,7 +152,7 @@ class EnsembleResult:
         return found
 
     def _variable(self, name: str, values: NDArray[Any]) -> tuple[Any, Any, dict[str, str]]:
-        dims = [f"{name}_{k}" for k in range(1, values.ndim)]
+        dims = dimensions(name, values.ndim - 1, {*self.parameters, *self.outputs})
         if name in self.over_time:
             dims[0] = "time"
         return ("member", *dims), values, {"units": self.units[name]} if self.units.get(name) else {}

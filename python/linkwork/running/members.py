@@ -33,7 +33,9 @@ from linkwork.running.simulation import (
     what_steps,
 )
 
-__all__ = ["FRAMES", "Member", "Method", "facts_of", "method_of", "refusal", "remarked", "run_members"]
+__all__ = [
+    "FRAMES", "Member", "Method", "facts_of", "message_of", "method_of", "refusal", "remarked", "run_members",
+]  # fmt: skip
 
 #: Of members of which only the last frame is asked for: the verdict looks at the balance of energy over them.
 FRAMES = 50
@@ -41,6 +43,10 @@ FRAMES = 50
 #: Statistics of what lanes share, which say nothing of one of them.
 SHARED = ("evaluations", "factorizations", "solves", "evaluate_time", "factorize_time", "assemble_time",
           "solve_time", "smallest_pivot", "seconds", "setup_seconds", "driver_seconds")  # fmt: skip
+
+
+#: Characters of a message that are kept.
+LONGEST = 2000
 
 
 @dataclass(frozen=True)
@@ -330,11 +336,12 @@ def _alone(model: Model, method: Method, reason: str, remarks: Sequence[str] = (
 
 
 def facts_of(error: BaseException) -> dict[str, Any]:
-    """Class, code, message, and the simulated time that was reached [s]."""
+    """Class, code, message, and the simulated time that was reached [s], if it is known."""
     found: dict[str, Any] = {
         "type": type(error).__name__,
         "code": "",
-        "message": " ".join(str(error).split()),
+        "message": message_of(error),
+        "reached": None,
     }
     if isinstance(error, LinkworkError):
         found["code"] = error.code
@@ -343,6 +350,16 @@ def facts_of(error: BaseException) -> dict[str, Any]:
             reached = float(error.result.t[-1])
         found["reached"] = None if reached is None else float(reached)
     return found
+
+
+def message_of(error: BaseException | str) -> str:
+    """In one line, which every file can hold; the name of its class where it cannot say more."""
+    try:
+        text = str(error)
+    except Exception:
+        return type(error).__name__
+    line = " ".join(text.split()).encode(errors="replace").decode()
+    return line if len(line) <= LONGEST else f"{line[:LONGEST]} ... ({len(line)} characters)"
 
 
 @contextmanager
@@ -355,4 +372,4 @@ def remarked() -> Iterator[list[str]]:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         yield texts
-        texts.extend(dict.fromkeys(str(it.message) for it in caught))
+        texts.extend(dict.fromkeys(message_of(it.message) for it in caught))

@@ -21,7 +21,7 @@ from linkwork.running.simulation import simulate
 from linkwork.studies.outputs import Output
 from linkwork.studies.variants import Source
 
-__all__ = ["Answer", "Case", "Run", "Runner", "machine"]
+__all__ = ["Answer", "Case", "Run", "Runner", "kept", "machine"]
 
 #: A time that differs from the end by no more than this, relative, is the end: 3 * 0.1 is not 0.3.
 ROUNDED = 1e-12
@@ -103,21 +103,26 @@ class Runner:
 
     def kept(self, result: Result | LastState) -> dict[str, Any]:
         """Status, outputs and verdict of one that came to its end; failed where an output cannot be told."""
-        outputs = {}
-        for output in self.outputs:
-            try:
-                outputs[output.label] = output.value(result, self.times).tolist()
-            except Exception as error:
-                facts, named = facts_of(error), f"output '{output.label}': "
-                text = str(facts["message"])
-                message = text if text.startswith(named) else named + text
-                return {"status": "failed", "error": {**facts, "message": message}}
-        return {"status": "finished", "outputs": outputs, "verdict": _verdict(result)}
+        return kept(result, self.outputs, self.times)
 
     def result(self, values: Mapping[str, Any]) -> Result:
         """The whole run of a case."""
         options = {"threads": 1, **self.options}  # the processors are for other cases
         return simulate(self.source.model(values), self.t_end, progress=False, **options)
+
+
+def kept(result: Result | LastState, outputs: Sequence[Output], times: Floats | None) -> dict[str, Any]:
+    """As Runner.kept."""
+    values = {}
+    for output in outputs:
+        try:
+            values[output.label] = output.value(result, times).tolist()
+        except Exception as error:
+            facts, named = facts_of(error), f"output '{output.label}': "
+            text = str(facts["message"])
+            message = text if text.startswith(named) else named + text
+            return {"status": "failed", "error": {**facts, "message": message}}
+    return {"status": "finished", "outputs": values, "verdict": _verdict(result)}
 
 
 def machine() -> dict[str, str]:

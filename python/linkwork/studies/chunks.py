@@ -14,6 +14,7 @@ from typing import Any
 
 from linkwork.comparison.workers import Lost, in_processes
 from linkwork.errors import LinkworkError
+from linkwork.running.members import message_of
 from linkwork.studies.cases import Answer, Case, Runner
 from linkwork.studies.executors import adapted, workers_of
 from linkwork.studies.lanes import AT_ONCE, PACK
@@ -181,11 +182,13 @@ def _answer(future: futures.Future[Answer]) -> Answer | Lost:
         raise _broken(cancelled) from cancelled
     if isinstance(error, futures.BrokenExecutor):
         raise _broken(error) from error
-    return future.result() if error is None else Lost(f"its task ended with {type(error).__name__}: {error}")
+    if error is None:
+        return future.result()
+    return Lost(f"its task ended with {type(error).__name__}: {message_of(error)}")
 
 
 def _broken(error: Exception) -> LinkworkError:
-    cause = str(error) or "its scheduler, or all of its workers, are gone"
+    cause = message_of(error) or "its scheduler, or all of its workers, are gone"
     return LinkworkError(
         f"executor: works no more ({type(error).__name__}: {cause}); what is done is kept where a directory "
         "was given: run the study again with a new one",

@@ -102,7 +102,7 @@ class Collected:
         label = next(label for label in shapes if shapes[label] != usual[label])
         message = f"output '{label}' has shape {shapes[label]}, not {usual[label]} as in the first case"
         self._errors[k] = {"type": "OptionError", "code": "shape", "message": message, "reached": None}
-        self._state[k] = FAILED
+        self._state[k], self._accuracy[k], self._level[k] = FAILED, np.nan, ""
 
     # --- case by case, at the end ---
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from linkwork.arrays import Floats
 from linkwork.errors import LinkworkError, OptionError, nearest
@@ -42,6 +43,9 @@ VECTORS = {"position", "velocity", "acceleration", "omega", "omega_inertial", "a
            "force", "torque"}  # fmt: skip
 
 COMPONENTS = ("x", "y", "z")
+
+#: Slices that choose nothing.
+ALL = (slice(None), slice(0, None), slice(None, None, 1), slice(0, None, 1))
 
 #: Times that are one, relative to the end of the run.
 SAME_TIME = 1e-9
@@ -107,8 +111,8 @@ class Output:
         assert isinstance(result, Result)
         if self.function is not None:
             return _numbers(self.label, self.function(result))
-        found = _followed(result, self.steps)
-        if not isinstance(found, np.ndarray):
+        found: Floats = _followed(result, self.steps)
+        if not _is_over_time(found, result):
             raise OptionError(f"output '{self.label}': is no array over time", code="outputs")
         if not self.reduction:
             return found if times is None else _at_times(self.label, result.t, found, times)
@@ -184,10 +188,12 @@ def _final_v(result: Result) -> Floats:
 
 
 def _numbers(label: str, found: Any) -> Floats:
+    """NaN where it is masked."""
     try:
-        if np.asarray(found).dtype.kind not in "biuf":  # NumPy would take None for NaN
+        values = np.ma.asarray(found)
+        if values.dtype.kind not in "biuf":  # NumPy would take None for NaN
             raise TypeError
-        return np.array(found, dtype=float)
+        return np.array(np.ma.filled(values.astype(float), np.nan), dtype=float)
     except (TypeError, ValueError) as error:
         raise OptionError(
             f"output '{label}': its function gives {found!r:.60}, no number or array of numbers",
@@ -252,7 +258,7 @@ def _followed(result: Result, steps: Sequence[Step]) -> Any:
     found: Any = result
     for step in steps:
         if step[0] == "index":
-            found = np.asarray(found)[step[1]]
+            found = _indexed(np.asarray(found), step[1])
         elif step[0] == "call":
             found = found(*step[1], **dict(step[2]))
         elif isinstance(found, np.ndarray) and step[1] in COMPONENTS and found.shape[-1:] == (3,):
@@ -260,6 +266,24 @@ def _followed(result: Result, steps: Sequence[Step]) -> Any:
         else:
             found = _part(found, step[1])
     return found
+
+
+def _indexed(values: NDArray[Any], key: Any) -> NDArray[Any]:
+    """OptionError: it chooses among the frames, of which every run has others."""
+    first, *rest = (key if isinstance(key, tuple) else (key,)) or (Ellipsis,)
+    taken = sum(it is not None for it in rest)
+    if not (first is Ellipsis and taken < values.ndim) and first not in ALL:
+        raise OptionError(
+            "an index chooses among the frames, of which every run may have others: choose components alone, "
+            "as [:, 0] does, and times by times=[...], or add one of "
+            f"{', '.join('.' + name for name in REDUCTIONS)}",
+            code="outputs",
+        )
+    return np.asarray(values[key])
+
+
+def _is_over_time(found: Any, result: Result) -> bool:
+    return isinstance(found, np.ndarray) and found.ndim > 0 and len(found) == len(result)
 
 
 def _part(holder: Any, name: str) -> Any:
@@ -283,7 +307,7 @@ def checked(output: Output, result: Result, times: Floats | None) -> Output:
         values = _followed(result, output.steps)
     except (LinkworkError, IndexError, TypeError, ValueError) as error:
         raise OptionError(f"output '{output.label}': {error}", code="outputs") from error
-    if not isinstance(values, np.ndarray) or values.ndim < 1 or len(values) != len(result):
+    if not _is_over_time(values, result):
         raise OptionError(
             f"output '{output.label}': is no array over time; name a part of it, and what becomes of it: "
             f"{', '.join(REDUCTIONS)}",
@@ -302,10 +326,10 @@ def checked(output: Output, result: Result, times: Floats | None) -> Output:
 def _unit(steps: Sequence[Step], result: Result) -> str:
     names = [step[1] for step in steps if step[0] == "get" and step[1] not in COMPONENTS]
     if names[0] == "coordinate":
-        joint = result.index("joint", steps[1][1][0])
-        given = [*steps[1][1][1:], *(value for _, value in steps[1][2])]
+        given = {**dict(zip(("name", "which"), steps[1][1], strict=False)), **dict(steps[1][2])}
+        joint = result.index("joint", given["name"])
         kind, name = result.header.joint_kinds[joint], result.joint_names[joint]
-        unit = COORDINATES[coordinate_of(kind, name, given[0] if given else None)]
+        unit = COORDINATES[coordinate_of(kind, name, given.get("which"))]
         return f"{unit}/s" if names[-1] == "rate" else unit
     return {**PROPERTIES, **PARTS}.get(names[-1], "")
 

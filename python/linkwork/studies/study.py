@@ -7,7 +7,7 @@ import json
 import os
 import warnings
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from linkwork.studies.pictures import Swing
     from linkwork.view.page import Page
 
-__all__ = ["Study", "assembled"]
+__all__ = ["Study", "array_of", "assembled", "dimensions"]
 
 #: Causes of failure that a summary lists.
 LISTED = 3
@@ -277,7 +277,7 @@ class Study:
         return found
 
     def _variable(self, name: str, values: NDArray[Any], about: str) -> tuple[Any, Any, dict[str, str]]:
-        dims = [f"{name}_{k}" for k in range(1, values.ndim)]
+        dims = dimensions(name, values.ndim - 1, {*self.parameters, *self.outputs})
         if name in self.over_time:
             dims[0] = "time"
         attributes = {"units": self.units.get(name, ""), "long_name": about}
@@ -318,7 +318,7 @@ def assembled(
     """Case by case; of a function whose arrays differ in shape, those unlike the first are failures."""
     count = () if runner.times is None else (len(runner.times),)
     return Study(
-        parameters={name: _array(values) for name, values in cases.columns.items()},
+        parameters={name: array_of(values) for name, values in cases.columns.items()},
         outputs=found.outputs({it.label: count if it.over_time else () for it in runner.outputs}),
         status=found.status(lost, keys),
         errors=found.errors(lost, keys),
@@ -338,7 +338,17 @@ def assembled(
     )  # fmt: skip
 
 
-def _array(values: Sequence[Any]) -> NDArray[Any]:
+def dimensions(name: str, count: int, taken: Set[str]) -> list[str]:
+    """Of an array, after the first: none has the name of a parameter or output."""
+    found = []
+    for label in (f"{name}_{k + 1}" for k in range(count)):
+        while label in taken:
+            label += "_"
+        found.append(label)
+    return found
+
+
+def array_of(values: Sequence[Any]) -> NDArray[Any]:
     """(n, ...); what a function takes, and no array can hold, in words."""
     try:
         found = np.array(values)

@@ -45,7 +45,7 @@ from linkwork.studies.store import Store, stored_identity
 from linkwork.studies.study import Study, assembled
 from linkwork.studies.variants import Built, Source, source_of
 
-__all__ = ["probe", "sweep"]
+__all__ = ["check_names", "probe", "sweep"]
 
 log = logging.getLogger(__name__)
 
@@ -138,7 +138,8 @@ def sweep(
     drawn = drawn if isinstance(source, Built) else drawn.as_floats()
     asked = wanted.outputs_of(outputs)
     wanted_times, run_options = check_times(times, float(t_end), options, asked)
-    _check_names(drawn, asked)
+    own = dict.fromkeys(OWN, "a column that every study has")
+    check_names(own, list(drawn.columns), [it.label for it in asked])
     number, example = _example(model, source, drawn)
     checks.warn_of_opposed_axes(example, example.compiled().q0)
     first = example if number == 0 else None
@@ -217,10 +218,10 @@ def _check_case_seconds(case_seconds: Any, executor: Any) -> None:
         )
 
 
-def _check_names(cases: Cases, outputs: Sequence[wanted.Output]) -> None:
-    """OptionError: parameters and outputs that the table of a study could not tell apart."""
-    taken = dict.fromkeys(OWN, "a column that every study has")
-    for what, names in (("parameter", list(cases.columns)), ("output", [it.label for it in outputs])):
+def check_names(own: Mapping[str, str], parameters: Sequence[str], outputs: Sequence[str]) -> None:
+    """OptionError: two that a table could not tell apart; `own` says what has a name already."""
+    taken = dict(own)
+    for what, names in (("parameter", parameters), ("output", outputs)):
         for name in names:
             if name in taken:
                 raise OptionError(

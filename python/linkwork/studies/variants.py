@@ -269,13 +269,20 @@ def _check_apart(found: Sequence[_Address]) -> None:
     """OptionError: two paths to one value, of which one would win."""
     for k, one in enumerate(found):
         for other in found[:k]:
-            shorter = min(len(one.inside), len(other.inside))
-            same = (one.where, one.field) == (other.where, other.field)
-            if same and one.inside[:shorter] == other.inside[:shorter]:
+            if one.where == other.where and _overlap(one, other):
                 raise OptionError(
                     f"parameters '{other.name}' and '{one.name}' are the same value: give one of them",
                     code="parameters",
                 )
+
+
+def _overlap(one: _Address, other: _Address) -> bool:
+    """Of one object. Any part of `at` moves the points in both bodies, in which axes are turned."""
+    paths = [(it.field, *it.inside) for it in (one, other)]
+    if (one.field == "at") != (other.field == "at"):
+        paths = [(ATTACHED, "origin") if path[0] == "at" else path for path in paths]
+    shorter = min(map(len, paths))
+    return paths[0][:shorter] == paths[1][:shorter]
 
 
 def _address(name: str, record: Record) -> _Address:
