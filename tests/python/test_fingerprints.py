@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import linkwork as lw
+import numpy as np
 import pytest
 import scipy.interpolate
 import scipy.spatial
@@ -340,11 +341,40 @@ def takes(result: lw.Result, reference: Any) -> Any:
     return reference
 
 
+class Length(float):
+    unit: Any = None
+
+
+class Points(np.ndarray[Any, Any]):
+    unit: Any = None
+
+
+class Table(dict[str, float]):
+    unit: Any = None
+
+
+def with_unit(value: Any, unit: float) -> Any:
+    value.unit = unit
+    return value
+
+
+def tagged(length: float) -> Callable[..., Any]:
+    def function(result: lw.Result) -> Any:
+        return vars(function)["length"]
+
+    vars(function)["length"] = length
+    return function
+
+
 @pytest.mark.parametrize("make", [
     rod, lambda length: lw.simulate(rod(length), 0.01, step=1e-3),
     lambda length: scipy.spatial.transform.Rotation.from_euler("z", length),
+    lambda length: scipy.spatial.KDTree(length * np.eye(3)),
+    lambda length: {"short": rod(0.5), "long": (rod(length), 1.0)},
+    lambda unit: with_unit(Length(1.0), unit), lambda unit: with_unit(np.eye(2).view(Points), unit),
+    lambda unit: with_unit(Table(a=1.0), unit), tagged,
 ])  # fmt: skip
-def test_models_results_and_rotations_that_a_function_reads_count(
+def test_objects_that_a_function_reads_count(
     make: Callable[[float], Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """By what they hold: results of the same motion are the same, whatever time it took."""
@@ -357,3 +387,34 @@ def test_models_results_and_rotations_that_a_function_reads_count(
     usual, again, other = (found(make(length)) for length in (1.0, 1.0, 1.1))
     assert usual == again
     assert all(a != b for a, b in zip(usual, other, strict=True))
+
+
+def test_attributes_to_which_a_function_writes_do_not_count() -> None:
+    def counted(result: lw.Result) -> float:
+        counted.calls += 1  # type: ignore[attr-defined]
+        counted.kept[result] = 1.0  # type: ignore[attr-defined]
+        return 1.0
+
+    vars(counted).update(calls=0, kept={})
+    usual = digest(counted)
+    counted(None)  # type: ignore[arg-type]
+    assert digest(counted) == usual
+    vars(counted)["scale"] = 2.0
+    assert digest(counted) != usual
+
+
+def test_a_tree_of_points_is_the_same_in_every_process() -> None:
+    """And whoever has looked into it."""
+    text = (
+        "import numpy as np, scipy.spatial; from linkwork.fingerprints import digest; "
+        "tree = scipy.spatial.KDTree(np.arange(300.0).reshape(100, 3)); print(digest(tree)); "
+        "tree.tree; print(digest(tree))"
+    )
+    found = [
+        line
+        for _ in range(2)
+        for line in subprocess.run(
+            [sys.executable, "-c", text], capture_output=True, text=True, check=True
+        ).stdout.split()  # fmt: skip
+    ]
+    assert len(found) == 4 and len(set(found)) == 1

@@ -25,6 +25,7 @@ from types import (
     CellType,
     CodeType,
     FunctionType,
+    GetSetDescriptorType,
     MappingProxyType,
     MethodType,
     ModuleType,
@@ -35,8 +36,8 @@ from typing import Any
 import numpy as np
 
 __all__ = [
-    "RESTLESS", "attributes", "cells", "content", "is_users", "is_wrapper", "loaded", "of_class", "read_by",
-    "wrapped",
+    "RESTLESS", "attached", "attributes", "bare", "beside", "cells", "content", "is_users", "is_wrapper",
+    "loaded", "of_class", "read_by", "shown", "wrapped",
 ]  # fmt: skip
 
 #: Data, whose every bit counts.
@@ -90,6 +91,58 @@ def attributes(value: Any) -> list[tuple[str, Any]]:
     return sorted((name, it) for name, it in found.items() if name not in kept and isinstance(name, str))
 
 
+def bare(value: Any) -> Any:
+    """The data alone, of an object of a class that is made from one of data."""
+    if isinstance(value, np.generic | np.ndarray):
+        return value.tolist()
+    return next(it for it in type(value).__mro__ if it in _DATA)(value)
+
+
+def beside(value: Any) -> list[tuple[str, Any]]:
+    """Attributes that such an object has beside its data."""
+    home = type(value).__module__.split(".")[0]
+    if home in ("builtins", "numpy") or not isinstance(value, _DATA) or isinstance(value, Enum):
+        return []
+    return attributes(value)
+
+
+def shown(value: Any) -> list[tuple[str, Any]]:
+    """Numbers and arrays that a compiled class shows, such as a tree of points; none without arrays."""
+    names = {
+        name
+        for base in type(value).__mro__
+        for name, it in vars(base).items()
+        if isinstance(it, GetSetDescriptorType) and not name.startswith("_")
+    }
+    found = []
+    for name in sorted(names):
+        with contextlib.suppress(Exception):  # it is not to be had now
+            found.append((name, getattr(value, name)))
+    found = [(name, it) for name, it in found if isinstance(it, _DATA)]
+    return found if any(isinstance(it, np.ndarray) for _, it in found) else []
+
+
+def attached(function: FunctionType) -> list[tuple[str, Any]]:
+    """What counts of a function's attributes, but for those to which it writes, as counters and what it
+    remembers."""
+    own, written = _module_of(function), _attributes_written(function.__code__)
+    return sorted(
+        (name, it)
+        for name, it in vars(function).items()
+        if name != "__wrapped__" and name not in written and _counts(it, own)
+    )
+
+
+@functools.cache
+def _attributes_written(code: CodeType) -> set[str]:
+    steps = [it for it in dis.get_instructions(code) if it.opname != "CACHE"]
+    found = {it.argval for it in steps if it.opname in ("STORE_ATTR", "DELETE_ATTR")}
+    for what, key, store in zip(steps, steps[1:], steps[2:], strict=False):
+        if store.opname == "STORE_SUBSCR" and key.opname.startswith("LOAD_") and what.opname == "LOAD_ATTR":
+            found.add(what.argval)
+    return found.union(*(_attributes_written(it) for it in code.co_consts if isinstance(it, CodeType)))
+
+
 def read_by(function: FunctionType) -> list[tuple[str, Any]]:
     """What counts of its module, and of others that are not installed, by name."""
     own, known = _module_of(function), function.__globals__
@@ -131,6 +184,8 @@ def _counts(value: Any, own: str) -> bool:
     if isinstance(value, _VALUES) or value is None or hasattr(kind, "__array__"):
         return True
     if _is_own(kind.__module__, own) or dataclasses.is_dataclass(value) or hasattr(kind, "__fingerprint__"):
+        return True
+    if shown(value):
         return True
     held = attributes(value)
     said = (*_VALUES, ModuleType)

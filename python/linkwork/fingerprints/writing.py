@@ -20,12 +20,16 @@ import numpy as np
 from linkwork.errors import OptionError
 from linkwork.fingerprints.reading import (
     RESTLESS,
+    attached,
     attributes,
+    bare,
+    beside,
     cells,
     is_users,
     is_wrapper,
     of_class,
     read_by,
+    shown,
     wrapped,
 )
 
@@ -106,14 +110,15 @@ class _Writer:
             return value.hex()
         if type(value) is str:
             return _short(repr(value))
-        if isinstance(value, np.generic | np.ndarray):
-            value = value.tolist()
-        if isinstance(value, float):
-            return float(value).hex()
-        if value is None or isinstance(value, bool | bytes | str) or value is Ellipsis:
-            return _short(repr(value))
-        if isinstance(value, int) and not isinstance(value, Enum):
-            return repr(int(value)) if abs(value) < 2**64 else hex(value)
+        if not beside(value):
+            if isinstance(value, np.generic | np.ndarray):
+                value = value.tolist()
+            if isinstance(value, float):
+                return float(value).hex()
+            if value is None or isinstance(value, bool | bytes | str) or value is Ellipsis:
+                return _short(repr(value))
+            if isinstance(value, int) and not isinstance(value, Enum):
+                return repr(int(value)) if abs(value) < 2**64 else hex(value)
         if id(value) in self._known:
             return self._known[id(value)][1]
         if id(value) in self._inside:
@@ -134,13 +139,15 @@ class _Writer:
 
 def _parts(value: Any) -> list[Any]:
     """What it is made of; none where its own text says that."""
+    if held := beside(value):
+        return [type(value), bare(value), *held]
     if isinstance(value, list | tuple | Set | collections.deque):
         return list(value)
     if isinstance(value, Mapping):
         return [*value.items()]
     if isinstance(value, FunctionType):
         parts = [value.__qualname__, value.__code__, value.__defaults__, value.__kwdefaults__, cells(value)]
-        return [*parts, *read_by(value)]
+        return [*parts, *read_by(value), *attached(value)]
     if isinstance(value, CodeType):
         return [value.co_code, value.co_consts, value.co_names, value.co_varnames]
     if isinstance(value, MethodType):
@@ -176,8 +183,9 @@ def _parts_of_object(value: Any) -> list[Any]:
     if hasattr(kind, "__array__"):  # a data frame: columns that were looked at are in its state
         names = [np.asarray(getattr(value, name)) for name in ("columns", "index") if hasattr(value, name)]
         return [*own, kind.__qualname__, np.asarray(value), *names]
-    if held := attributes(value):
-        return [*own, *held]
+    seen, held = shown(value), attributes(value)
+    if seen or held:
+        return [*own, *seen, *(held if own or not seen else ())]
     if own:
         return [*own, ADDRESS.sub("", repr(value)) if "__repr__" in vars(kind) else ""]
     with contextlib.suppress(Exception):  # what has no such parts says so in many ways
