@@ -321,3 +321,54 @@ def test_an_error_of_the_users_function_reaches_the_user() -> None:
 def test_what_a_state_has_is_told_by_help() -> None:
     assert "Poses (n, 7)" in pydoc.render_doc(lw.State)
     assert "angular velocity" in pydoc.render_doc(lw.State).lower()
+
+
+# --- the end of a run ---
+
+
+@pytest.mark.parametrize("rtol", [1e-4, 1e-6, 1e-9])
+@pytest.mark.parametrize("later", [0.0, 1e-12, 1e-11, 1e-10, 1e-9, 1e-7])
+def test_an_impact_shortly_before_the_end_comes_once(rtol: float, later: float) -> None:
+    """At sqrt(2 h / g); what has bounced is still there until it has left by more than times are known."""
+    for height in np.linspace(0.1, 1.0, 12):
+        result = run(ball(height), np.sqrt(2 * height / GRAVITY) + later, floor(0.7), rtol=rtol)
+        assert len(result.events) <= 1
+        assert result.velocity[-1, 0, 2] == pytest.approx(
+            (0.7 if result.events else -1.0) * np.sqrt(2 * GRAVITY * height), rel=1e-4
+        )
+
+
+@pytest.mark.parametrize(("start", "t_end"), [(0.0, 1e4), (-2.0, 0.0), (-1.0, 1e-9), (1e5, 1e5 + 2)])
+def test_bounces_end_alike_whatever_the_length_of_the_run_and_its_start(start: float, t_end: float) -> None:
+    def until_slow(t: float, state: lw.State) -> bool:
+        body = state.body("ball")
+        body.velocity[2] *= -0.7
+        return bool(body.velocity[2] < 0.02)
+
+    event, model = lw.Event(floor(0.7).function, direction=-1, change=until_slow, name="floor"), ball(0.05)
+    usual = run(model, 2.0, event, rtol=1e-8)
+    at = lw.Snapshot.of(start, lw.System(model).initial_state())
+    found = run(model, t_end, event, rtol=1e-8, start=at)
+    assert len(found.events) == len(usual.events) == 11
+    assert found.t[-1] - start == pytest.approx(usual.t[-1], abs=1e-9)
+
+
+def test_a_force_without_bounds_ends_a_run_that_ends_at_zero() -> None:
+    model = ball()
+    model.force("ball", force=(0, 0, lambda t: 1 / (-0.5 - t) ** 2 if t < -0.5 else 1e300))
+    with pytest.raises(lw.StepSizeError, match="stays above the tolerances"):
+        run(model, 0.0, rtol=1e-6, start=lw.Snapshot.of(-1.0, lw.System(model).initial_state()))
+
+
+@pytest.mark.parametrize("by_change", [False, True])
+def test_a_run_that_an_event_ended_goes_on_to_the_next_one(by_change: bool) -> None:
+    def aside(t: float, state: lw.State) -> float:
+        return float(state.body("bob").position[0]) - 0.2
+
+    every = run(mechanisms.pendulum(), 3.0, lw.Event(aside, name="aside")).events
+    how: dict[str, Any] = {"change": lambda t, state: True} if by_change else {"terminal": True}
+    found = run(mechanisms.pendulum(), 10.0, lw.Event(aside, name="aside", **how))
+    for passage in every[1:3]:
+        found = run(mechanisms.pendulum(), 10.0, lw.Event(aside, name="aside", **how), start=found.snapshot())
+        assert [event.t for event in found.events] == pytest.approx([passage.t], abs=1e-7)
+        assert found.t[-1] == found.events[0].t

@@ -12,7 +12,7 @@ namespace linkwork {
 namespace {
 
 constexpr double least_relative = 1e-13;  // below, roundoff is all that an estimate sees
-constexpr double least_step = 16 * std::numeric_limits<double>::epsilon();  // of t_end: t + h is exact to some percent
+constexpr double least_step = 16 * std::numeric_limits<double>::epsilon();  // of t: t + h is exact to some percent
 
 void check(const AdaptiveSchedule& schedule) {
   const auto refuse = [](const char* what, const char* why) { throw OptionError(what, std::string(what) + " " + why); };
@@ -31,7 +31,7 @@ void check(const AdaptiveSchedule& schedule) {
 }
 
 // Events that end steps accumulate, like the bounces of a ball, when so many in a row have come after ever shorter
-// times, the last of which is less than this part of t_end.
+// times, the last of which is less than this part of all of them.
 constexpr int many_shorter = 8;
 constexpr double shorter = 0.999, short_time = 1e-6;
 
@@ -121,7 +121,7 @@ bool AdaptiveSimulation::near_end() const {
 void AdaptiveSimulation::keep(Archive& archive) {
   Run::keep(archive);
   archive(t_, begun_, evaluated_, step_, proposed_, controller_, watch_, last_stop_, last_interval_, shorter_);
-  archive(usual_step_, tries_, best_step_, best_error_, correction_length_);
+  archive(usual_step_, tries_, best_step_, best_error_, correction_length_, shorter_since_);
   crossing_.keep(archive, false);
   Dynamics::Place place = dynamics_.place();
   archive(place.t, place.factorized, place.fallback);
@@ -216,7 +216,7 @@ double AdaptiveSimulation::end_of_step(double& h) const {
     t_new = t_ + 0.5 * remaining;
   }
   if (const double knot = breaks_.only_knot(t_, t_new); knot < t_new) t_new = knot;
-  if (h >= remaining || t_new < t_ + h || h < small * t_new) h = t_new - t_;
+  if (h >= remaining || t_new < t_ + h || h < small * std::abs(t_new)) h = t_new - t_;
   return t_new;
 }
 
@@ -235,7 +235,7 @@ bool AdaptiveSimulation::end_at_switch(double h) {
   dynamics_.end_zero_order_hold();
   evaluate(t_, y_);
   const double part = found->theta * h;
-  if (part <= least_step * std::max(t_, t_new_)) {  // at the start: the step is tried again
+  if (part <= least_step * std::max(std::abs(t_), std::abs(t_new_))) {  // at the start: the step is tried again
     switch_ = found;
     settle_history();
     return true;
@@ -423,7 +423,8 @@ void AdaptiveSimulation::retry(double h) {
 
 void AdaptiveSimulation::reject(double h, const BodyMaximum& error) {
   retry(controller_.after_rejected(h, error.value));
-  if (step_ < least_step * schedule_.t_end) with_time(t_, step_, [&] { throw_step_size(error); });
+  const double span = std::max(schedule_.t_end - start_, std::abs(t_));
+  if (step_ < least_step * span) with_time(t_, step_, [&] { throw_step_size(error); });
 }
 
 void AdaptiveSimulation::throw_step_size(const BodyMaximum& error) const {
@@ -554,23 +555,27 @@ void AdaptiveSimulation::strike(const VectorXd& Phi_t_before) {
   y_[y_.size() - 1] += energy() - before;
 }
 
+/// Those up to the start of a run that is resumed ended the run before it.
 void AdaptiveSimulation::finish_event() {
   auto occurrence = of_step_.end() - std::ssize(stops_);
+  bool ends = false;
   for (const EventWatch::Found& it : stops_) {
     const Event& event = watch_.event(it.event);
-    finished_ = finished_ || event.terminal;
-    if (event.change) with_time(t_, NAN, [&] { finished_ = apply(event, *occurrence) || finished_; });
+    ends = ends || event.terminal;
+    if (event.change) with_time(t_, NAN, [&] { ends = apply(event, *occurrence) || ends; });
     ++occurrence;
   }
+  finished_ = finished_ || (ends && !(repeating() && t_ <= start_));
 }
 
 void AdaptiveSimulation::check_accumulation() {
   const double interval = t_ - last_stop_;
   const bool vanishes = interval <= watch_.event(stops_.front().event).tolerance;
   shorter_ = vanishes || interval <= shorter * last_interval_ ? shorter_ + 1 : 0;
+  if (shorter_ == 0) shorter_since_ = last_stop_;
   last_stop_ = t_;
   last_interval_ = interval;
-  if (shorter_ < many_shorter || interval >= short_time * schedule_.t_end) return;
+  if (shorter_ < many_shorter || (!vanishes && interval > short_time * (t_ - shorter_since_))) return;
   throw StepSizeError(
       "event", "event '" + watch_.event(stops_.front().event).name + "' comes after ever shorter times, at last " +
                    scientific(interval) +

@@ -129,7 +129,8 @@ class AdaptiveSimulation final : public Run {
   std::vector<Occurrence> occurrences_;        ///< of finished steps
   std::vector<EventWatch::Found> stops_;       ///< the event that ends the current step, and those that come with it
   double last_stop_ = 0.0, last_interval_ = std::numeric_limits<double>::infinity();  ///< between such events
-  int shorter_ = 0;  ///< such intervals in a row that were shorter than the one before
+  int shorter_ = 0;             ///< such intervals in a row that were shorter than the one before
+  double shorter_since_ = 0.0;  ///< when the first of them began
   double t_ = 0.0, h_ = 0.0, t_new_ = 0.0;
   double start_ = 0.0;      ///< of this run, which may have been resumed from before it
   VectorXd y_new_;          ///< at t_new_

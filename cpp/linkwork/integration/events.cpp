@@ -19,6 +19,7 @@ constexpr std::size_t usual_places = 4;
 
 constexpr double line = 1e-7;       // of the size of q: for differences of an event's function
 constexpr double roundoff = 1e-15;  // likewise
+constexpr double leaving = 16.0;    // times as long as a time is known: what a barrier has turned back has left
 constexpr double at_rest = 1e-6;    // of the speed before an event: what those differences resolve
 
 void check(const Event& event) {
@@ -60,7 +61,12 @@ void EventWatch::take_signs(double t, const VectorXd& y) {
 
 /// How exactly its time is known.
 double EventWatch::resolved(std::size_t index, double t) const {
-  return events_[index].tolerance + 4.0 * std::numeric_limits<double>::epsilon() * t;
+  return events_[index].tolerance + 4.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
+}
+
+/// So soon after a barrier that what it turned back may not have left the zero by more than its time is known.
+bool EventWatch::beside_barrier(std::size_t index, double t) const {
+  return t - barrier_t_[index] <= leaving * resolved(index, t);
 }
 
 void EventWatch::restart(const System& system, double t, const VectorXd& before, const VectorXd& y,
@@ -142,6 +148,7 @@ bool EventWatch::end_at_stop(std::size_t first, double t, double h) {
 void EventWatch::scan_piece(const Interpolant& step, const System& system, double t, double h, double from, double to,
                             bool last) {
   for (std::size_t k = 0; k < events_.size(); ++k) {
+    if (beside_barrier(k, t + to * h)) continue;
     const auto at = [&](double theta) {
       step.interpolate(system, theta, state_);
       return value(k, t + theta * h, state_);

@@ -81,6 +81,7 @@ class EventWatch {
   void restart(const System& system, double t, const VectorXd& before, const VectorXd& y, const Found& happened,
                double barrier_t);
   double resolved(std::size_t index, double t) const;
+  bool beside_barrier(std::size_t index, double t) const;
   bool end_at_stop(std::size_t first, double t, double h);
   void scan_piece(const Interpolant& step, const System& system, double t, double h, double from, double to, bool last);
 
