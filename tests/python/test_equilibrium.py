@@ -48,3 +48,51 @@ def test_a_track_that_is_not_driven_rests_on_its_rollers() -> None:
     assert wheel[1] == pytest.approx(idler[1], rel=1e-6)
     assert idler[0] == pytest.approx(-wheel[0], rel=1e-9)
     assert idler[0] == pytest.approx(2 * TENSION, rel=0.01)
+
+
+def test_a_torsion_spring_is_wound_over_several_turns() -> None:
+    model = wheel()
+    model.rotational_spring_damper(model.ground, "wheel", axis=Z, stiffness=1.0, torque=10.0, name="spring")
+    rest = lw.equilibrium(model)
+    result = lw.simulate(rest.model, t_end=0.01, step=1e-3)
+    assert rest.stability == "stable"
+    assert result.force("spring").deflection == pytest.approx(10.0, abs=1e-9)
+
+
+def test_a_weight_turns_a_drum_several_times_until_its_spring_holds() -> None:
+    model = wheel()
+    model.body("weight", mass=2.0, inertia=(0.1, 0.1, 0.1))
+    model.translational(model.ground, "weight", at=(0, 0, 0), axis=Z, name="guide")
+    model.coupler([("bearing", 1.0), ("guide", -100.0)])
+    model.translational_spring_damper(model.ground, "weight", at=(0, 0, 0), axis=Z, stiffness=100.0)
+    model.force("weight", force=(0, 0, -20.0))
+    rest = lw.equilibrium(model)
+    assert rest.model.compiled().q0[9] == pytest.approx(-0.2, rel=1e-9)
+    result = lw.simulate(rest.model, t_end=0.01, step=1e-3)
+    assert result.position[-1, 1, 2] == pytest.approx(-0.2, rel=1e-9)
+    softness = lw.linearize(rest.model).frequencies
+    assert softness == pytest.approx([np.sqrt(100 / (2 + 0.2 * 100**2))], rel=1e-6)
+
+
+def screw(load: float) -> lw.Model:
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("nut", mass=20.0, inertia=(0.1, 0.1, 0.1))
+    model.screw(model.ground, "nut", at=(0, 0, 0), axis=Z, pitch=0.05, name="screw")
+    model.force("nut", force=(0, 0, -load))
+    return model
+
+
+def test_a_torsion_spring_on_a_screw_is_wound_by_as_many_turns_as_the_screw() -> None:
+    model, lead = screw(200.0), 0.05 / (2 * np.pi)
+    model.rotational_spring_damper(model.ground, "nut", at=(0, 0, 0), axis=Z, stiffness=0.05)
+    model.translational_spring_damper(model.ground, "nut", at=(0, 0, 0), axis=Z, stiffness=1500.0)
+    angle = -200.0 * lead / (0.05 + 1500.0 * lead**2)
+    assert angle < -3 * np.pi
+    assert lw.equilibrium(model).model.compiled().q0[2] == pytest.approx(angle * lead, rel=1e-9)
+
+
+def test_a_stop_holds_after_more_turns_than_those_of_a_body_that_goes_round() -> None:
+    model, lead = screw(200.0), 0.05 / (2 * np.pi)
+    model.rotational_stop(model.ground, "nut", at=(0, 0, 0), axis=Z, lower=-20.0, upper=20.0, stiffness=10.0)
+    angle = -20.0 - 200.0 * lead / 10.0
+    assert lw.equilibrium(model).model.compiled().q0[2] == pytest.approx(angle * lead, rel=1e-9)

@@ -40,8 +40,12 @@ LEAST_DAMPING, FIRST_DAMPING, MOST_DAMPING = 1e-13, 1e-4, 1e12
 #: Steps [rad, sizes of the mechanism] in which rounding hides the work of the forces.
 TINY_STEP = 1e-7
 
-#: A body that has turned so often [rad] while the imbalance did not fall by this part goes round for ever.
+#: A body that has turned so often [rad] while the imbalance did not fall by this part goes round for ever,
+#: unless turns are counted: it may come to a stop.
 ROUND, PROGRESS = 4 * np.pi, 0.01
+
+#: The most that a body may turn in a step, corrections onto the joints included, for its turns to be counted.
+COUNTED_TURN = np.pi / 2
 
 #: Of steps, of corrections onto the joints, and of departures from unstable equilibria.
 ITERATIONS, CORRECTIONS, DEPARTURES = 400, 20, 5
@@ -120,7 +124,7 @@ def equilibrium(model: Model, *, stable: bool = True) -> Equilibrium:
     constraints included. Steps are limited, and shortened until the forces do work along them, so that the
     mechanism goes down, as it would with much friction: to a stable equilibrium, away from an unstable one.
     Forces of rest count: dampers and regularized friction have none. Masses count by their weight only.
-    Springs about axes count their angle within half a turn of the initial pose.
+    Springs, stops, laws and couplers count full turns on the way.
 
     stable  False: the nearest equilibrium of any kind, by steps that reduce the imbalance
 
@@ -173,6 +177,7 @@ class _Search:
         self.rows = equations.independent
         self.placing = self.rows[equations.holonomic[self.rows]]  # restrict positions, not velocities only
         self.steps = 0
+        self.counts_turns = len(equations.dynamics.initial_history) > 0
 
     def find(self) -> Floats:
         q = self._on_joints(np.array(self.eq.core.q0))
@@ -182,6 +187,7 @@ class _Search:
                 "linkwork.assemble(model) says which",
                 code="no_start",
             )
+        self._accept(q)
         for _ in range(DEPARTURES + 1):
             q = self._descend(q)
             if not self.stable:
@@ -193,6 +199,7 @@ class _Search:
             if away is None:
                 return q
             q = away
+            self._accept(q)
         return q
 
     # (K + mu W) x - D^T dlambda = r,   D x = -Phi
@@ -213,12 +220,17 @@ class _Search:
             x = between(q, found[0])
             step = self._reach(x)
             q, r, multipliers, scale = found[0], found[1], found[2], max(scale, found[3])
+            self._accept(q)
             rounds.add(x, self._size(r))
-            if rounds.angle.max() > ROUND:
-                self._fail(q, r, int(rounds.angle.argmax()))
+            if rounds.angle.max() > ROUND and not self.counts_turns:
+                break
         if self._size(r) > ACCEPTED * scale:
-            self._fail(q, r)
+            self._fail(q, r, int(rounds.angle.argmax()) if rounds.angle.max() > ROUND else None)
         return q
+
+    def _accept(self, q: Floats) -> None:
+        """Turns are counted from this pose on."""
+        self.eq.dynamics.history = self.eq.dynamics.advanced_history(0.0, q, self.rest)
 
     def _step(
         self, q: Floats, r: Floats, K: Sparse, mu: float, unit: float
@@ -247,6 +259,8 @@ class _Search:
             return GROWTH
         after = self._balance(new)
         x = between(q, new)
+        if self.counts_turns and np.linalg.norm(x.reshape(-1, 6)[:, 3:], axis=1).max() > COUNTED_TURN:
+            return GROWTH
         decreased = self._size(after[0]) < self._size(r)
         works = (r + after[0]) @ x > 0 if self.stable else decreased
         tiny = self._reach(x) < TINY_STEP
