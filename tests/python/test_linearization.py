@@ -530,3 +530,29 @@ def test_a_driver_that_starts_to_accelerate_holds_at_rest() -> None:
     assert rest.reaction("motor").torque == pytest.approx([0, -(2 * 0.5 + 1) * G, 0], abs=1e-9)
     exact = np.sqrt(G * 0.4 / (0.02 + 0.16))
     assert lw.linearize(rest.model).frequencies == pytest.approx([exact], rel=1e-9)
+
+
+def test_motion_that_accelerates_is_told_as_such_and_not_sent_to_an_equilibrium() -> None:
+    """A ball that goes round on a shaft stays at its height: at rest it would hang."""
+    omega, length = 8.0, 0.3
+    angle = np.arccos(G / (omega**2 * length))
+    p = lw.rotation.about((0, 1, 0), -angle)
+    A = lw.rotation.matrix(p)
+    r = A @ (0, 0, -length)
+    model = lw.Model(name="governor")
+    model.body("shaft", mass=1.0, inertia=(0.1, 0.1, 0.1), omega=(0, 0, omega))
+    model.revolute("ground", "shaft", at=(0, 0, 0), axis=Z, name="bearing")
+    model.body("ball", mass=1.0, inertia=(1e-3, 1e-3, 1e-3), position=r, orientation=p,
+               velocity=np.cross((0, 0, omega), r), omega=A.T @ (0, 0, omega))  # fmt: skip
+    model.revolute("shaft", "ball", at=(0, 0, 0), axis=(0, 1, 0), name="arm")
+    with pytest.raises(lw.ModelError, match="accelerates: body 'ball' needs .* N for it") as caught:
+        lw.linearize(model)
+    assert caught.value.code == "not_in_balance" and "equilibrium" not in str(caught.value)
+
+
+def test_of_one_joint_that_restricts_velocities_the_message_speaks_in_the_singular() -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("blade", mass=1.0, inertia=(0.1, 0.1, 0.1), velocity=(1, 0, 0))
+    model.knife_edge("ground", "blade", at=(0, 0, 0), axis=(0, 1, 0))
+    with pytest.raises(lw.ModelError, match=r"linearize: knife_edge 1 restricts velocities only"):
+        lw.linearize(model)

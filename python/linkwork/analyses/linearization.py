@@ -171,17 +171,21 @@ def linearize(
         vibration = lw.linearize(lw.equilibrium(model).model)
         vibration.frequencies, vibration.damping_ratios, vibration.describe(0)
 
-    About the model's initial state, or `start`: at rest in balance, or in motion that looks the same at all
-    times, such as that of a spinning top. M, C, K over the motions of all bodies, sparse, and restricted to
-    D x = 0: exactly by a null space for small models; for large ones with the constraints in the matrix that
-    is factorized, by shift and inversion (Lanczos, Arnoldi), so that nothing is lost to a penalty.
+    About the model's initial state, or `start`: at rest in balance, or in motion without accelerations that
+    looks the same at all times: centers of mass at rest or in straight uniform motion, bodies that spin at
+    constant angular velocity about axes fixed in space, such as an upright top; not one that precesses, nor
+    a mechanism on a turning shaft, whose centers of mass go round.
+
+    M, C, K over the motions of all bodies, sparse, and restricted to D x = 0: exactly by a null space for
+    small models; for large ones with the constraints in the matrix that is factorized, by shift and inversion
+    (Lanczos, Arnoldi), so that nothing is lost to a penalty.
 
     start  another state: `Result.snapshot()`; functions of time have the values that they have then
     modes  how many; all of a small model, 10 of a large one
     near   for large models: those whose frequency is nearest to this [rad/s]
 
-    ModelError: the state is not in balance, is singular, has coefficients that change with time, or a
-    massless motion. OptionError: modes or near. NotConvergedError: the iteration of a large model.
+    ModelError: the state is not in balance, or accelerates, is singular, has coefficients that change with
+    time, or a massless motion. OptionError: modes or near. NotConvergedError: the iteration of a large model.
     """
     if modes is not None and (not isinstance(modes, int) or modes < 1):
         raise OptionError(f"modes {modes!r} is not a positive whole number", code="modes")
@@ -242,7 +246,7 @@ def _coefficients(
         _check_velocities(eq, terms, v, eq.gross_forces(at.t, q, v))
     K, C = stiffness(eq, at.t, q, v, multipliers), damping(eq, at.t, q, v)
     if check:
-        _check_balance(eq, terms.g, K, unbalanced)
+        _check_balance(eq, terms.g, K, unbalanced, moving=bool(v.any()))
     return M, C, K, terms.D[eq.independent]
 
 
@@ -250,19 +254,26 @@ def _accelerations(eq: Equations, t: float, q: Floats, v: Floats) -> tuple[Float
     return System(eq.model).accelerations(t, q, v, eq.dynamics.history)
 
 
-def _check_balance(eq: Equations, g: Floats, K: Sparse, unbalanced: Floats) -> None:
-    """ModelError: forces in the directions that the joints leave."""
+def _check_balance(eq: Equations, g: Floats, K: Sparse, unbalanced: Floats, *, moving: bool) -> None:
+    """ModelError: forces in the directions that the joints leave, or accelerations."""
     springs = PRELOAD * eq.length * float(abs(_scaled(eq, K)).max()) if K.nnz else 0.0
     scale = max(float(np.abs(g * eq.scale).max(initial=0.0)), eq.weight, springs) or 1.0
     size = np.abs(unbalanced * eq.scale)
     if size.max() > BALANCE * scale:
         body, k = divmod(int(size.argmax()), 6)
         value = f"{unbalanced.reshape(-1, 6)[body, k]:.3g} {'N' if k < 3 else 'N m'}"
+        name = eq.core.body_name(body)
+        why = (
+            f"is not in balance: body '{name}' is driven by {value}; start from "
+            "linkwork.equilibrium(model).model"
+        )
+        if moving:
+            why = (
+                f"accelerates: body '{name}' needs {value} for it; linearize at rest, or in motion in which "
+                "no center of mass and no rotation accelerates, such as that of an upright top"
+            )
         raise ModelError(
-            f"linearize: the model '{eq.model.name}' is not in balance: body '{eq.core.body_name(body)}' is "
-            f"driven by {value}; start from linkwork.equilibrium(model).model",
-            code="not_in_balance",
-            bodies=[eq.core.body_name(body)],
+            f"linearize: the model '{eq.model.name}' {why}", code="not_in_balance", bodies=[name]
         )
 
 
@@ -294,7 +305,8 @@ def _refuse_velocity_rows(eq: Equations) -> None:
     names = eq.joints(np.flatnonzero(~eq.holonomic))
     if names:
         raise ModelError(
-            f"linearize: {', '.join(names)} restrict velocities only: linearize them at rest",
+            f"linearize: {', '.join(names)} restrict{'s' if len(names) == 1 else ''} velocities only: "
+            "linearize at rest",
             code="velocity_constraints",
             joints=names,
         )
@@ -320,10 +332,11 @@ def _refuse_change(
     if then[3].nnz and _norm((then[3] @ Z) / np.abs(then[3]).max()) > STEADY * _norm(Z):
         changed.append("freedoms")
     if changed:
+        change = "changes" if len(changed) == 1 and changed != ["freedoms"] else "change"
         raise ModelError(
-            f"linearize: the model '{eq.model.name}' moves so that its {' and '.join(changed)} "
-            f"{'changes' if len(changed) == 1 else 'change'} with time: there are no frequencies; linearize "
-            "at rest, or in motion that looks the same at all times",
+            f"linearize: the model '{eq.model.name}' moves so that its {' and '.join(changed)} {change} "
+            "with time: there are no frequencies; linearize at rest, or in motion that looks the same at all "
+            "times",
             code="not_steady",
         )
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 import linkwork as lw
+from linkwork.arrays import Floats
 from linkwork.cli import output as out
 
 if TYPE_CHECKING:
@@ -105,7 +106,7 @@ def kinematics_and_show(
     model = mechanism.function(**parameters)
     for joint, speed in drive:
         model.drive(joint, velocity=speed, name=f"drive of {joint}")
-    needed = lw.inverse_dynamics(model, np.linspace(0, t_end, count + 1))
+    needed = _prescribed(model, np.linspace(0, t_end, count + 1))
     motion = needed.motion
     if output:
         motion.save(output, overwrite=True)
@@ -133,6 +134,19 @@ def kinematics_and_show(
         title="Drives",
         left=2,
     )  # fmt: skip
+
+
+def _prescribed(model: lw.Model, times: Floats) -> lw.InverseDynamics:
+    """ModelError: nothing drives the mechanism, in the words of the command."""
+    try:
+        return lw.inverse_dynamics(model, times)
+    except lw.ModelError as error:
+        if error.code != "no_drivers":
+            raise
+        message = (
+            f"kinematics: '{model.name}' has no drivers: give --drive JOINT=SPEED, or a file that has some"
+        )
+        raise lw.ModelError(message, code=error.code) from None
 
 
 def _vector(x: Any) -> str:
