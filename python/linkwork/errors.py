@@ -5,6 +5,7 @@ The compiled module raises these same classes. Nothing here prints.
 
 from __future__ import annotations
 
+import contextlib
 import difflib
 import errno
 import os
@@ -244,7 +245,8 @@ def counted(number: int, one: str, form: str = "") -> str:
 
 def warn(message: str) -> None:
     """LinkworkWarning at the line of the user's, the nearest outside this package."""
-    package, frame, level = os.path.dirname(__file__) + os.sep, sys._getframe(1), 2
-    while frame.f_code.co_filename.startswith(package) and frame.f_back is not None:
+    inside = (os.path.dirname(__file__) + os.sep, contextlib.__file__)
+    frame, level = sys._getframe(1), 2
+    while frame.f_code.co_filename.startswith(inside) and frame.f_back is not None:
         frame, level = frame.f_back, level + 1
     warnings.warn(message, LinkworkWarning, stacklevel=level)

@@ -24,6 +24,7 @@ from linkwork.motion.records import Snapshot
 from linkwork.results.result import Result
 from linkwork.running import checks
 from linkwork.running.manifest import manifest
+from linkwork.running.tilted_axes import warn_of_tilted_axes
 
 __all__ = ["kinematics"]
 
@@ -83,9 +84,12 @@ def kinematics(
         error.result = frames.result(continuation, t, began, failed=True) if frames.rows else None
         at = continuation.at
         error.state = Snapshot(at.t, at.q.reshape(-1, 7), at.v.reshape(-1, 6), at.history)
+        if error.result is not None:
+            warn_of_tilted_axes(error.result)
         raise
     result = frames.result(continuation, t, began)
     _check_work(result)
+    warn_of_tilted_axes(result)
     return result
 
 

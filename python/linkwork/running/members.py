@@ -32,6 +32,7 @@ from linkwork.running.simulation import (
     simulate,
     what_steps,
 )
+from linkwork.running.tilted_axes import warn_of_tilted_axes
 
 __all__ = [
     "FRAMES", "Member", "Method", "facts_of", "message_of", "method_of", "refusal", "remarked", "run_members",
@@ -276,7 +277,10 @@ def _in_lanes(ready: Sequence[_Ready], method: Method) -> dict[int, Member]:
 def _ended(it: _Ready, frames: Mapping[str, Any], method: Method) -> Member:
     poses = _singular_poses(it)
     if not method.state_alone:
-        return Member(_result(it, frames, method, poses), remarks=it.remarks)
+        result = _result(it, frames, method, poses)
+        with remarked() as more:
+            warn_of_tilted_axes(result)
+        return Member(result, remarks=[*it.remarks, *more])
     verdict, _ = _judged(it, frames, method, poses)
     return Member(None, remarks=it.remarks, last=LastState(frames, verdict, {"model": it.model.name}))
 

@@ -25,6 +25,7 @@ from linkwork.motion.records import Checkpoint, Occurrence, Snapshot
 from linkwork.results.result import Result
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.progress import Report
+from linkwork.running.tilted_axes import warn_of_tilted_axes
 
 if TYPE_CHECKING:
     from linkwork.running.estimation import ErrorEstimator
@@ -263,6 +264,7 @@ def _abandon(
             error.state, error.result = state.resumable(checkpoints.of_state(), run.work), result
             if result is not None:
                 result.statistics.update(run.statistics(), failed=True)
+                warn_of_tilted_axes(result)
         elif isinstance(error, Exception):  # of the user's own function
             error.add_note(f"linkwork: in the step after t = {run.t:.6g} s")
 

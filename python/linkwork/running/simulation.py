@@ -31,6 +31,7 @@ from linkwork.running.interrupts import Interrupts
 from linkwork.running.manifest import manifest
 from linkwork.running.progress import ProgressOption, check_progress, preparing, reporting, sharing
 from linkwork.running.recording import PythonStep
+from linkwork.running.tilted_axes import warn_of_tilted_axes
 
 __all__ = ["PythonStep", "check_run", "simulate", "what_steps"]
 
@@ -120,7 +121,7 @@ def simulate(
     on_inaccurate="stop". An error of a run has its `result` up to there and the last `state`. ModelError:
     initial poses or velocities do not satisfy the joints, see `assemble`.
     LinkworkWarning: they were corrected; the run is inaccurate; redundant equations contradict the others a
-    little.
+    little; elements about an axis measured an angle that depends on their x axes.
     Ctrl-C ends the run; what `output` has by then stays readable.
     """
     started = time.perf_counter()
@@ -361,6 +362,7 @@ def _carried_out(
     found = {"verdict": verdict.numbers()} if verdict is not None else {}
     result = recorder.result({**statistics, "seconds": seconds, **spent, **found})
     checks.warn_of_contradiction(result.statistics)
+    warn_of_tilted_axes(result)
     return result, estimator
 
 

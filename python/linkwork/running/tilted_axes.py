@@ -1,0 +1,103 @@
+"""Whether the bodies of elements about an axis tilted against it, so that their angle was one of many.
+
+    theta = atan2(x_b . y_a, x_b . x_a)
+
+is the angle by which b is turned about z_a where x_b stays across z_a, as in hinges, and in universal joints
+whose other axis is x_b. Elsewhere it depends on which direction of b is x_b, and there is none at x_b = z_a.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from linkwork import rotation
+from linkwork.arrays import Floats, Indices
+from linkwork.errors import warn
+from linkwork.motion.header import Header
+from linkwork.results.result import Result
+
+__all__ = ["warn_of_tilted_axes"]
+
+#: Kinds that measure this angle, or its rate.
+ABOUT_AN_AXIS = frozenset(
+    {"rotational_spring_damper", "nonlinear_rotational_spring_damper", "motor", "rotational_friction",
+     "rotational_stop", "rotational_inerter", "angle_driver"}
+)  # fmt: skip
+
+#: Of x_b out of the plane across z_a: so much [rad], and so many times the violation of the joints, is none.
+NO_TILT, VIOLATIONS = 1e-3, 10.0
+
+#: From here on the angle is about to have no direction [rad].
+UPRIGHT = np.radians(80.0)
+
+#: What is looked at: so many frames and elements at most, and so many of elements in frames.
+FRAMES, ELEMENTS, LOOKS = 50, 100_000, 200_000
+
+#: How many elements the message names.
+NAMED = 3
+
+
+class _Elements(NamedTuple):
+    names: Sequence[str]
+    bodies: Indices  # (e, 2)
+    frame: Floats  # (e, 2, 3, 3), axes in the bodies as columns
+
+
+def warn_of_tilted_axes(result: Result) -> None:
+    """LinkworkWarning: x_b left the plane across z_a, as far as a sample of the frames tells."""
+    elements = _about_an_axis(result.header)
+    if not elements.names or not len(result):
+        return
+    x_b, z_b, z_a = _axes(result, elements)
+    out = np.arcsin(np.clip(np.abs(np.einsum("kei,kei->ke", x_b, z_a)), 0.0, 1.0))
+    least = max(NO_TILT, VIOLATIONS * float(result.violation[:, 0].max()))
+    tilted = np.flatnonzero(out.max(axis=0) > least).tolist()
+    if not tilted:
+        return
+    cosine = np.einsum("kei,kei->ke", z_b[:, tilted], z_a[:, tilted])
+    degrees = np.degrees(np.arccos(np.clip(cosine, -1.0, 1.0))).max()
+    none = ", and where one of these comes to the axis, as at the end here, there is no angle"
+    ends = none if out[-1].max() > UPRIGHT else ""
+    warn(
+        f"{_listed([elements.names[k] for k in tilted])}: the axis of the second body tilts by up to "
+        f"{degrees:.3g} degrees against that of the first: what is measured, and how it acts, then depends "
+        f"on the choice of x axes{ends}; about an axis of a universal joint give its other axis as x_axis, "
+        "or take model.joint_force on its angle_a or angle_b; elsewhere a bushing or a bending_spring"
+    )
+
+
+def _about_an_axis(header: Header) -> _Elements:
+    forces, drivers = (
+        [k for k, kind in enumerate(kinds) if kind in ABOUT_AN_AXIS][:ELEMENTS]
+        for kinds in (header.force_kinds, header.joint_kinds)
+    )
+    return _Elements(
+        [header.force_names[k] for k in forces] + [header.joint_names[k] for k in drivers],
+        np.concatenate([header.force_bodies[forces], header.joint_bodies[drivers]]),
+        np.concatenate([header.force_frame[forces], header.joint_frame[drivers]]),
+    )
+
+
+def _axes(result: Result, elements: _Elements) -> tuple[Floats, Floats, Floats]:
+    """x_b, z_b and z_a (k, e, 3) in a sample of the frames with the last one."""
+    bodies = np.unique(elements.bodies[elements.bodies >= 0])
+    count = min(FRAMES, max(1, LOOKS // len(elements.names)))
+    sampled = result.recorded_of("q", bodies, -(-len(result) // count))
+    q = np.concatenate([sampled, result.recorded("q", np.s_[-1:])[:, bodies]])
+    ground = np.broadcast_to(np.eye(3), (len(q), 1, 3, 3))
+    A = np.concatenate([rotation.matrix(q[..., 3:]), ground], axis=1)
+    place = np.where(elements.bodies < 0, -1, np.searchsorted(bodies, elements.bodies))
+
+    def axis(side: int, which: int) -> Floats:
+        found: Floats = np.einsum("keij,ej->kei", A[:, place[:, side]], elements.frame[:, side, :, which])
+        return found
+
+    return axis(1, 0), axis(1, 2), axis(0, 2)
+
+
+def _listed(names: Sequence[str]) -> str:
+    more = f" and {len(names) - NAMED} more" if len(names) > NAMED else ""
+    return ", ".join(map(repr, names[:NAMED])) + more
