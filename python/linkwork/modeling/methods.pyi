@@ -636,7 +636,7 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """Knife edge: the point of b has no velocity against a along an axis fixed in b; non- holonomic. Along the edge and about the point all motion is free.
+        """Knife edge: the point of b has no velocity against a along an axis fixed in b; nonholonomic. Along the edge and about the point all motion is free.
 
         1 equation: velocity along joint z. The last 1 of velocities only (non-holonomic).
 
@@ -1054,7 +1054,7 @@ class ForceMethods:
         exponent    n, a number, at least 1; 1.5
         hysteresis  factor c of the rate, a number or a function of time, at least 0; 0
         friction    coefficient of friction, a number or a function of time, at least 0; 0
-        transition  speed of regularization [m/s], a number, above 0; 0.001
+        transition  speed of regularization, and the least by which hysteresis damps: at rest by F c / transition [m/s], a number, above 0; 0.001
         breaks      times [s] at which Python functions are not smooth, see functions.with_breaks
         frames      "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
         name        without it the kind and a number
@@ -1091,7 +1091,7 @@ class ForceMethods:
         exponent    n, a number, at least 1; 1.5
         hysteresis  factor c of the rate, a number or a function of time, at least 0; 0
         friction    coefficient of friction, a number or a function of time, at least 0; 0
-        transition  speed of regularization [m/s], a number, above 0; 0.001
+        transition  speed of regularization, and the least by which hysteresis damps: at rest by F c / transition [m/s], a number, above 0; 0.001
         breaks      times [s] at which Python functions are not smooth, see functions.with_breaks
         frames      "space": points and axes are inertial, at the initial pose; "body": pairs, in a and in b
         name        without it the kind and a number

@@ -29,7 +29,7 @@ inline std::vector<ParameterInfo> contact_parameters(std::vector<ParameterInfo> 
        {.usual = 0.0, .example = 0.3, .bounds = not_negative}},
       {"transition",
        "m/s",
-       "speed of regularization",
+       "speed of regularization, and the least by which hysteresis damps: at rest by F c / transition",
        Takes::number,
        {.usual = 1e-3, .example = 0.1, .bounds = positive}}};
   own.insert(own.end(), common.begin(), common.end());

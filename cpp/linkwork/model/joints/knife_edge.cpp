@@ -13,8 +13,8 @@ struct KnifeEdge {
             .equations = {velocity_along(Axis::z)},
             .symmetric = false,
             .documentation =
-                "Knife edge: the point of b has no velocity against a along an axis fixed in b; non- "
-                "holonomic. Along the edge and about the point all motion is free."};
+                "Knife edge: the point of b has no velocity against a along an axis fixed in b; "
+                "nonholonomic. Along the edge and about the point all motion is free."};
   }
 
   template <class Real>
