@@ -25,6 +25,9 @@ ACCEPTED, WANTED = 1e-9, 1e-13
 #: Steps below this part of the size of the mechanism are rounding.
 ROUNDING = 1e-13
 
+#: Of positions, relative: forces that change by more than the tolerance within them are in balance.
+LAST_DIGITS = 1e-15
+
 #: Violations of joints, relative to the size of the mechanism: none, and what rounding may leave.
 MET, NEARLY_MET = 1e-13, 1e-10
 
@@ -224,9 +227,16 @@ class _Search:
             rounds.add(x, self._size(r))
             if rounds.angle.max() > ROUND and not self.counts_turns:
                 break
-        if self._size(r) > ACCEPTED * scale:
+        if self._size(r) > ACCEPTED * scale and not self._rounded(q, r, multipliers):
             self._fail(q, r, int(rounds.angle.argmax()) if rounds.angle.max() > ROUND else None)
         return q
+
+    def _rounded(self, q: Floats, r: Floats, multipliers: Floats) -> bool:
+        """Whether the pose in balance differs from q by what positions have no digits for."""
+        K, D = stiffness(self.eq, 0.0, q, self.rest, multipliers), self.eq.terms(0.0, q).D[self.rows]
+        x = self._solved(K, D, r, np.zeros(len(self.rows)))
+        places = float(np.abs(q.reshape(-1, 7)[:, :3]).max()) / self.eq.length
+        return x is not None and self._reach(x) <= LAST_DIGITS * max(places, 1.0)
 
     def _accept(self, q: Floats) -> None:
         """Turns are counted from this pose on."""
