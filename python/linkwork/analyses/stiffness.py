@@ -34,7 +34,7 @@ Difference = Callable[[Floats], tuple[Floats, Floats]]
 CONSTRAINT_STEP, FORCE_STEP, VELOCITY_STEP = 1e-3, 1e-5, 1e-4
 
 #: Of those of forces at least, in distances from the origin: positions have 16 digits.
-PLACE_STEP = 1e-10
+PLACE_STEP, LAST_DIGITS = 1e-10, 1e-15
 
 #: f' = sum w_k f(k h) / h.
 STENCIL = ((-2, 1 / 12), (-1, -2 / 3), (1, 2 / 3), (2, -1 / 12))
@@ -62,8 +62,9 @@ def stiffness(equations: Equations, t: float, q: Floats, v: Floats, multipliers:
         return g
 
     gross = equations.gross_forces(t, q, v)
-    step = max(FORCE_STEP * equations.length, PLACE_STEP * float(np.abs(q.reshape(-1, 7)[:, :3]).max()))
-    elastic = _force_part(equations, force, step / units, gross)
+    places = float(np.abs(q.reshape(-1, 7)[:, :3]).max())
+    step = max(FORCE_STEP * equations.length, PLACE_STEP * places)
+    elastic = _force_part(equations, force, step / units, gross, LAST_DIGITS * places / step)
     return -(turn.T @ (geometric + elastic)).tocsr()
 
 
@@ -126,18 +127,18 @@ def _constraint_part(equations: Equations, t: float, q: Floats, multipliers: Flo
 
 
 def _force_part(
-    equations: Equations, force: Callable[[Floats], Floats], steps: Floats, gross: Floats
+    equations: Equations, force: Callable[[Floats], Floats], steps: Floats, gross: Floats, blur: float = 0.0
 ) -> Sparse:
     """dg/dx (6n, 6n) for any g(x), x = 0 at the state, by force elements between two bodies each.
 
-    `gross` (6n,): what g is the sum of, see Equations.gross_forces.
+    `gross` (6n,): what g is the sum of, see Equations.gross_forces; `blur`: rounding of x in these steps.
     """
     difference = partial(_difference, force, gross)
     core, n = equations.core, equations.core.body_count
     laws = np.array(core.joint_force_bodies, dtype=int).reshape(-1, 2)
     pairs = np.concatenate([np.asarray(core.force_arrays()["bodies"], dtype=int).reshape(-1, 2), laws])
     direction = np.random.default_rng(0).uniform(0.5, 1.0, 6 * n)
-    steps = _resolving(equations, difference, steps, direction, pairs)
+    steps = _resolving(equations, difference, steps, direction, pairs, blur)
     J = _colored(n, pairs, difference, steps)
     if equations.model.user_force_count:  # these act between whichever bodies
         expected, noise = difference(steps * direction)
@@ -148,7 +149,12 @@ def _force_part(
 
 
 def _resolving(
-    equations: Equations, difference: Difference, steps: Floats, direction: Floats, pairs: Indices
+    equations: Equations,
+    difference: Difference,
+    steps: Floats,
+    direction: Floats,
+    pairs: Indices,
+    blur: float,
 ) -> Floats:
     """Steps (6n,) that are shorter at bodies whose forces change otherwise in them than in shorter ones: as
     where a contact is less deep than the steps are long, or friction sticks."""
@@ -157,14 +163,16 @@ def _resolving(
         return np.asarray(np.abs(forces * equations.scale).reshape(-1, 6).max(axis=1))
 
     value, _ = difference(steps * direction)
+    blurred = np.full(len(steps) // 6, blur)
     for _ in range(SHORTER):
         shorter, noise = (SHORTEN * part for part in difference(steps * direction / SHORTEN))
-        off = largest(value - shorter) > SMOOTH * largest(value) + largest(noise)
+        off = largest(value - shorter) > (SMOOTH + SHORTEN * blurred) * largest(value) + largest(noise)
         if not off.any():
             break
         inner = pairs[(pairs >= 0).all(axis=1)]
         off[inner[off[inner].any(axis=1)]] = True
         steps = np.where(off.repeat(6), steps / SHORTEN, steps)
+        blurred = np.where(off, SHORTEN * blurred, blurred)
         value, _ = difference(steps * direction)
     return steps
 
