@@ -206,9 +206,14 @@ def test_eigenvalues_do_not_depend_on_where_the_origin_is(away: float, on_bushin
         model.body("body", mass=1.0, inertia=(0.1,) * 3, position=at)
         if on_bushing:
             model.bushing(
-                "ground", "body", at=at + 0.1 * np.array(Z), stiffness=(100.0, 200.0, 300.0), damping=(2.0,) * 3,
-                rotational_stiffness=(100.0, 200.0, 300.0), rotational_damping=(2.0,) * 3,
-            )  # fmt: skip
+                "ground",
+                "body",
+                at=at + 0.1 * np.array(Z),
+                stiffness=(100.0, 200.0, 300.0),
+                damping=(2.0,) * 3,
+                rotational_stiffness=(100.0, 200.0, 300.0),
+                rotational_damping=(2.0,) * 3,
+            )
         else:
             model.revolute("ground", "body", at=place, axis=(0, 1, 0))
             model.spring_damper("ground", "body", at=(end, at), stiffness=100.0, damping=2.0)
