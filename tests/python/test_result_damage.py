@@ -131,6 +131,26 @@ def test_another_number_anywhere_is_seen(tmp_path: Path, place: str) -> None:
     assert len(found) == 60 if place.startswith("events") else 15 <= len(found) < 60
 
 
+def test_the_last_frame_of_a_damaged_file_is_the_last_whole_one(tmp_path: Path) -> None:
+    """Rows beyond it are still on disk."""
+    path = tmp_path / "run.h5"
+    in_batches(path)
+    original = in_memory(Result.load(path))
+    with h5py.File(path, "r+") as file:
+        file["frames/v"][40] = 0.0
+    found = Result.load(path)
+    last = len(found) - 1
+    assert 15 <= last < 40
+    assert found.snapshot().t == original.t[last]
+    np.testing.assert_array_equal(found.snapshot().q, original.q[last])
+    for name in FIELDS:
+        whole = original.recorded(name)
+        for part in (-1, [-1, 0], np.s_[-3:], np.s_[::-2]):
+            np.testing.assert_array_equal(found.recorded(name, part), whole[: last + 1][part])
+    with pytest.raises(IndexError, match="out of bounds"):
+        found.recorded("q", last + 1)
+
+
 @pytest.mark.parametrize("name", ["events", "finer", "statistics", "closing"])
 def test_what_lost_its_name_is_missed(tmp_path: Path, name: str) -> None:
     path = tmp_path / "run.h5"

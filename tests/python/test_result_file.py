@@ -116,14 +116,31 @@ def test_result_can_be_saved_over_the_file_it_came_from(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == ["run.h5"]
 
 
-@pytest.mark.parametrize(
-    "part", [np.s_[::-1], np.s_[10:2:-3], np.s_[2:10:-1], np.s_[::-1, 0], np.s_[3:3], np.s_[-1], np.s_[-4:-1]]
-)
+PARTS = [
+    np.s_[::-1], np.s_[10:2:-3], np.s_[2:10:-1], np.s_[::-1, 0], np.s_[3:3], np.s_[-1], np.s_[-4:-1], [9, 2],
+    [3, 3], [-1, 0], [], (), ..., np.s_[..., 0], np.s_[:, None], None, np.s_[:4, [2, 0]], np.s_[:3, ::-1],
+    ([1, 2], [0, 1]), ([5, 1, 1], slice(None), [6, 6, 0]), np.arange(100) % 3 == 0, range(3), True,
+    np.s_[np.int64(-2), 1:], (np.arange(3)[:, None], np.arange(2)), np.s_[90:1000],
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("part", PARTS, ids=str)
 def test_part_of_a_stored_field_is_that_part_of_the_array(tmp_path: Path, part: Any) -> None:
     result = make_result(synthetic.header())
     result.save(tmp_path / "run.h5")
     stored = Result.load(tmp_path / "run.h5")
     np.testing.assert_array_equal(stored.recorded("q", part), result.q[part])
+
+
+@pytest.mark.parametrize("part", [100, -101, [100], np.s_[0, 3], np.s_[0, 0, 0, 0], 1.5, "q"])
+def test_what_is_no_part_is_the_error_that_it_is_in_memory(tmp_path: Path, part: Any) -> None:
+    result = make_result(synthetic.header())
+    result.save(tmp_path / "run.h5")
+    with pytest.raises(IndexError) as in_memory:
+        result.recorded("q", part)
+    with pytest.raises(IndexError) as in_file:
+        Result.load(tmp_path / "run.h5").recorded("q", part)
+    assert str(in_file.value) == str(in_memory.value)
 
 
 def test_failed_save_keeps_the_old_file(tmp_path: Path) -> None:

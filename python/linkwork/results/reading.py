@@ -27,6 +27,7 @@ from linkwork.motion.former_names import renamed_manifest, renamed_statistics
 from linkwork.motion.header import MODEL_NAMES, Header
 from linkwork.motion.records import Checkpoint, Occurrence
 from linkwork.results import checkpoints, digests, heaps
+from linkwork.results.indexing import to_read
 from linkwork.results.shapes import read_shapes
 from linkwork.results.writing import FORMAT, MODEL_ARRAYS, VERSION
 
@@ -55,22 +56,18 @@ class StoredField:
         return self.shape[0]
 
     def __getitem__(self, key: Any) -> Floats:
-        """The part asked for, and nothing else, is read."""
-        if not math.prod(self.shape[1:]):
-            nothing: Floats = np.zeros(self.shape)[key]
-            return nothing
-        rows, *rest = key if isinstance(key, tuple) else (key,)
-        backward = isinstance(rows, slice) and (rows.step or 1) < 0
-        if isinstance(rows, slice):
-            chosen = range(*rows.indices(len(self)))[:: -1 if backward else 1]  # HDF5 reads forward only
-            rows = slice(chosen.start, chosen.stop, chosen.step)
+        """As of an array; little but the part asked for is read. IndexError: there is none such."""
+        expected = np.broadcast_to(np.False_, self.shape)[key]
+        if not expected.size:
+            return np.zeros(expected.shape)
+        read, of_read = to_read(key, self.shape)
         with _opened(self.path) as file:
             if file.attrs["run"] != self.run:
                 raise FileError(
                     f"result '{self.path}': was replaced by another run since it was loaded", code="changed"
                 )
-            values: Floats = np.asarray(file[self.group][self.name][(rows, *rest)], dtype=float)
-            return values[::-1] if backward else values
+            values: Floats = np.asarray(file[self.group][self.name][read], dtype=float)[of_read]
+            return values
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
         return np.asarray(self[:], dtype=dtype)
