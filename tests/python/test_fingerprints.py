@@ -323,6 +323,30 @@ def test_models_with_forces_by_objects_are_told_apart_by_what_these_hold(
     assert len(laws) == 2
 
 
+def push(t: float, gain: float) -> float:
+    return gain * t
+
+
+def with_keyword(gain: float) -> Callable[[float], float]:
+    def push(t: float, *, gain: float = gain) -> float:
+        return gain * t
+
+    return push
+
+
+@pytest.mark.parametrize("make", [
+    lambda gain: functools.partial(push, gain=gain), with_keyword,
+    lambda gain: functools.partial(with_keyword(1.0), gain=gain), lambda gain: lambda t, gain=gain: gain * t,
+])  # fmt: skip
+def test_models_are_told_apart_by_the_keywords_of_their_functions(make: Callable[[float], Any]) -> None:
+    def hashed(gain: float) -> str:
+        model = rod(1.0)
+        model.force("rod", force=(make(gain), 0, 0))
+        return model.hash()
+
+    assert hashed(1.0) == hashed(1.0) != hashed(2.0)
+
+
 def rod(length: float) -> lw.Model:
     model = lw.Model(name="rod")
     model.body("rod", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(length, 0, 0))

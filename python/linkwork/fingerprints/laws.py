@@ -19,9 +19,8 @@ def law(value: Any) -> str:
     """A text of a function that a model calls: its code, and the constants that it reads, also as globals of
     its module. What it may write to, such as a list of times at which it was called, does not count."""
     if isinstance(value, functools.partial):
-        return " ".join(
-            ["partial", law(value.func), *map(_constant, (value.args, sorted(value.keywords.items())))]
-        )
+        given = value.args, tuple(sorted(value.keywords.items()))
+        return " ".join(["partial", law(value.func), *map(_constant, given)])
     if isinstance(value, MethodType):
         return f"{law(value.__func__)} of {_law_of_object(value.__self__)}"
     parameters = getattr(type(value), "__dataclass_params__", None)
@@ -67,7 +66,7 @@ def _law(value: FunctionType, inside: frozenset[FunctionType]) -> str:
     read = dict(zip(value.__code__.co_freevars, value.__closure__ or (), strict=True))
     found = {name: content(cell) for name, cell in read.items()}
     found |= {name: value.__globals__[name] for name in loaded(value.__code__) if name in value.__globals__}
-    given = [value.__defaults__ or (), sorted((value.__kwdefaults__ or {}).items())]
+    given = value.__defaults__ or (), tuple(sorted((value.__kwdefaults__ or {}).items()))
     parts = [canonical(value.__code__), *map(_constant, given)]
     for name, it in sorted(found.items()):
         own = isinstance(it, FunctionType) and it.__module__ == value.__module__
