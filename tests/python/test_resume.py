@@ -189,7 +189,8 @@ def test_the_file_of_a_killed_run_goes_on(tmp_path: Path) -> None:
 
 
 def test_the_state_of_an_error_goes_on() -> None:
-    model, healed = mechanisms.pendulum(), False
+    model = mechanisms.pendulum()
+    healed: list[bool] = []  # lists do not count among what makes a function another one
 
     def fragile(t: float, state: Any) -> float:
         return np.nan if t > 0.4 and not healed else 1.0
@@ -197,7 +198,7 @@ def test_the_state_of_an_error_goes_on() -> None:
     choices: dict[str, Any] = {"rtol": 1e-6, "record_every": 1, "events": lw.Event(fragile, "fragile")}
     with pytest.raises(lw.OptionError, match="not a finite number") as caught:
         run(model, 1.0, **choices)
-    healed = True
+    healed.append(True)
     state = caught.value.state
     assert state is not None
     rest, whole = run(model, 1.0, start=state, **choices), run(model, 1.0, **choices)
@@ -212,6 +213,60 @@ def test_another_method_begins_anew(change: dict[str, Any]) -> None:
     model, choices = mechanisms.pendulum(), {"step": 1e-3, "integrator": "ab4"}
     state = run(model, 0.1, **choices).snapshot()
     assert run(model, 0.2, start=state, **{**choices, **change}).manifest["resumed"] is False
+
+
+def level(height: float, drop: float) -> lw.Event:
+    """At a height [m] of the bob, where it loses so much of its velocity."""
+
+    def passes(t: float, state: Any) -> float:
+        return float(state.body("bob").position[1]) - height
+
+    def slow_down(t: float, state: Any) -> None:
+        state.body("bob").velocity *= 1.0 - drop
+
+    return lw.Event(passes, change=slow_down)
+
+
+@pytest.mark.parametrize("other", [(-0.9, 0.5), (-0.8, 0.6)])
+def test_another_event_of_the_same_name_begins_anew(other: tuple[float, float]) -> None:
+    """As in code, so in the numbers that it reads: the event is that of the run that goes on."""
+    model, choices = mechanisms.pendulum(), {"rtol": 1e-8}
+    state = run(model, 0.2, events=level(-0.8, 0.5), **choices).snapshot()
+    same = run(model, 1.0, events=level(-0.8, 0.5), start=state, **choices)
+    rest = run(model, 1.0, events=level(*other), start=state, **choices)
+    assert (same.manifest["resumed"], rest.manifest["resumed"]) == (True, False)
+    heights = [float(it.q_before[0, 1]) for it in rest.events]
+    assert heights
+    np.testing.assert_allclose(heights, other[0], atol=1e-9)
+
+
+def test_another_integrator_of_the_same_name_begins_anew() -> None:
+    def method(theta: float) -> Any:
+        def step(system: lw.System, t: float, y: Any, h: float) -> Any:
+            k = system.derivative(t, y)
+            later = system.derivative(t + theta * h, y + theta * h * k)
+            return y + h * ((1 - 0.5 / theta) * k + 0.5 / theta * later)
+
+        return step
+
+    model = mechanisms.pendulum()
+    state = run(model, 0.05, step=1e-3, integrator=method(0.5)).snapshot()
+    for theta, resumed in ((0.5, True), (1.0, False)):
+        rest = run(model, 0.1, step=1e-3, integrator=method(theta), start=state)
+        assert rest.manifest["resumed"] is resumed
+
+
+def test_functions_that_count_their_calls_go_on() -> None:
+    """What they write themselves makes no other function of them."""
+    calls = 0
+
+    def never(t: float, state: Any) -> float:
+        nonlocal calls
+        calls += 1
+        return 1.0
+
+    rest = assert_goes_on(mechanisms.pendulum(), 0.2, 0.4, rtol=1e-6, events=lw.Event(never), record_every=1)
+    assert calls > 0 and rest.events == ()
 
 
 def test_another_state_or_model_begins_anew_there() -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dis
 import functools
-from types import BuiltinFunctionType, FunctionType, MethodType, ModuleType
+from types import BuiltinFunctionType, CodeType, FunctionType, MethodType, ModuleType
 from typing import Any
 
 import numpy as np
@@ -64,7 +64,8 @@ def _law(value: FunctionType, inside: frozenset[FunctionType]) -> str:
     if value in inside:
         return "itself"
     read = dict(zip(value.__code__.co_freevars, value.__closure__ or (), strict=True))
-    found = {name: content(cell) for name, cell in read.items()}
+    written = _written_cells(value.__code__)
+    found = {name: content(cell) for name, cell in read.items() if name not in written}
     found |= {name: value.__globals__[name] for name in loaded(value.__code__) if name in value.__globals__}
     given = value.__defaults__ or (), tuple(sorted((value.__kwdefaults__ or {}).items()))
     parts = [canonical(value.__code__), *map(_constant, given)]
@@ -72,6 +73,15 @@ def _law(value: FunctionType, inside: frozenset[FunctionType]) -> str:
         own = isinstance(it, FunctionType) and it.__module__ == value.__module__
         parts.append(f"{name}={_law(it, inside | {value}) if own else _constant(it)}")
     return " ".join(parts)
+
+
+@functools.cache
+def _written_cells(code: CodeType) -> set[str]:
+    """Variables from around a function to which it, or one inside of it, writes, as counters."""
+    own = {
+        step.argval for step in dis.get_instructions(code) if step.opname in ("STORE_DEREF", "DELETE_DEREF")
+    }
+    return own.union(*(_written_cells(it) for it in code.co_consts if isinstance(it, CodeType)))
 
 
 def _constant(value: Any) -> str:

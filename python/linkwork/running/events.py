@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import overload
+from typing import NamedTuple, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,10 +13,11 @@ from linkwork import _core
 from linkwork.arguments import UNREADABLE, is_number, is_text
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError
+from linkwork.fingerprints import law
 from linkwork.modeling.handles import Body
 from linkwork.modeling.model import Model
 
-__all__ = ["Event", "State", "compile_events"]
+__all__ = ["Event", "State", "Watched", "compile_events"]
 
 
 class _Part:
@@ -170,10 +171,21 @@ class Event:
         )
 
 
-def compile_events(events: object, model: Model) -> list[tuple[str, _core.Event]]:
-    """Label and compiled event of each. OptionError: something that is no Event."""
+class Watched(NamedTuple):
+    """An event of a run."""
+
+    label: str
+    compiled: _core.Event
+    laws: tuple[str, str]  #: of its function and its change, see linkwork.fingerprints.law
+
+
+def compile_events(events: object, model: Model) -> list[Watched]:
+    """OptionError: something that is no Event."""
     listed = list(events) if isinstance(events, Iterable) else [] if events is None else [events]
     for event in listed:
         if not isinstance(event, Event):
             raise OptionError(f"events: {event!r} is no linkwork.Event", code="event")
-    return [(event.label, event.compiled(model)) for event in listed]
+    return [
+        Watched(event.label, event.compiled(model), (law(event.function), law(event.change)))
+        for event in listed
+    ]

@@ -9,11 +9,12 @@ from typing import Any
 
 import numpy as np
 
-from linkwork import _core
 from linkwork.equations.assembly import Assembly
+from linkwork.fingerprints import law
 from linkwork.integrators import Integrator
 from linkwork.motion.records import Resume, Snapshot
 from linkwork.options import without_threads
+from linkwork.running.events import Watched
 
 #: Of what the driver writes: another one is none of ours.
 FORMAT = 4
@@ -26,18 +27,17 @@ def key(
     model_hash: str,
     method: Any,
     choices: Mapping[str, Any],
-    events: Sequence[tuple[str, _core.Event]],
+    events: Sequence[Watched],
     given: Mapping[str, Any],
     assembly: Assembly | None,
 ) -> str:
     """Equal for runs whose steps are the same: of one model, by one method, whatever they record."""
-    name = getattr(method, "__qualname__", type(method).__name__)
     parts = {
         "format": FORMAT,
         "model": model_hash,
-        "method": repr(method) if isinstance(method, Integrator) else name,
+        "method": repr(method) if isinstance(method, Integrator) else law(method),
         "choices": {name: str(value) for name, value in sorted(without_threads(choices).items())},
-        "events": [(label, event.signature) for label, event in events],
+        "events": [(it.label, it.compiled.signature, it.laws) for it in events],
         "breaks": np.ravel(given["breaks"]).astype(float).tolist(),
         "assemble": given["assemble"],
     }

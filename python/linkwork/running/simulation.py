@@ -26,7 +26,7 @@ from linkwork.options import TABLE, Options, Policy, check_name, check_option, n
 from linkwork.options.types import IntegratorName, described
 from linkwork.results.result import Result
 from linkwork.running import breakpoints, checks, estimation, forecast, recording, resuming, schedule
-from linkwork.running.events import Event, compile_events
+from linkwork.running.events import Event, Watched, compile_events
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.manifest import manifest
 from linkwork.running.progress import ProgressOption, check_progress, preparing, reporting, sharing
@@ -212,7 +212,7 @@ def _prepared(
     plan: schedule.Fixed | schedule.Adaptive,
     given: Mapping[str, Any],
     options: Options,
-    watched: Sequence[tuple[str, _core.Event]],
+    watched: Sequence[Watched],
     start: Snapshot | None,
     *,
     in_file: bool = False,
@@ -236,7 +236,7 @@ def _prepared(
         key = resume.checkpoint.method
         system = _as_then(system, model, options, given["assemble"], key)
         known = breakpoints.of_run(model, given["breaks"], resume.checkpoint.t, plan.t_end)
-    run = plan.run(method, system, [event for _, event in watched], start, known)
+    run = plan.run(method, system, [event.compiled for event in watched], start, known)
     if in_file:
         run.record_reactions()
     if resume is not None:
@@ -247,7 +247,7 @@ def _prepared(
         "breaks": {"count": len(breaks), **plan.steps_with_breaks(breaks, t_start)},
         "constraints": checks.rank_numbers(system.compiled()),
         "assembled": assembly and str(assembly),
-        "events": [label for label, _ in watched],
+        "events": [event.label for event in watched],
         **({} if start is None else {"resumed": resume is not None}),
     }
     return Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts, key)
