@@ -9,6 +9,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import mechanisms
+from linkwork.accuracy.verification import Finer, state_error
 from matplotlib.collections import PolyCollection
 
 
@@ -157,3 +158,100 @@ def test_a_finer_run_that_leaps_over_a_pulse_does_not_make_the_first_accurate() 
         found = lw.simulate(model, 1.0, verify=verify, **options).verdict
         assert found is not None and found.level == "wrong"
         assert "leap over" in found.sentence
+
+
+# --- runs that go on ---
+
+
+@pytest.mark.parametrize("every, end", [(1, 0.5), (3, 0.5), (7, 0.25), (None, 0.25), (3, 0.5007)])
+def test_frames_of_a_run_that_goes_on_are_compared_at_their_times(every: int | None, end: float) -> None:
+    """They are at multiples of the steps of the run before, which the finer run knows nothing of."""
+    model = mechanisms.spatial_slider_crank()
+    start = quick(model, end, step=1e-3).snapshot()
+    result = quick(model, 1.0, step=1e-3, record_every=every, start=start, verify=True)
+    best = quick(model, 1.0, rtol=1e-12, atol=1e-14, integrator="dop853", times=result.t,
+                 start=start._replace(resume=None))  # fmt: skip
+    assert result.manifest["resumed"]
+    for what in ("position", "velocity"):
+        error, true = result.error_of(what), np.abs(getattr(result, what) - getattr(best, what))
+        assert true.max() / 3 < error.max() < 3 * true.max()
+        assert np.isfinite(error).all()
+
+
+@pytest.mark.parametrize("how", [{"step": 1e-3}, {"rtol": 1e-8}])
+def test_the_error_of_the_work_is_of_this_run_where_it_goes_on(how: dict[str, Any], tmp_path: Path) -> None:
+    """The work itself counts from the start of the run before."""
+    model = lw.Model()
+    model.body("arm", mass=1.0, inertia=(0.01, 0.1, 0.1), position=(0.3, 0, 0))
+    model.revolute("ground", "arm", at=(0, 0, 0), axis=(0, 1, 0))
+    model.rotational_spring_damper("ground", "arm", at=(0, 0, 0), axis=(0, 1, 0), damping=0.5)
+    start = quick(model, 0.5, **how).snapshot()
+    result = quick(model, 1.0, start=start, verify=True, output=tmp_path / "rest.h5", **how)
+    assert result.manifest["resumed"] and result.work[0] < -1.0
+    for it in (result, lw.Result.load(tmp_path / "rest.h5")):
+        assert it.error_of("work").max() < 1e-7
+
+
+# --- events ---
+
+
+def ball(drag: float) -> lw.Model:
+    model = lw.Model()
+    model.body("ball", mass=1.0, inertia=(1, 1, 1), position=(0, 0, 1.0), velocity=(0.3, 0, 0))
+    model.drag("ground", "ball", at=(0, 0, 1), coefficient=drag)
+    return model
+
+
+def bounce(t: float, state: Any) -> None:
+    state.body("ball").velocity[2] *= -0.8
+
+
+def floor(level: float = 0.0, **how: Any) -> lw.Event:
+    return lw.Event(lambda t, state: state.body("ball").position[2] - level, "floor", -1, **how)
+
+
+@pytest.mark.parametrize("drag", np.linspace(0.1, 1.0, 6))
+def test_frames_between_the_times_of_an_impact_in_both_runs_are_no_error(drag: float, tmp_path: Path) -> None:
+    """There one ball falls still, and the other rises."""
+    how: dict[str, Any] = {"events": floor(change=bounce), "record_every": 1}
+    result = quick(ball(drag), 1.0, rtol=1e-6, verify=True, **how)
+    best = quick(ball(drag), 1.0, rtol=1e-12, **how)
+    true = float(np.abs(result.v[-1] - best.v[-1]).max())
+    assert len(result.events) == len(best.events) > 0
+    assert result.verdict is not None and result.verdict.level == "good"
+    result.save(tmp_path / "run.h5")
+    for it in (result, lw.Result.load(tmp_path / "run.h5")):
+        error = it.error_of("velocity")
+        assert true / 5 < error.max() < 20 * true and np.isfinite(error).all()
+
+
+@pytest.mark.parametrize("events", [(), floor(0.3, change=bounce)])
+def test_impacts_that_the_finer_run_has_not_or_at_other_times_are_told(events: Any) -> None:
+    first = quick(ball(0.2), 1.0, rtol=1e-6, events=floor(change=bounce), record_every=1)
+    second = quick(ball(0.2), 1.0, rtol=1e-7, events=events, times=first.t)
+    assert state_error(first, Finer.of(first, second, 1.1)) > 0.1
+
+
+def test_a_finer_run_without_a_frame_in_common_is_of_another_motion() -> None:
+    first = quick(ball(0.2), 0.3, rtol=1e-6, times=[0.2, 0.3])
+    finer = Finer.of(first, quick(ball(0.2), 0.1, rtol=1e-7), 1.1)
+    assert state_error(first, finer) == 1.0
+    first._finer = finer
+    assert np.isnan(first.error_of("position")).all()
+
+
+def test_runs_that_an_event_ends_are_compared_there() -> None:
+    result = quick(ball(0.5), 1.0, rtol=1e-4, events=floor(terminal=True), record_every=1, verify=True)
+    best = quick(ball(0.5), 1.0, rtol=1e-12, events=floor(terminal=True), record_every=1)
+    error, true = result.error_of("velocity")[-1], np.abs(result.velocity[-1] - best.velocity[-1])
+    assert result.t[-1] < 0.9 and true.max() / 5 < error.max() < 20 * true.max()
+
+
+def test_a_verified_result_is_saved_over_its_own_file(tmp_path: Path) -> None:
+    path = tmp_path / "run.h5"
+    result = quick(mechanisms.four_bar(), 0.1, step=1e-2, verify=True, output=path)
+    error = result.error_of("q")
+    result.save(path, overwrite=True)
+    found = lw.Result.load(path)
+    assert found.verified and found.finished
+    np.testing.assert_array_equal(found.error_of("q"), error)

@@ -25,7 +25,7 @@ from linkwork.errors import OptionError
 if TYPE_CHECKING:
     from linkwork.results.result import Result
 
-__all__ = ["Differences", "Sampled", "Scales"]
+__all__ = ["Differences", "Sampled", "Scales", "rounding_of", "same_times"]
 
 #: Two times are the same, relative to the later one.
 SAME_TIME = 1e-9
@@ -49,14 +49,26 @@ class Sampled:
 
     def at(self, times: Floats) -> tuple[Sampled, NDArray[np.intp]]:
         """The frames at those of the `times` that are here, and their places among `times`."""
-        after = np.clip(np.searchsorted(self.t, times), 1, max(len(self.t) - 1, 1))
-        before = after - 1
-        after = np.minimum(after, len(self.t) - 1)
-        nearest = np.where(np.abs(self.t[after] - times) < np.abs(self.t[before] - times), after, before)
-        near = np.abs(self.t[nearest] - times) <= SAME_TIME * max(float(np.abs(times).max(initial=0)), 1e-300)
-        taken = nearest[near]
+        taken, places = same_times(self.t, times)
         values = (getattr(self, field.name)[taken] for field in fields(self))
-        return Sampled(*values), np.flatnonzero(near)
+        return Sampled(*values), places
+
+
+def same_times(t: Floats, times: Floats) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Places in `t` and in `times` of those that both have; `t` is ascending."""
+    if not len(t):
+        return np.zeros(0, np.intp), np.zeros(0, np.intp)
+    after = np.clip(np.searchsorted(t, times), 1, max(len(t) - 1, 1))
+    before = after - 1
+    after = np.minimum(after, len(t) - 1)
+    nearest = np.where(np.abs(t[after] - times) < np.abs(t[before] - times), after, before)
+    near = np.abs(t[nearest] - times) <= rounding_of(times)
+    return nearest[near], np.flatnonzero(near)
+
+
+def rounding_of(times: Floats) -> float:
+    """By which times that are one may differ [s]."""
+    return SAME_TIME * max(float(np.abs(times).max(initial=0)), 1e-300)
 
 
 #: What moves less is at rest, and what is left of it is rounding: of the length over the whole run.

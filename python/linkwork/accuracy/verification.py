@@ -6,19 +6,23 @@ With a fixed step h and a method of order p the second has h / 2, and the error 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import fields, is_dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from linkwork.accuracy.measures import Differences, Sampled, Scales, longest_arm
+from linkwork.accuracy.measures import Differences, Sampled, Scales, longest_arm, rounding_of, same_times
 from linkwork.arrays import Floats
 
 if TYPE_CHECKING:
+    from linkwork.motion.records import Occurrence
     from linkwork.results.result import Result
 
-__all__ = ["Finer", "band", "difference", "state_error"]
+Indices = NDArray[np.intp]
+
+__all__ = ["Finer", "band", "difference", "joined", "state_error"]
 
 #: Frames on either side whose errors count, too: where an error passes through zero its estimate does so a
 #: little earlier or later. At least one, and this share of all.
@@ -27,12 +31,37 @@ NEIGHBORS = 0.01
 #: Of the largest value: rounding, which both runs may share.
 ROUNDING = 1e-15
 
+#: By which the times of events may differ in two runs, all together, of the duration: beyond, frames between
+#: them are not left out, as the motions differ.
+SHIFTED = 0.01
+
 
 class Finer(NamedTuple):
-    """The second run, with frames at the times of the first, and the factor of the difference."""
+    """The second run, with frames at times of the first, and the factor of the difference."""
 
     result: Result
     factor: float
+
+    @classmethod
+    def of(cls, first: Result, second: Result, factor: float) -> Finer:
+        """With those frames of the second run that show what one of the first does, and its work counted from
+        where the first counts."""
+        ours, its = _paired(first, second)
+        frames = {name: second.recorded(name)[its] for name in second.header.frame_shapes()}
+        frames["t"] = first.t[ours]
+        if first.manifest.get("resumed"):
+            frames["work"] += float(first.recorded("work", 0)) - float(second.recorded("work", 0))
+        return cls(type(second)(frames, second.header, second.statistics), factor)
+
+
+def joined(first: Result, then: Result) -> Result:
+    """The frames of a run and of one that begins anew where it ended."""
+    frames = {
+        name: np.concatenate([first.recorded(name)[:-1], then.recorded(name)])
+        for name in then.header.frame_shapes()
+    }
+    frames["work"][len(first) - 1 :] += first.recorded("work", -1)
+    return type(then)(frames, then.header, then.statistics, events=[*first.events, *then.events])
 
 
 def difference(first: Any, second: Any, of: Callable[[Floats, Floats], Floats]) -> Any:
@@ -46,27 +75,84 @@ def difference(first: Any, second: Any, of: Callable[[Floats, Floats], Floats]) 
     return of(first, second) if isinstance(first, np.ndarray) else first
 
 
-def band(factor: float) -> Callable[[Floats, Floats], Floats]:
-    """Error of the first of two arrays over time (k, ...): at each time the largest of its neighbors."""
+def band(t: Floats, finer: Finer) -> Callable[[Floats, Floats], Floats]:
+    """Error of the first of two arrays over time (k, ...), the second that of the finer run: at each of the
+    times `t` (k,) the largest of its neighbors, NaN before and after the frames of the finer run."""
+    its, ours = same_times(finer.result.t, t)
 
     def of(first: Floats, second: Floats) -> Floats:
-        known = min(len(first), len(second))
-        error = np.full(first.shape, np.nan)
-        apart = factor * np.abs(first[:known] - second[:known])
-        largest, reach = apart.copy(), max(1, round(NEIGHBORS * known))
-        for shift in range(1, min(reach, known - 1) + 1):
-            np.maximum(largest[shift:], apart[:-shift], out=largest[shift:])
-            np.maximum(largest[:-shift], apart[shift:], out=largest[:-shift])
-        error[:known] = largest + ROUNDING * np.abs(first[:known]).max(initial=0.0)
-        return error
+        apart = np.full(first.shape, np.nan)
+        apart[ours] = finer.factor * np.abs(first[ours] - second[its])
+        largest, reach = apart.copy(), max(1, round(NEIGHBORS * len(ours)))
+        for shift in range(1, min(reach, len(first) - 1) + 1):
+            np.fmax(largest[shift:], apart[:-shift], out=largest[shift:])
+            np.fmax(largest[:-shift], apart[shift:], out=largest[:-shift])
+        largest[: ours.min(initial=len(first))] = largest[ours.max(initial=-1) + 1 :] = np.nan
+        largest += ROUNDING * np.abs(first[ours]).max(initial=0.0)
+        return largest
 
     return of
 
 
 def state_error(first: Result, finer: Finer) -> float:
-    """Largest error of poses and velocities, relative as those of linkwork.accuracy.measures."""
+    """Largest error of poses and velocities, relative as those of linkwork.accuracy.measures; 1 where too few
+    frames are in both runs."""
+    if len(finer.result) < min(2, len(first)):
+        return 1.0
     exact = Sampled.of(finer.result)
     differences = Differences.between(Sampled.of(first), exact)
     mass, rtol = float(first.header.mass.sum()), first.manifest["options"].get("rtol")
     state = differences.state(Scales.of(exact, longest_arm(finer.result), mass, rtol))
     return float(finer.factor * state.max(initial=0.0))
+
+
+# --- which frames are compared -----------------------------------------------------------------------------
+
+
+def _paired(first: Result, second: Result) -> tuple[Indices, Indices]:
+    """Places of frames of two runs that show the same: at the same time, or at the event that ends both.
+
+    Between the times that an event which changes the state has in the two, one of them is before it and the
+    other after it: frames there are left out, unless too few were left.
+    """
+    its, ours = same_times(second.t, first.t)
+    apart = _inside(first.t[ours], _shifts(first, second), rounding_of(first.t))
+    if np.count_nonzero(~apart) >= min(2, len(ours)):
+        its, ours = its[~apart], ours[~apart]
+    last = len(first) - 1
+    if last not in ours and _ending(first) and _ending(first) == _ending(second):
+        its, ours = np.append(its, len(second) - 1), np.append(ours, last)
+    return ours, its
+
+
+def _shifts(first: Result, second: Result) -> Floats:
+    """(m, 2): when events that change the state come in the two runs, the earlier time first; none where that
+    is so far apart that the motions differ."""
+    later: dict[str, Iterator[float]] = {
+        name: iter([it.t for it in second.events if it.name == name])
+        for name in {it.name for it in second.events}
+    }
+    found = []
+    for it in first.events:
+        its_time = next(later.get(it.name, iter(())), None)
+        if its_time is not None and _changes(it):
+            found.append(sorted((it.t, its_time)))
+    shifts = np.array(found).reshape(-1, 2)
+    return shifts if np.diff(shifts).sum() <= SHIFTED * np.ptp(first.t) else shifts[:0]
+
+
+def _changes(it: Occurrence) -> bool:
+    return not (np.array_equal(it.q_before, it.q_after) and np.array_equal(it.v_before, it.v_after))
+
+
+def _inside(t: Floats, spans: Floats, rounding: float) -> NDArray[np.bool_]:
+    """Whether times are in any of the spans (m, 2)."""
+    begun = np.searchsorted(np.sort(spans[:, 0]) - rounding, t, side="right")
+    inside: NDArray[np.bool_] = begun > np.searchsorted(np.sort(spans[:, 1]) + rounding, t, side="left")
+    return inside
+
+
+def _ending(result: Result) -> str:
+    """The event at which the run ended; "": at none."""
+    last = result.events[-1] if result.events else None
+    return last.name if last is not None and result.t[-1] - last.t <= rounding_of(result.t) else ""

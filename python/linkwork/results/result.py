@@ -545,14 +545,15 @@ class Result:
                    reaction("pin").force
 
         At each time the largest of Richardson's estimates there and at the next frames; NaN after the end of
-        the finer run. OptionError: the run was not verified, or has no such quantity.
+        the finer run. Frames between the times of an event in both runs are not compared where it changes the
+        state. OptionError: the run was not verified, or has no such quantity.
         """
         if self._finer is None:
             raise OptionError(
                 "error_of needs a second, finer run: simulate(..., verify=True)", code="not_verified"
             )
         ours, finer = (_quantity(result, what, name, how) for result in (self, self._finer.result))
-        return difference(ours, finer, band(self._finer.factor))
+        return difference(ours, finer, band(self.t, self._finer))
 
     # --- files, pictures, text ---
 
@@ -569,11 +570,17 @@ class Result:
 
         target = check_new(path, "result", overwrite)
         self._need_reactions()
+        checkpoint = self._settled()
         writing.save(
-            target, self._header, self._frames, self.statistics, self._run, self._events, self._settled()
+            target,
+            self._header,
+            self._frames,
+            self.statistics,
+            self._run,
+            self._events,
+            checkpoint,
+            self._finer,
         )
-        if self._finer is not None:
-            writing.add_finer(target, self._finer, self.statistics)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Result:

@@ -6,7 +6,7 @@
                violation (k, 3), history (k, h), reaction_force and reaction_torque (k, joints, 3), t (k,)
     /model/    the arrays of `Header`, the names, the shapes of bodies that have their own, and the curves
                of joints, by their index
-    /finer/    of a run that was verified: the fields of /frames/ by a finer run, at the same times, and the
+    /finer/    of a run that was verified: the fields of /frames/ by a finer run, at their times, and the
                attribute `factor` by which the difference is an error
     /events/   where there were any: q (e, 2, n, 7) and v (e, 2, n, 6) before and after, name and t (e,)
     /checkpoint  what the run can go on from to the last bit, see `checkpoints`
@@ -461,8 +461,10 @@ def save(
     run: str,
     events: Sequence[Occurrence] = (),
     checkpoint: Checkpoint | None = None,
+    finer: Finer | None = None,
 ) -> None:
-    """Write a whole result: to a file beside, then renamed, so that `path` is never half written."""
+    """Write a whole result: to a file beside, then renamed, so that `path` is never half written; it may be
+    the one that frames and the finer run are read from."""
     count = len(frames["t"])
     with replacing(path, "output") as beside:
         try:
@@ -472,6 +474,8 @@ def save(
                     writer.write({name: values[start : start + block] for name, values in frames.items()})
                 writer.write_events(events)
                 writer.close(statistics)
+            if finer is not None:
+                add_finer(beside, finer, statistics)
         except FileError as error:
             raise FileError(str(error).replace(str(beside), str(path)), code=error.code) from error
 

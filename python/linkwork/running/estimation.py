@@ -21,7 +21,7 @@ from linkwork.accuracy.verdict import (
     verified,
     without_steps,
 )
-from linkwork.accuracy.verification import Finer, state_error
+from linkwork.accuracy.verification import Finer, joined, state_error
 from linkwork.arrays import Floats
 from linkwork.equations.system import System
 from linkwork.errors import AccuracyError, warn
@@ -132,10 +132,10 @@ class ErrorEstimator:
         stateful += callbacks.changed(self._own_contents, self._own)
         if stateful:
             return warn(f"verify: no second run was made, as '{stateful[0]}' may remember the calls before")
-        found = run(self._plan.finer(result.t))
+        found = self._second_run(result, run)
         order = self._resolution().order
         gain = 2.0**order if isinstance(self._plan, Fixed) else 10.0
-        finer = Finer(found, gain / (gain - 1) if gain > 1 else 2.0)
+        finer = Finer.of(result, found, gain / (gain - 1) if gain > 1 else 2.0)
         result._finer = finer
         verdict = result.verdict
         if verdict is not None:
@@ -147,6 +147,20 @@ class ErrorEstimator:
 
             add_finer(output, finer, result.statistics)
             result._finer = Result.load(output)._finer
+
+    def _second_run(self, result: Result, run: Callable[[dict[str, Any]], Result]) -> Result:
+        """With frames at the times of the result.
+
+        Those of a run that goes on with a fixed step are at multiples of the steps of the one before: another
+        run is to come to the first of them.
+        """
+        finer = self._plan.finer(result.t)
+        if isinstance(self._plan, Adaptive) or not result.manifest.get("resumed") or len(result) < 3:
+            return run(finer)
+        t_start, t_first = map(float, result.t[:2])
+        lead = run({**finer, "t_end": t_first, "step": min(finer["step"], t_first - t_start)})
+        rest = run({**finer, "start": lead.snapshot()._replace(resume=None)})
+        return joined(lead, rest)
 
     def _of(
         self,

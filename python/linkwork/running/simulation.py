@@ -146,10 +146,10 @@ def simulate(
     with Interrupts() as interrupts, path:
         result, estimator = _carried_out(prepared, output, progress, started, interrupts)
     if verify:
-        again: dict[str, Any] = {"integrator": prepared.method, "events": events, "breaks": breaks,
-                                 "start": start, "assemble": assemble}  # fmt: skip
+        again: dict[str, Any] = {"t_end": t_end, "integrator": prepared.method, "events": events,
+                                 "breaks": breaks, "start": start, "assemble": assemble}  # fmt: skip
         estimator.verify(result, output, lambda finer: simulate(
-            model, t_end, **{**again, **finer}, progress=progress, on_inaccurate="pass",
+            model, **{**again, **finer}, progress=progress, on_inaccurate="pass",
             **estimation.strict(options),
         ))  # fmt: skip
     estimation.apply_policy(result, on_inaccurate)
