@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import linkwork as lw
 import numpy as np
@@ -154,3 +155,47 @@ def test_a_twist_keeps_its_full_turns_from_run_to_run_and_between_frames() -> No
     assert onward.deflection is not None
     assert whole.deflection[-1] == pytest.approx(onward.deflection[-1], rel=1e-6)
     assert whole.deflection[-1] > 2 * np.pi
+
+
+STEP = lw.functions.piecewise_polynomial([0.0, 0.5, 2.0], [[1.0], [3.0]])
+AFTER = lw.functions.with_breaks(lambda t: 3.0 if t > 0.5 else 1.0, [0.5])
+FROM = lw.functions.with_breaks(lambda t: 3.0 if t >= 0.5 else 1.0, [0.5])
+
+
+@pytest.mark.parametrize("how", [{"record_every": 1}, {"times": [0.0, 0.25, 0.5]}, {"start": 0.5}])
+@pytest.mark.parametrize("t_end", [0.5, 1.0])
+@pytest.mark.parametrize("law", [STEP, AFTER, FROM])
+def test_the_force_at_a_break_is_that_which_the_frame_has(
+    law: Any, t_end: float, how: dict[str, Any], tmp_path: Path
+) -> None:
+    """Just after it, as what goes on, and at the end of the run just before."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("body", mass=2.0, inertia=(0.1, 0.1, 0.1))
+    model.force("body", force=(law, 0, 0), name="push")
+    begun = how.get("start")
+    if begun is not None:
+        how = {"start": lw.simulate(model, 0.5, rtol=1e-6).snapshot()}
+        t_end += 0.5
+    result = lw.simulate(model, t_end, rtol=1e-6, **how)
+    at_break = np.flatnonzero(result.t == 0.5)
+    assert len(at_break) == 1
+    assert result.force("push").force[at_break[0], 0] == (1.0 if t_end == 0.5 else 3.0)
+    result.save(tmp_path / "run.h5")
+    for found in (result.force("push"), lw.Result.load(tmp_path / "run.h5").force("push", model)):
+        np.testing.assert_allclose(found.force[:, 0], 2.0 * result.acceleration[:, 0, 0], rtol=1e-12)
+
+
+def test_breaks_side_by_side_are_one() -> None:
+    """With forces that jump a unit in the last place apart, and one given to the run alone."""
+    later = np.nextafter(0.5, 1.0)
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("body", mass=2.0, inertia=(0.1, 0.1, 0.1))
+    model.force("body", force=(AFTER, 0, 0), name="one")
+    model.force(
+        "body", force=(lw.functions.with_breaks(lambda t: float(t >= later), [later]), 0, 0), name="two"
+    )
+    model.force("body", force=(lambda t: float(t > 0.75), 0, 0), name="three")
+    result = lw.simulate(model, 1.0, rtol=1e-6, breaks=[0.75], record_every=1)
+    forces = [result.force(name).force[:, 0] for name in ("one", "two", "three")]
+    np.testing.assert_allclose(sum(forces), 2.0 * result.acceleration[:, 0, 0], rtol=1e-12)
+    assert {0.75, later} <= set(result.t)

@@ -68,6 +68,7 @@ class Header:
     force_origin: Floats = field(default_factory=_none(0, 2, 3))
     force_first_parameter: Indices = field(default_factory=_none(1))  # (F + 1,)
     force_parameters: Floats = field(default_factory=_none(0))
+    breaks: Sequence[float] | Floats = ()  # (b,) [s] beside which functions of time were evaluated
     history_count: int = 0  # history variables; none in files of version 0.1
     expected_frames: int | None = None
     shapes: Shapes = field(default_factory=Shapes, compare=False)  # of the bodies that have their own
@@ -84,6 +85,7 @@ class Header:
         expected_frames: int | None = None,
         shapes: Shapes | None = None,
         curves: Mapping[int, Floats] | None = None,
+        breaks: Sequence[float] = (),
     ) -> Header:  # Long: a line a field.
         """The header of a run of `model`; `expected_frames` (when known) sizes the file's chunks.
 
@@ -114,6 +116,7 @@ class Header:
             force_frame=forces["frame"],
             force_origin=forces["origin"],
             **_parameters("force", forces),
+            breaks=breaks,
             history_count=0 if dynamics is None else len(dynamics.initial_history),
             expected_frames=expected_frames,
             shapes=shapes or Shapes(),
@@ -179,7 +182,7 @@ UNITS = {
     "violation": "m or 1, with 1/s and 1/s2", "history": "rad, m/s or m, by the variable",
     "reaction_force": "N", "reaction_torque": "N m",
     "gravity": "m/s2", "mass": "kg", "inertia": "kg m2", "q0": "m, then 1", "v0": "m/s, then rad/s",
-    "joint_origin": "m", "force_origin": "m",
+    "joint_origin": "m", "force_origin": "m", "breaks": "s",
 }  # fmt: skip
 
 

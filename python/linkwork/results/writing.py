@@ -102,6 +102,7 @@ MODEL_ARRAYS = (
     "force_origin",
     "force_first_parameter",
     "force_parameters",
+    "breaks",
 )
 
 
@@ -369,7 +370,7 @@ class ResultWriter:
         file.attrs["manifest"] = json.dumps(dict(self._header.manifest), default=_plain)
         model = file.create_group("model")
         for name in MODEL_ARRAYS:
-            model[name] = getattr(self._header, name)
+            model[name] = np.asarray(getattr(self._header, name))
             _name_unit(model[name], name)
             self._pause()
         for name in MODEL_NAMES:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -35,6 +36,13 @@ def of_run(model: Model, given: ArrayLike, t_start: float, t_end: float) -> list
     for _, signal in model.signals:
         times.update(signal.break_points)
     return sorted(t for t in times if t_start < t <= t_end)
+
+
+def beside(model: Model, known: Sequence[float], t_start: float, t_end: float) -> list[float]:
+    """Those beside which a run whose steps end at breaks, of which it knows the model's and these, evaluates
+    functions of time, at its start and end, too [s]."""
+    at_start = of_run(model, (), np.nextafter(t_start, -np.inf), t_end)
+    return sorted({*at_start, *(t for t in known if t >= t_start)})
 
 
 def check_drivers(model: Model, t_start: float, t_end: float, *, adaptive: bool) -> None:

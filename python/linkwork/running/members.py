@@ -292,8 +292,9 @@ def _result(it: _Ready, frames: Mapping[str, Any], method: Method, poses: Mappin
     if not method.last_state:  # else nobody sees more of the result than its last state
         chosen = {"t_start": 0.0, **method.plan.chosen(), "integrator": integrator.name, **it.system.options}
         facts = {**manifest(it.model, it.model.hash(), method.given, chosen), **facts}
+    beside = method.plan.beside(it.model, it.stepped.breaks, 0.0)
     header = Header.of(
-        it.model.compiled(), it.system.compiled(), facts, None, it.model.shapes, it.model.curves
+        it.model.compiled(), it.system.compiled(), facts, None, it.model.shapes, it.model.curves, beside
     )
     verdict, counts = _judged(it, frames, method, poses)
     crossings = it.system.compiled().statistics()["singularity_crossings"]

@@ -15,9 +15,10 @@ from linkwork.arguments import array
 from linkwork.equations.system import System
 from linkwork.errors import OptionError
 from linkwork.integrators import METHODS, EmbeddedPair, Integrator
+from linkwork.modeling.model import Model
 from linkwork.motion.records import Snapshot
 from linkwork.options import check_number
-from linkwork.running import checks
+from linkwork.running import breakpoints, checks
 from linkwork.running.recording import PythonStep
 
 __all__ = ["Adaptive", "Fixed", "plan"]
@@ -102,6 +103,10 @@ class Fixed:
     def inside_steps(self, breaks: Sequence[float]) -> Sequence[float]:
         """Those at which no step ends: all of them, for all that is known."""
         return breaks
+
+    def beside(self, model: Model, known: Sequence[float], t_start: float) -> Sequence[float]:
+        """Breaks beside which functions are evaluated, not at them: none."""
+        return ()
 
     def steps_with_breaks(self, breaks: Sequence[float], t_start: float) -> dict[str, int]:
         """How many steps contain break points, inside or at their ends, where the last stage may be."""
@@ -190,6 +195,10 @@ class Adaptive:
     def inside_steps(self, breaks: Sequence[float]) -> Sequence[float]:
         """Those at which no step ends: none."""
         return ()
+
+    def beside(self, model: Model, known: Sequence[float], t_start: float) -> Sequence[float]:
+        """Breaks beside which functions are evaluated, not at them: all."""
+        return breakpoints.beside(model, known, t_start, self.t_end)
 
     def steps_with_breaks(self, breaks: Sequence[float], t_start: float) -> dict[str, int]:
         """None: steps end at each."""

@@ -187,6 +187,7 @@ class Prepared:
     chosen: Mapping[str, Any]  # options with none left open
     facts: Mapping[str, Any]  # for the manifest
     key: str  # of checkpoints, see `resuming`
+    known: Sequence[float]  # [s], breaks of which the driver was told
     forecast: forecast.Forecast | None = None  # of a large run
     looking: Mapping[str, float] = field(default_factory=dict)  # what it cost to make that, of the statistics
 
@@ -201,9 +202,10 @@ class Prepared:
 
     def header(self) -> Header:
         model = self.system.model
+        beside = self.plan.beside(model, self.known, self.t_start)
         return Header.of(
             model.compiled(), self.system.compiled(), self.facts, self.plan.expected_frames(self.run),
-            model.shapes, model.curves,
+            model.shapes, model.curves, beside,
         )  # fmt: skip
 
 
@@ -250,7 +252,7 @@ def _prepared(
         "events": [event.label for event in watched],
         **({} if start is None else {"resumed": resume is not None}),
     }
-    return Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts, key)
+    return Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts, key, known)
 
 
 class Stepped(NamedTuple):
