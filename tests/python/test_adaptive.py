@@ -304,3 +304,15 @@ def test_contacts_that_begin_almost_together_cost_no_accuracy(integrator: str) -
     errors = [difference(cart(rtol, times=[0.3]), truth) for rtol in (1e-6, 1e-9)]
     assert errors[0] < 3e-5
     assert errors[1] < 1e-6
+
+
+def test_a_run_without_time_has_its_start() -> None:
+    """Also where what is left is as long as roundoff."""
+    model = mechanisms.pendulum()
+    assert run(model, 0.0, 1e-6).t.tolist() == [0.0]
+    start = lw.Snapshot.of(1000.0, lw.System(model).initial_state())
+    assert run(model, 1000.0, 1e-6, start=start).t.tolist() == [1000.0]
+    t = run(model, 1000.0 + 5e-11, 1e-6, start=start).t
+    assert (t[0], t[-1]) == (1000.0, 1000.0 + 5e-11) and (np.diff(t) > 0).all()
+    with pytest.raises(lw.OptionError, match="the start, at 1000 s, is after t_end 999 s"):
+        run(model, 999.0, 1e-6, start=start)

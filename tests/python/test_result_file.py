@@ -455,3 +455,17 @@ def test_file_with_the_former_names_of_statistics_loads_by_those_of_today(tmp_pa
     assert pose == (0.5, ("A",), 1e-9, 3) and pose.fallback_evaluations == 3
     with pytest.raises(AttributeError, match="'fallback_evaluations' now"):
         _ = pose.taken_over
+
+
+def test_a_result_is_read_on_from_another_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It was loaded, or written by its run, by a path from the folder of before."""
+    (tmp_path / "other").mkdir()
+    monkeypatch.chdir(tmp_path)
+    model = lw.mechanisms.pendulum()
+    written = lw.simulate(model, 0.1, step=1e-2, output="run.h5", progress=False)
+    loaded = Result.load("run.h5")
+    monkeypatch.chdir("other")
+    assert loaded.q.shape == written.q.shape == (11, 1, 7)
+    for found in (loaded, written):
+        rest = lw.simulate(model, 0.2, step=1e-2, start=found.snapshot(), progress=False)
+        assert rest.manifest["resumed"]

@@ -199,3 +199,20 @@ def test_breaks_side_by_side_are_one() -> None:
     forces = [result.force(name).force[:, 0] for name in ("one", "two", "three")]
     np.testing.assert_allclose(sum(forces), 2.0 * result.acceleration[:, 0, 0], rtol=1e-12)
     assert {0.75, later} <= set(result.t)
+
+
+def test_laws_of_the_users_own_are_named_as_such(tmp_path: Path) -> None:
+    """They are found by what a result has."""
+    model = swinging()
+    model.joint_force("hinge", lambda t, angle, rate: -2.0 * angle - 0.3 * rate + np.sin(5 * t), name="law")
+    model.user_force(lambda t, q, v: [0, 0, -v[2], 0, 0, 0], "bob", name="drag of my own")
+    result = lw.simulate(model, 0.1, step=1e-3)
+    result.save(tmp_path / "run.h5")
+    for name in ("law", "drag of my own"):
+        for found, given in ((result, None), (lw.Result.load(tmp_path / "run.h5"), model)):
+            with pytest.raises(
+                lw.ModelError, match=f"'{name}' is no force element but a law of the user's own"
+            ):
+                found.force(name, given)
+    with pytest.raises(lw.ModelError, match="no force element named 'low'"):
+        result.force("low")

@@ -26,7 +26,7 @@ SAME, BESIDE = 64 * np.finfo(float).eps, 4 * np.finfo(float).eps
 
 def force(result: Result, name: str | int, model: Model | None) -> ForceResult:
     """See Result.force."""
-    place, law = _place(result, name), _law(result, model)
+    place, law = _place(result, name, model), _law(result, model)
     k = len(result)
     state = (result.q.reshape(k, -1), result.v.reshape(k, -1), result._field("vdot").reshape(k, -1))
     on_force, torque, power, potential, turned = law(place, _clock(result), *state, result.history)
@@ -52,11 +52,19 @@ def _distance(relative: float, t: Floats) -> Floats:
     return np.maximum(relative * np.abs(t), np.finfo(float).tiny)
 
 
-def _place(result: Result, name: str | int) -> int:
-    """ModelError: there is none."""
+def _place(result: Result, name: str | int, model: Model | None) -> int:
+    """ModelError: there is none, or it is a law of the user's own."""
     names = list(result.header.force_names)
     if isinstance(name, int | np.integer) and -len(names) <= name < len(names):
         return int(name) % len(names)
+    own = [*result.manifest.get("user_forces", ()), *(it for it, _ in (model.user_forces if model else ()))]
+    if str(name) in own and str(name) not in names:
+        raise ModelError(
+            f"'{name}' is no force element but a law of the user's own (joint_force, user_force, "
+            "compiled_force), of which nothing is recorded: call its function, that of a joint with t, value "
+            "and rate of result.coordinate(joint), others with t, q and v of the result",
+            code="unknown_name",
+        )
     if str(name) not in names:
         raise ModelError(f"no force element named '{name}'{nearest(str(name), names)}", code="unknown_name")
     return names.index(str(name))

@@ -116,7 +116,7 @@ def read(path: str | os.PathLike[str], *, written: Header | None = None) -> Stor
         if written is not None:
             header = _as_of_a_file(written, file)
             content = _as_it_is(file, size)._replace(
-                checkpoint=checkpoints.StoredCheckpoint(path, str(file.attrs["run"]))
+                checkpoint=checkpoints.StoredCheckpoint(path.absolute(), str(file.attrs["run"]))
             )
         elif has_digests:
             start = _check_head(path, file, size)
@@ -131,7 +131,7 @@ def read(path: str | os.PathLike[str], *, written: Header | None = None) -> Stor
         missing = [*header.manifest.get("missing", ()), *content.notes.get("missing", ())]
         notes = content.notes | ({"missing": missing} if missing else {})
         header = replace(header, manifest={**header.manifest, **notes})
-    return _stored(path, run, header, content)
+    return _stored(path.absolute(), run, header, content)  # the process may go to another folder
 
 
 def _stored(path: Path, run: str, header: Header, content: _Content) -> StoredRun:

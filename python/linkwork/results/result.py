@@ -386,6 +386,7 @@ class Result:
         model  for a result from a file, which has no laws of forces: the model of which it is, with the
                numbers, functions and initial state that it had (compared by `Model.hash`)
 
+        Laws of the user's own (`joint_force`, `user_force`) are no force elements: call their functions.
         ModelError: no such force element. OptionError: a file without `model`, or another model.
         """
         from linkwork.results import forces

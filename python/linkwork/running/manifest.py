@@ -22,6 +22,7 @@ def manifest(
     return {
         "model": model.name,
         "model_hash": model_hash,
+        **({"user_forces": [name for name, _ in model.user_forces]} if model.user_forces else {}),
         "options": dict(chosen),
         "options_given": {name: _plain(value) for name, value in given.items()},
         **platform_facts(),

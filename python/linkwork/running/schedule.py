@@ -230,6 +230,8 @@ def plan(
         check_number("step", step, positive=True, unit="s")
     if record_every is not None:
         _check_record_every(record_every)
+    if t_start > t_end:
+        raise OptionError(f"the start, at {t_start:g} s, is after t_end {t_end:g} s", code="start")
     most_frames = min(FRAMES, max(1, FRAME_BYTES // frame_bytes))
     if rtol is None and atol is None:
         return _fixed(t_end, step, record_every, times, most_frames, t_start)
@@ -251,8 +253,6 @@ def _fixed(
             "times needs steps that follow tolerances: give rtol, or record_every instead of times",
             code="conflict",
         )
-    if t_start > t_end:
-        raise OptionError(f"the start, at {t_start:g} s, is after t_end {t_end:g} s", code="start")
     if t_start < t_end and step > (t_end - t_start) * (1 + SAME_TIME):
         raise OptionError(
             f"step {step:g} s is longer than the run, from {t_start:g} to {t_end:g} s: give a step of "
@@ -289,7 +289,7 @@ def _adaptive(
     if times is not None and record_every is not None:
         raise OptionError("times and record_every both say what is recorded: give one", code="conflict")
     if record_every is None and times is None:
-        times = np.linspace(t_start, t_end, most_frames + 1)
+        times = np.unique(np.linspace(t_start, t_end, most_frames + 1))  # one where nothing is left to run
     asked = np.zeros(0) if times is None else _checked_times(times, t_start, t_end)
     return Adaptive(
         t_end=t_end,
