@@ -176,6 +176,7 @@ void bind_events(py::module_& module) {
            }),
            py::arg("name"), py::arg("function"), py::arg("direction"), py::arg("terminal"), py::arg("change"),
            py::arg("tolerance"))
+      .def_readonly("name", &Event::name)
       .def_property_readonly(
           "signature",
           [](const Event& it) { return py::make_tuple(it.direction, it.terminal, bool(it.change), it.tolerance); },
@@ -318,8 +319,11 @@ void bind_adaptive_steps(py::module_& module) {
   py::class_<AdaptiveSimulation, Run>(module, "AdaptiveSimulation", "A run with steps as large as tolerances allow.")
       .def(py::init([](Dynamics& dynamics, const EmbeddedPair& pair, double t_end, double rtol, double atol,
                        double largest_step, std::int64_t record_every, std::vector<double> times,
-                       std::vector<Event> events, double t_start, const VectorXd& start, std::vector<double> breaks) {
+                       std::vector<Event> events, double t_start, const VectorXd& start, std::vector<double> breaks,
+                       const std::vector<std::pair<std::size_t, VectorXd>>& happened) {
              const Busy busy(dynamics);
+             std::vector<Happened> came;
+             for (const auto& [event, before] : happened) came.push_back({event, before});
              return std::make_unique<AdaptiveSimulation>(dynamics, pair,
                                                          AdaptiveSchedule{.t_end = t_end,
                                                                           .tolerances = {rtol, atol},
@@ -328,13 +332,14 @@ void bind_adaptive_steps(py::module_& module) {
                                                                           .times = std::move(times),
                                                                           .t_start = t_start,
                                                                           .start = start,
-                                                                          .breaks = std::move(breaks)},
+                                                                          .breaks = std::move(breaks),
+                                                                          .happened = std::move(came)},
                                                          std::move(events));
            }),
            py::arg("dynamics"), py::arg("pair"), py::arg("t_end"), py::arg("rtol"), py::arg("atol"),
            py::arg("largest_step"), py::arg("record_every"), py::arg("times"), py::arg("events") = std::vector<Event>(),
            py::arg("t_start") = 0.0, py::arg("start") = VectorXd(), py::arg("breaks") = std::vector<double>(),
-           py::keep_alive<1, 2>())
+           py::arg("happened") = std::vector<std::pair<std::size_t, VectorXd>>(), py::keep_alive<1, 2>())
       .def("take_occurrences", exclusive(+[](AdaptiveSimulation& run) {
              py::list out;
              for (const Occurrence& it : run.take_occurrences())

@@ -75,6 +75,12 @@ class AdaptiveSimulation(Run):
         t_start: typing.SupportsFloat | typing.SupportsIndex = 0.0,
         start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"] = ...,
         breaks: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] = [],
+        happened: collections.abc.Sequence[
+            tuple[
+                typing.SupportsInt | typing.SupportsIndex,
+                typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+            ]
+        ] = [],
     ) -> None: ...
     def statistics(self) -> dict: ...
     def take_occurrences(self) -> list:
@@ -496,6 +502,8 @@ class Event:
         | None,
         tolerance: typing.SupportsFloat | typing.SupportsIndex,
     ) -> None: ...
+    @property
+    def name(self) -> str: ...
     @property
     def signature(self) -> tuple[int, bool, bool, float]:
         """

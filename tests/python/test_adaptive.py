@@ -316,3 +316,16 @@ def test_a_run_without_time_has_its_start() -> None:
     assert (t[0], t[-1]) == (1000.0, 1000.0 + 5e-11) and (np.diff(t) > 0).all()
     with pytest.raises(lw.OptionError, match="the start, at 1000 s, is after t_end 999 s"):
         run(model, 999.0, 1e-6, start=start)
+
+
+@pytest.mark.parametrize("after", [1e-12, 1e-9, 1e-6])
+def test_a_short_first_step_makes_no_velocities_of_the_violations_it_begins_with(after: float) -> None:
+    """Left by a run of large steps; up to a break, and up to the end."""
+    first = lw.simulate(mechanisms.chain(3), 0.5, 0.01, on_inaccurate="pass")
+    assert largest(first.violation[-1, 0]) > 1e-11
+    start = first.snapshot(-1)._replace(resume=None)
+    usual = run(mechanisms.chain(3), 1.0, 1e-8, start=start)
+    broken = run(mechanisms.chain(3), 1.0, 1e-8, start=start, breaks=[0.5 + after])
+    assert largest(usual.q[-1] - broken.q[-1]) < 1e-6
+    ended = run(mechanisms.chain(3), 0.5 + after, 1e-8, start=start)
+    assert largest(ended.v[-1] - first.v[-1]) < 1e-5 + 1e3 * after

@@ -100,8 +100,11 @@ def test_kkt_without_a_solver_is_solved_by_blocks_with_redundant_equations_too()
 def test_a_step_longer_than_the_run_is_refused(step: float) -> None:
     with pytest.raises(lw.OptionError, match=r"longer than the run, from 0 to 0.1 s: give a step of 0.1 s"):
         run(0.1, step)
-    with pytest.raises(lw.OptionError, match=r"longer than the run, from 0.1 to 0.15 s"):
-        run(0.15, 0.06, start=run(0.1).snapshot())
+
+
+def test_a_run_goes_on_for_less_than_a_step() -> None:
+    first = run(0.1, 4e-3)
+    np.testing.assert_array_equal(run(0.103, 4e-3, start=first.snapshot()).q[-1], run(0.103, 4e-3).q[-1])
 
 
 def test_a_step_of_the_whole_run_and_a_largest_step_beyond_it_are_no_mistakes() -> None:

@@ -372,3 +372,53 @@ def test_a_run_that_an_event_ended_goes_on_to_the_next_one(by_change: bool) -> N
         found = run(mechanisms.pendulum(), 10.0, lw.Event(aside, name="aside", **how), start=found.snapshot())
         assert [event.t for event in found.events] == pytest.approx([passage.t], abs=1e-7)
         assert found.t[-1] == found.events[0].t
+
+
+@pytest.mark.parametrize("change", [
+    {"rtol": 1e-9}, {"integrator": "dop853"}, {"terminal": False}, {"more": True}, {"t_end": 0.01},
+])  # fmt: skip
+@pytest.mark.parametrize("place", [0.9, 0.5, 0.2])
+def test_an_event_does_not_come_again_in_a_run_that_goes_on_by_another_method(
+    change: dict[str, Any], place: float
+) -> None:
+    """Its time is known to 1e-12 s: on which side of zero the state is that goes on, is rounding."""
+
+    def aside(t: float, state: lw.State) -> float:
+        return float(state.body("bob").position[0]) - place
+
+    def kick(t: float, state: lw.State) -> None:
+        state.v *= 1.5
+
+    def event(terminal: bool = True) -> lw.Event:
+        return lw.Event(aside, name="kick", change=kick, terminal=terminal)
+
+    first = run(mechanisms.pendulum(), 3.0, event(), rtol=1e-6)
+    options = {"rtol": 1e-6, "integrator": "dopri5", **change}
+    events = [event(options.pop("terminal", True))]
+    if options.pop("more", False):
+        events.append(clock(2.9))
+    t_end = first.t[-1] + options.pop("t_end", 0.05)
+    second = run(mechanisms.pendulum(), t_end, *events, start=first.snapshot(), **options)
+    assert [it.name for it in second.events] == []
+    assert second.t[-1] == t_end
+    assert np.abs(second.energy_error).max() < 1e-4
+
+
+def test_the_event_of_another_body_does_not_undo_a_barrier() -> None:
+    """Two balls that hit the floor 5 ps apart, and leave it at a hundredth of their speed."""
+    model = lw.Model()
+    height, g = 0.5, GRAVITY
+    later = 5e-12 * np.sqrt(2 * g * height)
+    for name, x, z in (("a", 0.0, height), ("b", 1.0, height + later)):
+        model.body(name, mass=1.0, inertia=(0.1,) * 3, position=(x, 0, z))
+
+    def floor_of(name: str) -> lw.Event:
+        def bounce(t: float, state: lw.State) -> None:
+            state.body(name).velocity[2] *= -0.01
+
+        return lw.Event(lambda t, state: state.body(name).position[2], name=name, change=bounce)
+
+    result = run(model, np.sqrt(2 * height / g) + 1e-4, floor_of("a"), floor_of("b"))
+    assert sorted(it.name for it in result.events) == ["a", "b"]
+    rise = 0.01 * np.sqrt(2 * g * height) - g * 1e-4
+    assert result.velocity[-1, :, 2] == pytest.approx([rise, rise], rel=1e-5)

@@ -363,3 +363,26 @@ def test_a_step_that_ends_where_a_contact_begins_is_no_error(rtol: float, drop: 
     assert found is not None
     error = abs(heights[0] - heights[1]) / drop
     assert error <= found.error <= max(1e4 * error, 1e-3)
+
+
+def test_what_a_run_goes_on_from_is_not_blamed_on_its_steps() -> None:
+    start = lw.simulate(mechanisms.pendulum(), 0.2, 1e-3).snapshot()._replace(error=0.4, resume=None)
+    found = lw.simulate(mechanisms.pendulum(), 0.4, rtol=1e-9, start=start, on_inaccurate="pass").verdict
+    assert found is not None
+    assert found.sentence == "about 40 % off, as the runs are that this one goes on from: take those again"
+
+
+def test_contacts_that_begin_almost_together_are_no_error() -> None:
+    model = lw.Model()
+    model.body("chassis", mass=4.0, inertia=(0.2, 0.3, 0.4), position=(0, 0, 0.5))
+    for x, y in ((0.3, 0.2), (0.3, -0.2), (-0.3, 0.2), (-0.3, -0.2)):
+        model.sphere_plane_contact("ground", "chassis", at=((0, 0, 0), (x, y, 0.4)), normal=(0, 0, 1),
+                                   radius=0.1, stiffness=2e5, hysteresis=0.4)  # fmt: skip
+    rod = mechanisms.thin_rod(0.5, 0.4)
+    for name, inner, x in (("first", "chassis", 0.2), ("second", "first", 0.6)):
+        model.body(name, mass=0.5, inertia=rod, position=(x, 0, 0.5))
+        model.revolute(inner, name, at=(x - 0.2, 0, 0.5), axis=(0, 1, 0))
+    for rtol in (1e-5, 1e-6, 1e-7):
+        found = lw.simulate(model, 0.6, rtol=rtol, on_inaccurate="pass").verdict
+        assert found is not None
+        assert found.level == "good"

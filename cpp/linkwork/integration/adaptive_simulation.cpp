@@ -149,7 +149,7 @@ void AdaptiveSimulation::begin() {
   record_if_due();
   if (finished_) return;
   with_time(t_, NAN, [&] {
-    watch_.start(dynamics_.system(), t_, y_);
+    watch_.start_after(dynamics_.system(), t_, y_, schedule_.happened);
     step_ = initial_step();
   });
 }
@@ -161,7 +161,8 @@ double AdaptiveSimulation::initial_step() {
                most = std::min(free, schedule_.t_end - t_);
   dynamics_.rates(rates_);
   const double speed = measure_.of_change(y_, y_, rates_).value;
-  const double first = speed > 0.0 ? std::min(0.01 * measure_.of_state(y_) / speed, most) : most;
+  const double wanted = speed > 0.0 ? 0.01 * measure_.of_state(y_) / speed : INFINITY, first = std::min(wanted, most);
+  if (steps_done_ == 0) correction_length_ = speed > 0.0 ? std::min(wanted, schedule_.largest_step) : 0.0;
   bounded_ = bounded_ || (most < free && first == most);
   evaluated_ = false;
   try {
@@ -500,7 +501,7 @@ void AdaptiveSimulation::finish_step() {
   evaluated_ = true;
   finished_ = t_ >= schedule_.t_end;
   if (finished_) sampling_.before(dynamics_, y_);
-  if (!stops_.empty()) finish_event();
+  if (!stops_.empty()) finish_event(t_before);
   const auto seen = [&](const Occurrence& it) { return !repeating() || it.t > start_; };
   std::copy_if(of_step_.begin(), of_step_.end(), std::back_inserter(occurrences_), seen);
   of_step_.clear();
@@ -555,17 +556,27 @@ void AdaptiveSimulation::strike(const VectorXd& Phi_t_before) {
   y_[y_.size() - 1] += energy() - before;
 }
 
-/// Those up to the start of a run that is resumed ended the run before it.
-void AdaptiveSimulation::finish_event() {
+/// Those up to the start of a run that is resumed ended the run before it; by steps that are cut otherwise they may come
+/// a little later.
+void AdaptiveSimulation::finish_event(double t_before) {
   auto occurrence = of_step_.end() - std::ssize(stops_);
   bool ends = false;
+  const auto came = [this](std::size_t event) {
+    const auto same = [event](const Happened& it) { return it.event == event; };
+    return std::any_of(schedule_.happened.begin(), schedule_.happened.end(), same);
+  };
+  bool known = repeating() && t_ <= start_;
   for (const EventWatch::Found& it : stops_) {
     const Event& event = watch_.event(it.event);
     ends = ends || event.terminal;
     if (event.change) with_time(t_, NAN, [&] { ends = apply(event, *occurrence) || ends; });
+    if (repeating() && t_before < start_ && came(it.event)) {
+      known = true;
+      occurrence->t = start_;  // which is listed already
+    }
     ++occurrence;
   }
-  finished_ = finished_ || (ends && !(repeating() && t_ <= start_));
+  finished_ = finished_ || (ends && !known);
 }
 
 void AdaptiveSimulation::check_accumulation() {

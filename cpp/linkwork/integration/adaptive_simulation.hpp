@@ -25,8 +25,9 @@ struct AdaptiveSchedule {
   std::int64_t record_every = 0;   ///< steps between frames, the first and the last state included; 0: `times`
   std::vector<double> times = {};  ///< ascending; states between steps come from the interpolant
   double t_start = 0.0;
-  VectorXd start = {};              ///< y = (q, v) at t_start; empty: that of the model
-  std::vector<double> breaks = {};  ///< times at which something is not smooth, beside those that the model knows
+  VectorXd start = {};                  ///< y = (q, v) at t_start; empty: that of the model
+  std::vector<double> breaks = {};      ///< times at which something is not smooth, beside those that the model knows
+  std::vector<Happened> happened = {};  ///< events that came at t_start
 };
 
 /// Of the accepted steps, and how many were rejected.
@@ -90,7 +91,7 @@ class AdaptiveSimulation final : public Run {
   bool leap();
   const Interpolant& interpolant() const;
   void look_for_events();
-  void finish_event();
+  void finish_event(double t_before);
   void cross_break();
   void strike(const VectorXd& Phi_t_before);
   double clock() const;

@@ -17,10 +17,12 @@ constexpr std::array<double, 14> places = {0x1p-22, 0x1p-20, 0x1p-18, 0x1p-16, 0
                                            0x1p-8,  0x1p-6,  0x1p-4,  0.25,    0.5,     0.75,    1.0};
 constexpr std::size_t usual_places = 4;
 
-constexpr double line = 1e-7;       // of the size of q: for differences of an event's function
-constexpr double roundoff = 1e-15;  // likewise
-constexpr double leaving = 16.0;    // times as long as a time is known: what a barrier has turned back has left
-constexpr double at_rest = 1e-6;    // of the speed before an event: what those differences resolve
+constexpr double line = 1e-7;           // of the size of q: for differences of an event's function
+constexpr double roundoff = 1e-15;      // likewise
+constexpr double on_constraints = 0.1;  // of what a function changes by in that line: less is what corrections leave
+constexpr double slowest = 1e4;         // times that it was faster before
+constexpr double leaving = 16.0;        // times as long as a time is known: what a barrier has turned back has left
+constexpr double at_rest = 1e-6;        // of the speed before an event: what those differences resolve
 
 void check(const Event& event) {
   const auto refuse = [&](const std::string& why) { throw OptionError("event", "event '" + event.name + "': " + why); };
@@ -35,7 +37,8 @@ EventWatch::EventWatch(std::vector<Event> events)
     : events_(std::move(events)),
       last_value_(events_.size(), 0.0),
       last_theta_(events_.size(), 0.0),
-      barrier_t_(events_.size(), -INFINITY) {
+      barrier_t_(events_.size(), -INFINITY),
+      left_t_(events_.size(), -INFINITY) {
   for (const Event& event : events_) check(event);
 }
 
@@ -64,16 +67,35 @@ double EventWatch::resolved(std::size_t index, double t) const {
   return events_[index].tolerance + 4.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
 }
 
-/// So soon after a barrier that what it turned back may not have left the zero by more than its time is known.
-bool EventWatch::beside_barrier(std::size_t index, double t) const {
-  return t - barrier_t_[index] <= leaving * resolved(index, t);
+/// Up to how exactly times are known, and positions on constraints.
+bool EventWatch::is_zero(const System& system, std::size_t index, double t, const VectorXd& y) {
+  double s = 0.0;
+  const double value = std::abs(last_value_[index]), change = std::abs(change_along(system, index, t, y, s));
+  return value <= on_constraints * change || (s > 0.0 && value <= leaving * resolved(index, t) * change / s);
+}
+
+void EventWatch::start_after(const System& system, double t, const VectorXd& y, const std::vector<Happened>& happened) {
+  start(system, t, y);
+  VectorXd before(y.size());
+  for (const Happened& it : happened) {
+    if (!is_zero(system, it.event, t, y)) continue;
+    before << it.before, 0.0;
+    const double through = rate(system, it.event, t, before);
+    if (through == 0.0) continue;
+    restart(system, t, before, y, {it.event, 0.0, through > 0.0 ? 1.0 : -1.0}, -INFINITY);
+    fresh_ = true;
+  }
 }
 
 void EventWatch::restart(const System& system, double t, const VectorXd& before, const VectorXd& y,
                          const std::vector<Found>& happened) {
+  const std::vector<double> last_values = last_value_, last_barriers = barrier_t_;
   take_signs(t, y);
   fresh_ = true;
-  const std::vector<double> last_barriers = std::exchange(barrier_t_, std::vector<double>(events_.size(), -INFINITY));
+  for (std::size_t k = 0; k < events_.size(); ++k) {
+    if (t <= left_t_[k]) last_value_[k] = last_values[k];  // another one's barrier
+    else barrier_t_[k] = -INFINITY;
+  }
   for (const Found& it : happened) restart(system, t, before, y, it, last_barriers[it.event]);
 }
 
@@ -84,7 +106,12 @@ void EventWatch::restart(const System& system, double t, const VectorXd& before,
   // So soon after a barrier the motion through zero is roundoff, and so may be its direction.
   const bool held = t - barrier_t <= resolved(k, t);
   const bool barrier = held || (through > 0.0 && now <= at_rest * through);
-  if (barrier) barrier_t_[k] = t;
+  barrier_t_[k] = barrier ? t : -INFINITY;
+  left_t_[k] = -INFINITY;
+  if (barrier) {  // what has become slow takes as much longer
+    const double slower = now < -at_rest * through ? std::clamp(through / -now, 1.0, slowest) : 1.0;
+    left_t_[k] = t + leaving * slower * resolved(k, t);
+  }
   last_value_[k] = barrier ? -happened.side : 0.0;
 }
 
@@ -148,7 +175,7 @@ bool EventWatch::end_at_stop(std::size_t first, double t, double h) {
 void EventWatch::scan_piece(const Interpolant& step, const System& system, double t, double h, double from, double to,
                             bool last) {
   for (std::size_t k = 0; k < events_.size(); ++k) {
-    if (beside_barrier(k, t + to * h)) continue;
+    if (t + to * h <= left_t_[k]) continue;
     const auto at = [&](double theta) {
       step.interpolate(system, theta, state_);
       return value(k, t + theta * h, state_);

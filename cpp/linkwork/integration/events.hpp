@@ -35,6 +35,12 @@ struct Occurrence {
   VectorXd before, after;
 };
 
+/// An event that came just when a motion begins: the state y = (q, v) before it.
+struct Happened {
+  std::size_t event;
+  VectorXd before;
+};
+
 /// Finds the events of a step from the signs of their functions at its end and at three places inside; after an event
 /// that ended a step also at places ever nearer to the start, where what came back at once can be seen to leave and to
 /// return. A value of zero has no sign: what is zero at the start begins to count when it has become positive or
@@ -63,6 +69,8 @@ class EventWatch {
   /// Takes the signs at (t, y), y = (q, v, work), where a motion begins: there the last event may have been, so that what
   /// is zero up to roundoff has none.
   void start(const System& system, double t, const VectorXd& y);
+  /// The same where these events have come at t, with states before them, of a motion that goes on there.
+  void start_after(const System& system, double t, const VectorXd& y, const std::vector<Happened>& happened);
   /// The same after events that have changed the state at t from `before` to y.
   void restart(const System& system, double t, const VectorXd& before, const VectorXd& y,
                const std::vector<Found>& happened);
@@ -71,7 +79,7 @@ class EventWatch {
   const std::vector<Found>& scan(const Interpolant& step, const System& system, double t, double h, bool last = false);
 
   /// Between steps.
-  void keep(Archive& archive) { archive(last_value_, fresh_, barrier_t_); }
+  void keep(Archive& archive) { archive(last_value_, fresh_, barrier_t_, left_t_); }
 
  private:
   void take_signs(double t, const VectorXd& y);
@@ -81,7 +89,7 @@ class EventWatch {
   void restart(const System& system, double t, const VectorXd& before, const VectorXd& y, const Found& happened,
                double barrier_t);
   double resolved(std::size_t index, double t) const;
-  bool beside_barrier(std::size_t index, double t) const;
+  bool is_zero(const System& system, std::size_t index, double t, const VectorXd& y);
   bool end_at_stop(std::size_t first, double t, double h);
   void scan_piece(const Interpolant& step, const System& system, double t, double h, double from, double to, bool last);
 
@@ -90,6 +98,7 @@ class EventWatch {
   std::vector<Found> found_;
   bool fresh_ = false;             ///< an event has just ended a step
   std::vector<double> barrier_t_;  ///< when it came, of the last events that ended a step, if the change was a barrier
+  std::vector<double> left_t_;     ///< until when what the barrier turned back may still be there
   VectorXd state_, q_and_v_;
 };
 

@@ -42,6 +42,9 @@ GOOD, WRONG = 1e-2, 1e-1
 #: What a better step or tolerance is to give.
 AIM = 1e-4
 
+#: Of an error: the part of runs before that no step of this one could mend.
+INHERITED = 0.5
+
 #: Steps follow no tolerance below.
 LEAST_RTOL = 1e-13
 
@@ -212,7 +215,7 @@ def estimate(
     error = max(state, energy)
     return Verdict(
         level=_level(error),
-        sentence=_sentence(error, violation, state, method),
+        sentence=_sentence(error, violation, state, method, before),
         error=error,
         state=state,
         local_error=found["local_error"],
@@ -245,7 +248,7 @@ def verified(verdict: Verdict, state: float, method: Method, second: Verdict | N
     estimate of the `second`, finer run is hardly smaller, as where steps of both leap over a pulse, or are in
     step with what oscillates."""
     error = max(state + verdict.before, verdict.energy, verdict.violation)
-    sentence = f"{_sentence(error, verdict.violation, state, method)} by a second run"
+    sentence = f"{_sentence(error, verdict.violation, state, method, verdict.before)} by a second run"
     if second is not None and second.level != "good" and second.error > max(error, HARDLY * verdict.error):
         error, sentence = second.error, f"{second.sentence} (of a second run)"
     return replace(verdict, error=error, level=_level(error), sentence=sentence, verified=state)
@@ -293,11 +296,13 @@ def _level(error: float) -> Literal["good", "coarse", "wrong"]:
     return "coarse" if error <= WRONG else "wrong"
 
 
-def _sentence(error: float, violation: float, state: float, method: Method) -> str:
+def _sentence(error: float, violation: float, state: float, method: Method, before: float) -> str:
     if not math.isfinite(error):
         return "the motion is lost: use a much smaller step"
     if error <= GOOD:
         return f"accurate to about {_figure(error)}"
+    if before > INHERITED * error:
+        return f"{_off(error)}, as the runs are that this one goes on from: take those again"
     if VIOLATED * violation >= error:
         size = f"{_percent(violation)} of the mechanism's size"
         return f"the constraints are violated by {size}: {method.advice(error)}"

@@ -104,6 +104,8 @@ class Snapshot(NamedTuple):
     error: float = 0.0
     #: of the end of a run: it goes on from there by the same method to the last bit, see linkwork.simulate
     resume: Resume | None = None
+    #: events that came at its time: the label, and y = (q, v) (13n,) before it
+    happened: Sequence[tuple[str, Floats]] = ()
 
     @classmethod
     def of(cls, t: float, y: Floats, history: Sequence[float] | Floats = ()) -> Snapshot:

@@ -281,7 +281,13 @@ class Result:
                 code="frame",
             )
         state = self._field("q", frame), self._field("v", frame)
-        found = Snapshot(float(self.t[frame]), *state, self.history[frame], self._error_at(frame))
+        t = float(self.t[frame])
+        came = [
+            (it.name, np.concatenate([it.q_before.ravel(), it.v_before.ravel()]))
+            for it in self.events
+            if it.t == t
+        ]
+        found = Snapshot(t, *state, self.history[frame], self._error_at(frame), happened=came)
         last = int(frame) % count == count - 1
         if not last:
             return found

@@ -189,6 +189,7 @@ class Adaptive:
             times=self.times.tolist(),
             events=list(events),
             breaks=list(breaks),
+            happened=_happened(events, start),
             **_from(start),
         )
 
@@ -203,6 +204,14 @@ class Adaptive:
     def steps_with_breaks(self, breaks: Sequence[float], t_start: float) -> dict[str, int]:
         """None: steps end at each."""
         return {}
+
+
+def _happened(events: Sequence[_core.Event], start: Snapshot | None) -> list[tuple[int, NDArray[np.float64]]]:
+    """The events that came at the time of the start, by index, with y before them (13n,)."""
+    if start is None:
+        return []
+    known = [(label, np.asarray(y, dtype=float)) for label, y in start.happened if np.size(y) == len(start.y)]
+    return [(k, y) for k, event in enumerate(events) for label, y in known if label == event.name]
 
 
 def _from(start: Snapshot | None) -> _Start:
@@ -253,10 +262,11 @@ def _fixed(
             "times needs steps that follow tolerances: give rtol, or record_every instead of times",
             code="conflict",
         )
-    if t_start < t_end and step > (t_end - t_start) * (1 + SAME_TIME):
+    goes_on = t_start != 0.0  # its steps are those of the run before, of which this may be less than one
+    if not goes_on and step > t_end * (1 + SAME_TIME) > 0.0:
         raise OptionError(
-            f"step {step:g} s is longer than the run, from {t_start:g} to {t_end:g} s: give a step of "
-            f"{t_end - t_start:g} s or less",
+            f"step {step:g} s is longer than the run, from 0 to {t_end:g} s: give a step of {t_end:g} s or "
+            "less",
             code="step",
         )
     every = record_every or max(1, math.ceil(min((t_end - t_start) / step, MOST_STEPS) / most_frames))
