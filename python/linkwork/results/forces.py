@@ -26,6 +26,8 @@ SAME, BESIDE = 64 * np.finfo(float).eps, 4 * np.finfo(float).eps
 
 def force(result: Result, name: str | int, model: Model | None) -> ForceResult:
     """See Result.force."""
+    if model is not None and not hasattr(model, "compiled"):
+        raise ModelError(f"force: a linkwork.Model is wanted, not {model!r:.80}", code="not_a_model")
     place, law = _place(result, name, model), _law(result, model)
     k = len(result)
     state = (result.q.reshape(k, -1), result.v.reshape(k, -1), result._field("vdot").reshape(k, -1))
