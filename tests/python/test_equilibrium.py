@@ -96,3 +96,77 @@ def test_a_stop_holds_after_more_turns_than_those_of_a_body_that_goes_round() ->
     model.rotational_stop(model.ground, "nut", at=(0, 0, 0), axis=Z, lower=-20.0, upper=20.0, stiffness=10.0)
     angle = -20.0 - 200.0 * lead / 10.0
     assert lw.equilibrium(model).model.compiled().q0[2] == pytest.approx(angle * lead, rel=1e-9)
+
+
+def lamp_in_a_ship(mass: float, angle: float) -> lw.Model:
+    """A ship on its buoyancy, and a lamp of 2 kg in it, hung out of the vertical."""
+    model = lw.Model()
+    model.body("ship", mass=mass, inertia=(10 * mass, 200 * mass, 200 * mass))
+    model.translational("ground", "ship", at=(0, 0, 0), axis=Z)
+    model.translational_spring_damper("ground", "ship", at=(0, 0, 0), axis=Z, stiffness=10 * mass)
+    at = (10 + 0.3 * np.sin(angle), 0, 5 - 0.3 * np.cos(angle))
+    model.body("lamp", mass=2.0, inertia=(1e-3, 1e-3, 1e-3), position=at)
+    model.revolute("ship", "lamp", at=(10, 0, 5), axis=(0, 1, 0), name="pin")
+    return model
+
+
+@pytest.mark.parametrize("mass", [1e3, 1e7, 1e8])
+def test_a_lamp_hangs_vertically_however_heavy_its_ship_is(mass: float) -> None:
+    rest = lw.equilibrium(lamp_in_a_ship(mass, 0.5))
+    ship, lamp = np.array(rest.model.compiled().q0).reshape(-1, 7)
+    assert rest.stability == "stable" and rest.imbalance < 1e-9
+    assert lamp[0] - ship[0] == pytest.approx(10.0, abs=1e-7)
+    swing = np.sqrt(2 * 9.81 * 0.3 / (2 * 0.3**2 + 1e-3))
+    assert lw.linearize(rest.model).frequencies == pytest.approx(
+        [np.sqrt(10 * mass / (mass + 2)), swing], rel=1e-6
+    )
+
+
+def test_linearize_refuses_a_light_body_out_of_balance_beside_a_heavy_one() -> None:
+    model = lamp_in_a_ship(1e7, 0.5)
+    q = np.array(model.compiled().q0).reshape(-1, 7)
+    q[:, 2] -= 0.981
+    with pytest.raises(lw.ModelError, match="body 'lamp' is driven"):
+        lw.linearize(model.with_initial_state(q, np.zeros((2, 6))))
+
+
+@pytest.mark.parametrize("distance", [1.0, 1e2])
+def test_an_upright_bob_falls_beside_whatever_is_stiff_and_far(distance: float) -> None:
+    model = lw.Model()
+    model.body("bob", mass=1.0, inertia=(1e-3, 1e-3, 1e-3), position=(0, 0, 0.1))
+    model.revolute("ground", "bob", at=(0, 0, 0), axis=(0, 1, 0))
+    model.body("far", mass=1e6, inertia=(1e6, 1e6, 1e6), position=(distance, 0, 0))
+    model.translational("ground", "far", at=(distance, 0, 0), axis=(1, 0, 0))
+    model.translational_spring_damper("ground", "far", at=(distance, 0, 0), axis=(1, 0, 0), stiffness=1e10)
+    assert lw.equilibrium(model, stable=False).stability == "unstable"
+    rest = lw.equilibrium(model)
+    assert rest.stability == "stable"
+    assert np.array(rest.model.compiled().q0)[2] == pytest.approx(-0.1, rel=1e-9)
+
+
+def test_a_heavy_load_on_links_of_a_gram_rests_within_its_rounding() -> None:
+    model = lw.Model()
+    above = model.ground
+    for k in range(6):
+        link = model.body(f"link {k}", mass=1e-3, inertia=(1e-6, 1e-6, 1e-6), position=(0.1 * k + 0.05, 0, 0))
+        model.revolute(above, link, at=(0.1 * k, 0, 0), axis=(0, 1, 0))
+        above = link
+    model.body("load", mass=1e6, inertia=(1e6, 1e6, 1e6), position=(1.6, 0, 0))
+    model.revolute(above, "load", at=(0.6, 0, 0), axis=(0, 1, 0))
+    rest = lw.equilibrium(model)
+    assert np.array(rest.model.compiled().q0).reshape(-1, 7)[-1, :3] == pytest.approx([0, 0, -1.6], abs=1e-6)
+    assert rest.imbalance < 1e-9
+
+
+@pytest.mark.parametrize("torque", [10.0, 70.0])
+def test_what_equilibrium_returns_is_in_balance_for_linearize_where_large_torques_cancel(
+    torque: float,
+) -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("wheel", mass=1.0, inertia=(1, 1, 1))
+    model.revolute("ground", "wheel", at=(0, 0, 0), axis=Z, name="pin")
+    model.rotational_spring_damper("ground", "wheel", at=(0, 0, 0), axis=Z, stiffness=1.0)
+    model.joint_force("pin", lambda t, x, v: torque)
+    rest = lw.equilibrium(model)
+    assert rest.imbalance < 1e-12
+    assert lw.linearize(rest.model).frequencies == pytest.approx([1.0], rel=1e-9)

@@ -19,8 +19,11 @@ __all__ = ["Equations", "Terms", "Sparse"]
 #: A matrix of scipy.sparse.
 Sparse = Any
 
-#: Of the size of a mechanism: arms that are none.
-HARDLY = 1e-2
+#: Of the size of a mechanism: arms that are none; of a body's arms.
+HARDLY, NO_ARM = 1e-2, 1e-9
+
+#: Of the largest force in a model: what acts on other bodies is known to no less, by rounding.
+DIGITS_OF_LARGEST = 1e-5
 
 #: Joints or motions that a message names.
 LISTED = 4
@@ -64,6 +67,7 @@ class Equations:
         self.holonomic = self._holonomic()
         self._still = np.zeros(6 * self.core.body_count)
         self.scale = np.tile([1.0] * 3 + [1 / self.length] * 3, self.core.body_count)
+        self.arms = _arms(self.core, self.length)
 
     @property
     def weight(self) -> float:
@@ -93,14 +97,31 @@ class Equations:
     def gross_forces(self, t: float, q: Floats, v: Floats) -> Floats:
         """How large what acts on each body is before it adds up (6n,) [N, N m]: where springs balance weights
         nothing is left of it but its rounding."""
+        return self._gross(t, q, v, self.length)
+
+    # unit_F = max(F, T / a), unit_T = a unit_F with the arm a of the body
+    def acting(self, t: float, q: Floats, v: Floats, multipliers: Floats) -> Floats:
+        """What counts on each body where balance is judged (6n,) [N, N m]: its own gross forces, with those
+        of lambda (m,), by its own size; at least the part of the model's largest that has digits."""
+        D = self.terms(t, q, v).D
+        parts = self._gross(t, q, v, self.arms) + abs(D).T @ np.abs(multipliers)
+        force, torque = parts.reshape(-1, 2, 3).max(axis=2).T
+        own = np.maximum(force, torque / self.arms)
+        size = np.maximum(own, DIGITS_OF_LARGEST * own.max()) if own.any() else np.ones_like(own)
+        return np.column_stack([size, size * self.arms]).repeat(3, axis=1).ravel()
+
+    def _gross(self, t: float, q: Floats, v: Floats, arms: Floats | float) -> Floats:
+        """Sizes before they add up (6n,) [N, N m]: of g, weights, and force elements at these arms."""
         core, rest = self.core, np.zeros_like(v)
         parts = np.abs(self.dynamics.evaluate(t, q, v)["g"]).reshape(-1, 2, 3)
         parts[:, 0] += (np.asarray(core.mass) * np.linalg.norm(core.gravity))[:, None]
+        arm = np.broadcast_to(arms, len(parts))
         history = np.asarray(self.dynamics.history)
         for element, pair in enumerate(core.force_arrays()["bodies"].reshape(-1, 2)):
             found = self.dynamics.force_element(element, np.array([t]), q, v, rest, history)
             force, torque = (float(np.linalg.norm(it)) for it in found[:2])
-            parts[pair[pair >= 0]] += np.array([[force], [torque + force * self.length]])
+            for body in pair[pair >= 0]:
+                parts[body] += np.array([[force], [torque + force * arm[body]]])
         gross: Floats = parts.ravel()
         return gross
 
@@ -195,8 +216,24 @@ def _reach(elements: dict[str, Any], middle: Floats) -> tuple[float, float]:
     return float(np.abs(origin[on_bodies]).max(initial=0.0)), float(way.max(initial=0.0))
 
 
+def _arms(core: _core.Model, length: float) -> Floats:
+    """The size of each body (n,) [m]: its largest arm, or radius of gyration; `length` where it has none."""
+    arms = _radii(core)
+    for elements in (core.joint_arrays(), core.force_arrays()):
+        on_bodies = elements["bodies"] >= 0
+        reach = np.linalg.norm(elements["origin"][on_bodies], axis=-1)
+        np.maximum.at(arms, elements["bodies"][on_bodies], reach)
+    return np.where(arms > NO_ARM * length, arms, length)
+
+
+def _radii(core: _core.Model) -> Floats:
+    """The bodies' radii of gyration (n,) [m]; 0 without mass or inertia."""
+    mass = np.asarray(core.mass)
+    inertia = np.trace(np.asarray(core.inertia), axis1=1, axis2=2)
+    return np.sqrt(np.divide(inertia, 2 * mass, out=np.zeros_like(mass), where=mass > 0))
+
+
 def _gyration(core: _core.Model) -> float:
     """The smallest of the bodies' radii of gyration [m]; 0 where none has mass and inertia."""
-    mass = np.asarray(core.mass)
-    squares = np.trace(np.asarray(core.inertia), axis1=1, axis2=2)[mass > 0] / (2 * mass[mass > 0])
-    return float(np.sqrt(squares[squares > 0].min(initial=np.inf))) if (squares > 0).any() else 0.0
+    radii = _radii(core)
+    return float(radii[radii > 0].min()) if (radii > 0).any() else 0.0

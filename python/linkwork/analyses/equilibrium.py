@@ -19,7 +19,7 @@ from linkwork.motion.records import Reaction, Snapshot
 
 __all__ = ["Equilibrium", "equilibrium"]
 
-#: Forces not in balance, relative to the largest one: where the iteration may end, and where it tries to.
+#: Forces not in balance, relative to what acts on their body: where the iteration may end, and tries to.
 ACCEPTED, WANTED = 1e-9, 1e-13
 
 #: Steps below this part of the size of the mechanism are rounding.
@@ -34,7 +34,7 @@ MET, NEARLY_MET = 1e-13, 1e-10
 #: The most a step may move a body [rad, sizes of the mechanism].
 LONGEST_STEP = 0.3
 
-#: How the damping mu of the steps grows after one that was not good; mu relative to stiffness that is none.
+#: How the damping mu of the steps grows after one that was not good; mu that is none.
 GROWTH, UNDAMPED = 10.0, 1e-9
 
 #: The same: the least, the first that damps, and the most.
@@ -59,8 +59,8 @@ PRELOAD = 1e-6
 #: Of the stiffness, relative, where it counts as that of forces with a potential.
 ASYMMETRY = 1e-7
 
-#: Stiffness relative to the largest below which a motion counts as neutral.
-NEUTRAL = 1e-9
+#: Stiffness below this part of the terms that it is the sum of, and of the largest, counts as none.
+NEUTRAL, EPSILON = 1e-9, 1e-14
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,9 +71,9 @@ class Equilibrium:
     moved: Floats  #: shift of each center of mass (n,) [m]
     turned: Floats  #: angle by which each body was turned, at most pi (n,) [rad]
     multipliers: Floats  #: (m,); of redundant equations those of least norm
-    imbalance: (
-        float  #: largest force or torque over size that is not balanced, relative to the largest acting
-    )
+    #: largest force, or torque over size, of a body that is not balanced, relative to what acts on it before
+    #: it adds up, reactions included; to 1e-5 of the largest such force in the model where that is more
+    imbalance: float
     softest: float  #: smallest stiffness among the motions that the joints leave [N/m]; NaN: there is none
     softest_motion: str  #: which this is, in words
     stability: Literal["stable", "neutral", "unstable"]
@@ -145,8 +145,8 @@ def equilibrium(model: Model, *, stable: bool = True) -> Equilibrium:
     return search.described(q)
 
 
-#: q, the r and lambda of `_Search._balance` there, and the size of forces [N].
-_Balanced = tuple[Floats, Floats, Floats, float]
+#: q, and the r and lambda of `_Search._balance` there.
+_Balanced = tuple[Floats, Floats, Floats]
 
 
 @dataclass
@@ -180,6 +180,8 @@ class _Search:
         self.rows = equations.independent
         self.placing = self.rows[equations.holonomic[self.rows]]  # restrict positions, not velocities only
         self.steps = 0
+        self.B = self.W  # see _stiffnesses
+        self.acting = np.zeros_like(self.rest)  # the most so far, see Equations.acting
         self.counts_turns = len(equations.dynamics.initial_history) > 0
 
     def find(self) -> Floats:
@@ -195,8 +197,8 @@ class _Search:
             q = self._descend(q)
             if not self.stable:
                 return q
-            softest, motion, scale = self._softest(q)
-            if not softest < -NEUTRAL * scale:
+            softest, motion, neutral = self._softest(q)
+            if not softest < -neutral:
                 return q
             away = self._on_joints(displaced(q, 0.01 * motion / self._reach(motion)))
             if away is None:
@@ -205,63 +207,70 @@ class _Search:
             self._accept(q)
         return q
 
-    # (K + mu W) x - D^T dlambda = r,   D x = -Phi
+    # (K + mu B) x - D^T dlambda = r,   D x = -Phi
     def _descend(self, q: Floats) -> Floats:
         """NotConvergedError: the cap, or a body that goes round."""
         mu, step = 0.0, np.inf
-        r, multipliers, scale = self._balance(q)
+        r, multipliers = self._balance(q)
+        self.acting = self.eq.acting(0.0, q, self.rest, multipliers)
         rounds = _Rounds(self._size(r), np.zeros((self.eq.core.body_count, 3)))
         for _ in range(ITERATIONS):
-            if self._size(r) <= WANTED * scale or step < ROUNDING:
-                return q
+            if self._size(r) <= WANTED or step < ROUNDING:
+                break
             K = stiffness(self.eq, 0.0, q, self.rest, multipliers)
-            unit = float(abs(self._scaled(K)).max()) or scale / self.eq.length
-            found, mu = self._step(q, r, K, max(mu, LEAST_DAMPING * unit), unit)
+            found, mu = self._step(q, r, K, max(mu, LEAST_DAMPING))
             self.steps += 1
-            if found is None or (self._size(r) <= ACCEPTED * scale and self._size(found[1]) >= self._size(r)):
+            if found is None or (self._size(r) <= ACCEPTED and self._size(found[1]) >= self._size(r)):
                 break  # no better: rounding
             x = between(q, found[0])
             step = self._reach(x)
-            q, r, multipliers, scale = found[0], found[1], found[2], max(scale, found[3])
+            q, r, multipliers = found
             self._accept(q)
+            self.acting = np.maximum(self.acting, self.eq.acting(0.0, q, self.rest, multipliers))
             rounds.add(x, self._size(r))
             if rounds.angle.max() > ROUND and not self.counts_turns:
                 break
-        if self._size(r) > ACCEPTED * scale and not self._rounded(q, r, multipliers):
+        if self._size(r) > ACCEPTED and not self._rounded(q, r, multipliers):
             self._fail(q, r, int(rounds.angle.argmax()) if rounds.angle.max() > ROUND else None)
         return q
+
+    def _stiffnesses(self, K: Sparse) -> Sparse:
+        """B (6n, 6n), diagonal: what holds each body, at least its forces per size of the model, or rad: so
+        that light bodies are damped by no more than they need, and follow stiff ones onto the joints."""
+        from scipy.sparse import diags_array
+
+        own = np.abs(K.diagonal()).reshape(-1, 3).max(axis=1).repeat(3)
+        return diags_array(np.maximum(own, self.acting * self.eq.scale / self.eq.length)).tocsr()
 
     def _rounded(self, q: Floats, r: Floats, multipliers: Floats) -> bool:
         """Whether the pose in balance differs from q by what positions have no digits for."""
         K, D = stiffness(self.eq, 0.0, q, self.rest, multipliers), self.eq.terms(0.0, q).D[self.rows]
         x = self._solved(K, D, r, np.zeros(len(self.rows)))
         places = float(np.abs(q.reshape(-1, 7)[:, :3]).max()) / self.eq.length
-        return x is not None and self._reach(x) <= LAST_DIGITS * max(places, 1.0)
+        return x is not None and self._reach(x) <= max(ROUNDING, LAST_DIGITS * places)
 
     def _accept(self, q: Floats) -> None:
         """Turns are counted from this pose on."""
         self.eq.dynamics.history = self.eq.dynamics.advanced_history(0.0, q, self.rest)
 
-    def _step(
-        self, q: Floats, r: Floats, K: Sparse, mu: float, unit: float
-    ) -> tuple[_Balanced | None, float]:
+    def _step(self, q: Floats, r: Floats, K: Sparse, mu: float) -> tuple[_Balanced | None, float]:
         """The state after a step, None where none is good, and mu for the next one."""
-        while mu < MOST_DAMPING * unit:
-            found = self._try(q, r, K, mu)
+        self.B = self._stiffnesses(K)
+        while mu < MOST_DAMPING:
+            found = self._try(q, r, K + mu * self.B)
             if not isinstance(found, float):
                 return found, mu / GROWTH
-            mu = found * mu if mu > UNDAMPED * unit else FIRST_DAMPING * unit
+            mu = found * mu if mu > UNDAMPED else FIRST_DAMPING
         return None, mu
 
-    def _try(self, q: Floats, r: Floats, K: Sparse, mu: float) -> _Balanced | float:
+    def _try(self, q: Floats, r: Floats, damped: Sparse) -> _Balanced | float:
         """The state after a step; where it goes too far, or up, the factor by which mu should grow."""
-        D = self.eq.terms(0.0, q).D[self.rows]
-        x = self._solved(K + mu * self.W, D, r, np.zeros(len(self.rows)))
+        x = self._solved(damped, self.eq.terms(0.0, q).D[self.rows], r, np.zeros(len(self.rows)))
         if x is None or not np.isfinite(x).all() or (self.stable and r @ x < 0):
             return GROWTH
         too_far = self._reach(x) / LONGEST_STEP
         if too_far > 1.0:
-            if self.stable or mu == 0.0:
+            if self.stable:
                 return float(np.clip(1.1 * too_far, 2.0, GROWTH))
             x /= too_far
         new = self._on_joints(displaced(q, x))
@@ -276,10 +285,10 @@ class _Search:
         tiny = self._reach(x) < TINY_STEP
         return (new, *after) if works or (tiny and decreased) else GROWTH
 
-    def _balance(self, q: Floats) -> tuple[Floats, Floats, float]:
-        """r = g + D^T lambda with the lambda that makes it shortest, lambda (m,), the size of forces [N]."""
-        r, multipliers, g = balance(self.eq, 0.0, q)
-        return r, multipliers, max(self._size(g), self.eq.weight) or 1.0
+    def _balance(self, q: Floats) -> tuple[Floats, Floats]:
+        """r = g + D^T lambda with the lambda that makes it shortest, and lambda (m,)."""
+        r, multipliers, _ = balance(self.eq, 0.0, q)
+        return r, multipliers
 
     def _solved(self, A: Sparse, D: Sparse, b: Floats, c: Floats) -> Floats | None:
         """x of A x - D^T y = b, D x = c; None: singular."""
@@ -287,7 +296,7 @@ class _Search:
         return None if found is None else found[0]
 
     def _on_joints(self, q: Floats) -> Floats | None:
-        """The nearest pose in which the joints hold, by Newton's method; None: not found."""
+        """A near pose on the joints, stiff bodies moved least, by Newton's method; None: not found."""
         before = np.inf
         for _ in range(CORRECTIONS):
             terms = self.eq.terms(0.0, q)
@@ -296,26 +305,25 @@ class _Search:
                 return q
             if not np.isfinite(size) or size > 4 * before:
                 return None
-            x = self._solved(self.W, terms.D[self.placing], self.rest, -terms.Phi[self.placing])
+            x = self._solved(self.B, terms.D[self.placing], self.rest, -terms.Phi[self.placing])
             if x is None or self._reach(x) > 2.0:
                 return None
             q, before = displaced(q, x), size
         return None
 
     def _softest(self, q: Floats) -> tuple[float, Floats, float]:
-        """The smallest stiffness that the joints leave [N/m], its motion, and the largest entry of K."""
+        """The smallest stiffness that the joints leave [N/m], its motion, and which one would be none."""
         from linkwork.analyses.linearization import softest_by_lanczos
 
-        _, multipliers, _ = self._balance(q)
+        _, multipliers = self._balance(q)
         K = stiffness(self.eq, 0.0, q, self.rest, multipliers)
         D = self.eq.terms(0.0, q).D[self.eq.independent]
-        scale = float(abs(self._scaled(K)).max()) if K.nnz else 0.0
         if len(self.rest) > DENSE:
-            value, x = softest_by_lanczos(self.W, (K + K.T) / 2, D, scale)
-            return value, x, scale
+            value, x = softest_by_lanczos(self.W, (K + K.T) / 2, D, self._stiffest(K))
+            return value, x, self._neutral(K, x)
         Z = null_space(self.eq, D)
         if not Z.shape[1]:
-            return np.nan, self.rest, scale
+            return np.nan, self.rest, 0.0
         k = Z.T @ (K @ Z)
         if not np.isfinite(k).all():
             raise NotFiniteError(
@@ -327,22 +335,34 @@ class _Search:
         else:  # forces that follow the bodies
             values, y = np.linalg.eig(k)
         lowest = int(np.argmin(values.real))
-        return float(values[lowest].real), Z @ y[:, lowest].real, scale
+        x = Z @ y[:, lowest].real
+        return float(values[lowest].real), x, self._neutral(K, x)
+
+    def _neutral(self, K: Sparse, x: Floats) -> float:
+        """Stiffness of the motion x (6n,) that is rounding of the terms that it is the sum of [N/m]."""
+        x = np.abs(x)
+        noise = NEUTRAL * float(x @ (abs(K) @ x)) / (float(x @ (self.W @ x)) or 1.0)
+        return noise + EPSILON * self._stiffest(K)
+
+    def _stiffest(self, K: Sparse) -> float:
+        return float(abs(self._scaled(K)).max()) if K.nnz else 0.0
 
     def described(self, q: Floats) -> Equilibrium:
         eq = self.eq
-        r, multipliers, scale = self._balance(q)
-        softest, motion, unit = self._softest(q)
+        r, multipliers = self._balance(q)
+        softest, motion, neutral = self._softest(q)
+        K = stiffness(eq, 0.0, q, self.rest, multipliers)
+        springs = PRELOAD * eq.length * (abs(K) @ eq.scale)
+        self.acting = np.maximum(eq.acting(0.0, q, self.rest, multipliers), springs)
         at_rest = eq.model.with_initial_state(q, self.rest, self._turns(q))
         multipliers = shared(eq, 0.0, q, multipliers)
         x = between(np.array(eq.core.q0), q).reshape(-1, 2, 3)
         shift, angle = np.linalg.norm(x, axis=2).T
         kinds: tuple[Literal["unstable", "neutral", "stable"], ...] = ("unstable", "neutral", "stable")
-        kind = kinds[2 if np.isnan(softest) else 1 + int(np.sign(softest) * (abs(softest) > NEUTRAL * unit))]
-        scale = max(scale, PRELOAD * unit * eq.length)
+        kind = kinds[2 if np.isnan(softest) else 1 + int(np.sign(softest) * (abs(softest) > neutral))]
         words = "" if np.isnan(softest) else eq.motion(motion)
         return Equilibrium(
-            at_rest, moved=shift, turned=angle, multipliers=multipliers, imbalance=self._size(r) / scale,
+            at_rest, moved=shift, turned=angle, multipliers=multipliers, imbalance=self._size(r),
             softest=softest, softest_motion=words, stability=kind, iterations=self.steps,
             _dynamics=eq.dynamics,
         )  # fmt: skip
@@ -350,7 +370,7 @@ class _Search:
     def _fail(self, q: Floats, r: Floats, turning: int | None = None) -> None:
         eq = self.eq
         if turning is None:
-            body, k = divmod(int(np.abs(r * eq.scale).argmax()), 6)
+            body, k = divmod(int(np.abs(r / self.acting).argmax()), 6)
             why = "; is there a joint or a spring that could hold it?"
         else:
             body, k = turning, 3 + int(np.abs(r.reshape(-1, 6)[turning, 3:]).argmax())
@@ -381,8 +401,8 @@ class _Search:
         return K.multiply(self.eq.scale[:, None]).multiply(self.eq.scale[None, :])
 
     def _size(self, force: Floats) -> float:
-        """The largest force, or torque over the size of the mechanism [N]."""
-        return float(np.abs(force * self.eq.scale).max(initial=0.0))
+        """The largest force, or torque, relative to what acts on its body."""
+        return float(np.abs(force / self.acting).max(initial=0.0))
 
     def _reach(self, x: Floats) -> float:
         """The largest shift in sizes of the mechanism, or angle [rad]."""

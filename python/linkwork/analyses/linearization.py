@@ -26,7 +26,7 @@ __all__ = ["Linearization", "linearize"]
 
 Complex = NDArray[np.complex128]
 
-#: Forces that are not in balance, relative to the largest one.
+#: Forces that are not in balance, relative to what acts on their body.
 BALANCE = 1e-6
 
 #: Forces of springs that balance each other: this part of stiffness times the size of the mechanism.
@@ -246,7 +246,7 @@ def _coefficients(
         _check_velocities(eq, terms, v, eq.gross_forces(at.t, q, v))
     K, C = stiffness(eq, at.t, q, v, multipliers), damping(eq, at.t, q, v)
     if check:
-        _check_balance(eq, terms.g, K, unbalanced, moving=bool(v.any()))
+        _check_balance(eq, eq.acting(at.t, q, v, multipliers), K, unbalanced, moving=bool(v.any()))
     return M, C, K, terms.D[eq.independent]
 
 
@@ -254,12 +254,13 @@ def _accelerations(eq: Equations, t: float, q: Floats, v: Floats) -> tuple[Float
     return System(eq.model).accelerations(t, q, v, eq.dynamics.history)
 
 
-def _check_balance(eq: Equations, g: Floats, K: Sparse, unbalanced: Floats, *, moving: bool) -> None:
+def _check_balance(eq: Equations, acting: Floats, K: Sparse, unbalanced: Floats, *, moving: bool) -> None:
     """ModelError: forces in the directions that the joints leave, or accelerations."""
-    springs = PRELOAD * eq.length * float(abs(_scaled(eq, K)).max()) if K.nnz else 0.0
-    scale = max(float(np.abs(g * eq.scale).max(initial=0.0)), eq.weight, springs) or 1.0
-    size = np.abs(unbalanced * eq.scale)
-    if size.max() > BALANCE * scale:
+    springs = (
+        PRELOAD * eq.length * (abs(K) @ eq.scale)
+    )  # that sizes of the mechanism, and a rad, would stretch
+    size = np.abs(unbalanced) / np.maximum(acting, springs)
+    if size.max() > BALANCE:
         body, k = divmod(int(size.argmax()), 6)
         value = f"{unbalanced.reshape(-1, 6)[body, k]:.3g} {'N' if k < 3 else 'N m'}"
         name = eq.core.body_name(body)
