@@ -223,14 +223,16 @@ def _arms(core: _core.Model, length: float) -> Floats:
         on_bodies = elements["bodies"] >= 0
         reach = np.linalg.norm(elements["origin"][on_bodies], axis=-1)
         np.maximum.at(arms, elements["bodies"][on_bodies], reach)
-    return np.where(arms > NO_ARM * length, arms, length)
+    out: Floats = np.where(arms > NO_ARM * length, arms, length)
+    return out
 
 
 def _radii(core: _core.Model) -> Floats:
     """The bodies' radii of gyration (n,) [m]; 0 without mass or inertia."""
     mass = np.asarray(core.mass)
     inertia = np.trace(np.asarray(core.inertia), axis1=1, axis2=2)
-    return np.sqrt(np.divide(inertia, 2 * mass, out=np.zeros_like(mass), where=mass > 0))
+    squares: Floats = np.divide(inertia, 2 * mass, out=np.zeros_like(mass), where=mass > 0)
+    return np.sqrt(squares)
 
 
 def _gyration(core: _core.Model) -> float:

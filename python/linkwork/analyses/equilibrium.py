@@ -31,8 +31,9 @@ LAST_DIGITS = 1e-15
 #: Violations of joints, relative to the size of the mechanism: none, and what rounding may leave.
 MET, NEARLY_MET = 1e-13, 1e-10
 
-#: The most a step may move a body [rad, sizes of the mechanism].
-LONGEST_STEP = 0.3
+#: The most a step may move a body [rad, sizes of the mechanism]; how much longer the next one may be where
+#: the imbalance falls in steps of at least that part of it; and the most [rad] of turns that are counted.
+LONGEST_STEP, LONGER, LONG, LONGEST_TURN = 0.3, 1.5, 0.25, 1.2
 
 #: How the damping mu of the steps grows after one that was not good; mu that is none.
 GROWTH, UNDAMPED = 10.0, 1e-9
@@ -50,8 +51,9 @@ ROUND, PROGRESS = 4 * np.pi, 0.01
 #: The most that a body may turn in a step, corrections onto the joints included, for its turns to be counted.
 COUNTED_TURN = np.pi / 2
 
-#: Of steps, of corrections onto the joints, and of departures from unstable equilibria.
-ITERATIONS, CORRECTIONS, DEPARTURES = 400, 20, 5
+#: Of steps in which the imbalance does not fall, and of all; of corrections onto the joints, and of
+#: departures from unstable equilibria.
+ITERATIONS, ALL_ITERATIONS, CORRECTIONS, DEPARTURES = 400, 4000, 20, 5
 
 #: Forces of springs that balance each other: this part of stiffness times the size of the mechanism.
 PRELOAD = 1e-6
@@ -150,22 +152,29 @@ _Balanced = tuple[Floats, Floats, Floats]
 
 
 @dataclass
-class _Rounds:
-    """How far bodies have turned since the imbalance was last seen to fall."""
+class _Way:
+    """How far bodies have turned, and in how many steps, since the imbalance was last seen to fall."""
 
     best: float
     turned: Floats  # (n, 3) sums of rotation vectors [rad]
+    last: float
+    steps: int = 0
+    longest: float = LONGEST_STEP  #: of the next step [sizes of the mechanism]
+    far: bool = False  #: the last step was as good as the longest, and the imbalance fell
 
     @property
     def angle(self) -> Floats:
         angle: Floats = np.linalg.norm(self.turned, axis=1)
         return angle
 
-    def add(self, x: Floats, size: float) -> None:
+    def add(self, x: Floats, size: float, reach: float) -> None:
+        self.far = size < self.last and reach > LONG * min(self.longest, LONGEST_TURN)
+        self.longest = LONGER * self.longest if self.far else LONGEST_STEP
+        self.last = size
         if size < (1 - PROGRESS) * self.best:
-            self.best, self.turned = size, np.zeros_like(self.turned)
+            self.best, self.turned, self.steps = size, np.zeros_like(self.turned), 0
         else:
-            self.turned = self.turned + x.reshape(-1, 6)[:, 3:]
+            self.turned, self.steps = self.turned + x.reshape(-1, 6)[:, 3:], self.steps + 1
 
 
 class _Search:
@@ -180,6 +189,7 @@ class _Search:
         self.rows = equations.independent
         self.placing = self.rows[equations.holonomic[self.rows]]  # restrict positions, not velocities only
         self.steps = 0
+        self.limits = np.full_like(self.rest, np.inf)  # of a step
         self.B = self.W  # see _stiffnesses
         self.acting = np.zeros_like(self.rest)  # the most so far, see Equations.acting
         self.counts_turns = len(equations.dynamics.initial_history) > 0
@@ -213,11 +223,13 @@ class _Search:
         mu, step = 0.0, np.inf
         r, multipliers = self._balance(q)
         self.acting = self.eq.acting(0.0, q, self.rest, multipliers)
-        rounds = _Rounds(self._size(r), np.zeros((self.eq.core.body_count, 3)))
-        for _ in range(ITERATIONS):
-            if self._size(r) <= WANTED or step < ROUNDING:
+        size = self._size(r)
+        way = _Way(size, np.zeros((self.eq.core.body_count, 3)), size)
+        for _ in range(ALL_ITERATIONS):
+            if self._size(r) <= WANTED or step < ROUNDING or way.steps >= ITERATIONS:
                 break
             K = stiffness(self.eq, 0.0, q, self.rest, multipliers)
+            self._limit(way.longest)
             found, mu = self._step(q, r, K, max(mu, LEAST_DAMPING))
             self.steps += 1
             if found is None or (self._size(r) <= ACCEPTED and self._size(found[1]) >= self._size(r)):
@@ -227,12 +239,17 @@ class _Search:
             q, r, multipliers = found
             self._accept(q)
             self.acting = np.maximum(self.acting, self.eq.acting(0.0, q, self.rest, multipliers))
-            rounds.add(x, self._size(r))
-            if rounds.angle.max() > ROUND and not self.counts_turns:
+            way.add(x, self._size(r), step)
+            if way.angle.max() > ROUND and not self.counts_turns:
                 break
         if self._size(r) > ACCEPTED and not self._rounded(q, r, multipliers):
-            self._fail(q, r, int(rounds.angle.argmax()) if rounds.angle.max() > ROUND else None)
+            self._fail(q, r, way)
         return q
+
+    def _limit(self, longest: float) -> None:
+        """Where turns are not counted, they are as short as ever: a pose may be beyond the next one."""
+        turn = min(longest, LONGEST_TURN) if self.counts_turns else LONGEST_STEP
+        self.limits = np.tile([longest * self.eq.length] * 3 + [turn] * 3, self.eq.core.body_count)
 
     def _stiffnesses(self, K: Sparse) -> Sparse:
         """B (6n, 6n), diagonal: what holds each body, at least its forces per size of the model, or rad: so
@@ -268,7 +285,7 @@ class _Search:
         x = self._solved(damped, self.eq.terms(0.0, q).D[self.rows], r, np.zeros(len(self.rows)))
         if x is None or not np.isfinite(x).all() or (self.stable and r @ x < 0):
             return GROWTH
-        too_far = self._reach(x) / LONGEST_STEP
+        too_far = float(np.abs(x / self.limits).max())
         if too_far > 1.0:
             if self.stable:
                 return float(np.clip(1.1 * too_far, 2.0, GROWTH))
@@ -367,11 +384,14 @@ class _Search:
             _dynamics=eq.dynamics,
         )  # fmt: skip
 
-    def _fail(self, q: Floats, r: Floats, turning: int | None = None) -> None:
+    def _fail(self, q: Floats, r: Floats, way: _Way) -> None:
         eq = self.eq
+        turning = int(way.angle.argmax()) if way.angle.max() > ROUND and not self.counts_turns else None
         if turning is None:
             body, k = divmod(int(np.abs(r / self.acting).argmax()), 6)
             why = "; is there a joint or a spring that could hold it?"
+            if way.far:
+                why = ", and still moves on by large steps while that falls: start nearer"
         else:
             body, k = turning, 3 + int(np.abs(r.reshape(-1, 6)[turning, 3:]).argmax())
             why = (
