@@ -170,3 +170,42 @@ def test_what_equilibrium_returns_is_in_balance_for_linearize_where_large_torque
     rest = lw.equilibrium(model)
     assert rest.imbalance < 1e-12
     assert lw.linearize(rest.model).frequencies == pytest.approx([1.0], rel=1e-9)
+
+
+@pytest.mark.parametrize("depth", [1.0, 100.0, 1e4])
+def test_a_weight_sinks_on_a_soft_spring_however_far(depth: float) -> None:
+    model = lw.Model()
+    model.body("weight", mass=1.0, inertia=(0.01, 0.01, 0.01))
+    model.translational("ground", "weight", at=(0, 0, 0), axis=Z)
+    model.translational_spring_damper("ground", "weight", at=(0, 0, 0), axis=Z, stiffness=9.81 / depth)
+    rest = lw.equilibrium(model)
+    assert np.array(rest.model.compiled().q0)[2] == pytest.approx(-depth, rel=1e-9)
+    assert rest.iterations < 100
+
+
+def test_a_torsion_spring_is_wound_over_fifty_turns() -> None:
+    model, angle = wheel(), 100 * np.pi
+    model.rotational_spring_damper(model.ground, "wheel", axis=Z, stiffness=1.0, torque=angle, name="spring")
+    result = lw.simulate(lw.equilibrium(model).model, t_end=0.01, step=1e-3)
+    assert result.force("spring").deflection == pytest.approx(angle, rel=1e-9)
+
+
+def test_an_equilibrium_that_is_too_far_is_told_as_such(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("linkwork.analyses.equilibrium.ALL_ITERATIONS", 20)
+    model = wheel()
+    model.rotational_spring_damper(model.ground, "wheel", axis=Z, stiffness=1.0, torque=100.0)
+    with pytest.raises(lw.NotConvergedError, match="still moves on by large steps while that falls"):
+        lw.equilibrium(model)
+
+
+def test_a_run_that_came_to_rest_is_linearized_there() -> None:
+    model, arm = lw.Model(), np.hypot(0.3, 0.9)
+    model.body("bob", mass=1.0, inertia=(0.01, 0.01, 0.01), position=(0.3, 0, -0.9))
+    model.revolute("ground", "bob", at=(0, 0, 0), axis=(0, 1, 0))
+    model.rotational_spring_damper("ground", "bob", at=(0, 0, 0), axis=(0, 1, 0), stiffness=0.0, damping=3.0)
+    settled = lw.simulate(model, t_end=30.0, step=2e-3).snapshot()
+    assert 0.0 < np.abs(settled.v).max() < 1e-9
+    found = lw.linearize(model, start=settled)
+    exact = np.roots([arm**2 + 0.01, 3.0, 9.81 * arm])
+    assert found.eigenvalues == pytest.approx([exact[exact.imag > 0][0]], rel=1e-6)
+    assert not found.snapshot.v.any()

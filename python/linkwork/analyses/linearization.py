@@ -45,6 +45,9 @@ GROWTH, GROWTH_OF_LARGEST = 1e-6, 1e-12
 #: Velocities that do not follow the drivers, relative to the rates of the motion: squares count.
 FOLLOWED = 1e-4
 
+#: Velocities below this part of the rates of its forces are those of a mechanism at rest.
+REST = 1e-9
+
 #: Damping and asymmetry of the stiffness that count as none, relative.
 SMALL = 1e-7
 
@@ -201,6 +204,7 @@ def linearize(
         eq.dynamics.history = np.asarray(at.history, dtype=float)
     elif start is not None:
         eq.dynamics.history = eq.dynamics.beginning_history(at.t, np.ravel(at.q), np.ravel(at.v))
+    at = _at_rest(eq, at)
     coefficients = _coefficients(eq, at)
     M, C, K, D = coefficients
     moving = np.abs(at.v).max(initial=0.0) > 0
@@ -227,6 +231,16 @@ def linearize(
 def _initial(model: Model) -> tuple[Floats, Floats]:
     core = model.compiled()
     return np.array(core.q0).reshape(-1, 7), np.array(core.v0).reshape(-1, 6)
+
+
+def _at_rest(eq: Equations, at: Snapshot) -> Snapshot:
+    """The same without velocities that are nothing beside those that its forces could make: what is left of a
+    motion that came to rest."""
+    q, still = np.ravel(at.q).astype(float), np.zeros(np.size(at.v))
+    gross = eq.gross_forces(at.t, q, still)
+    speed = float(np.abs(np.ravel(at.v) / eq.scale).max(initial=0.0)) / eq.length
+    came_to_rest = gross.any() and 0.0 < speed <= REST * eq.rate(still, gross)
+    return at._replace(v=still.reshape(-1, 6)) if came_to_rest else at
 
 
 def _coefficients(
