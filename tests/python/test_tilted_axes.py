@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import warnings
 from pathlib import Path
 from typing import Any
@@ -129,3 +130,35 @@ def test_mechanisms_are_silent(name: str) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error", lw.LinkworkWarning)
         lw.simulate(mechanism.function(), t_end=0.5, rtol=1e-5, on_inaccurate="pass")
+
+
+def flick() -> lw.Model:
+    """The second axis of a universal joint tilts for a moment, and returns to where it was."""
+    model, place = cross(tilting=20.0)
+    model.joint_force("joint", lambda t, x, v: -0.03 * (60.0**2 * x + 60.0 * v), coordinate="angle_b")
+    place["x_axis"] = (1.0, 2.0, 0.0)
+    model.rotational_spring_damper("ground", "body", **place, stiffness=1e-3, name="it")
+    return model
+
+
+def told(model: lw.Model) -> tuple[str, float, float]:
+    """'up to' or 'at least', and the tilt [degrees]: told, and the largest of all frames."""
+    with pytest.warns(lw.LinkworkWarning, match=CHOICE) as caught:
+        result = lw.simulate(model, t_end=2.0, step=1e-3, on_inaccurate="pass")
+    (text,) = (str(it.message) for it in caught if CHOICE in str(it.message))
+    found = re.search(r"tilts by (up to|at least) (\S+) degrees", text)
+    assert found
+    upright = lw.rotation.matrix(result.q[:, 0, 3:])[:, 2, 2]
+    return found[1], float(found[2]), float(np.degrees(np.arccos(upright.min())))
+
+
+def test_the_tilt_that_is_told_is_the_largest_of_all_frames() -> None:
+    word, tilt, largest = told(flick())
+    assert word == "up to" and tilt == pytest.approx(largest, rel=1e-2)
+    assert largest > 5.0
+
+
+def test_of_a_sample_of_the_frames_the_tilt_is_at_least_what_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("linkwork.running.tilted_axes.LOOKS", 100)
+    word, tilt, largest = told(flick())
+    assert word == "at least" and 0.0 < tilt < largest

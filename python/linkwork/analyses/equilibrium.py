@@ -20,7 +20,7 @@ from linkwork.motion.records import Reaction, Snapshot
 __all__ = ["Equilibrium", "equilibrium"]
 
 #: Forces not in balance, relative to what acts on their body: where the iteration may end, and tries to.
-ACCEPTED, WANTED = 1e-9, 1e-13
+ACCEPTED, WANTED = 1e-9, 1e-14
 
 #: Steps below this part of the size of the mechanism are rounding.
 ROUNDING = 1e-13

@@ -33,8 +33,8 @@ NO_TILT, VIOLATIONS = 1e-3, 10.0
 #: From here on the angle is about to have no direction [rad].
 UPRIGHT = np.radians(80.0)
 
-#: What is looked at: so many frames and elements at most, and so many of elements in frames.
-FRAMES, ELEMENTS, LOOKS = 50, 100_000, 200_000
+#: What is looked at: so many elements at most, and so many of elements in frames.
+ELEMENTS, LOOKS = 100_000, 200_000
 
 #: How many elements the message names.
 NAMED = 3
@@ -47,11 +47,12 @@ class _Elements(NamedTuple):
 
 
 def warn_of_tilted_axes(result: Result) -> None:
-    """LinkworkWarning: x_b left the plane across z_a, as far as a sample of the frames tells."""
+    """LinkworkWarning: x_b left the plane across z_a, as far as the frames that are looked at tell."""
     elements = _about_an_axis(result.header)
     if not elements.names or not len(result):
         return
-    x_b, z_b, z_a = _axes(result, elements)
+    every = _every(len(result), len(elements.names))
+    x_b, z_b, z_a = _axes(result, elements, every)
     out = np.arcsin(np.clip(np.abs(np.einsum("kei,kei->ke", x_b, z_a)), 0.0, 1.0))
     least = max(NO_TILT, VIOLATIONS * float(result.violation[:, 0].max()))
     tilted = np.flatnonzero(out.max(axis=0) > least).tolist()
@@ -60,9 +61,10 @@ def warn_of_tilted_axes(result: Result) -> None:
     cosine = np.einsum("kei,kei->ke", z_b[:, tilted], z_a[:, tilted])
     degrees = np.degrees(np.arccos(np.clip(cosine, -1.0, 1.0))).max()
     none = ", and where one of these comes to the axis, as at the end here, there is no angle"
+    extent = "up to" if every == 1 else "at least"
     ends = none if out[-1].max() > UPRIGHT else ""
     warn(
-        f"{_listed([elements.names[k] for k in tilted])}: the axis of the second body tilts by up to "
+        f"{_listed([elements.names[k] for k in tilted])}: the axis of the second body tilts by {extent} "
         f"{degrees:.3g} degrees against that of the first: what is measured, and how it acts, then depends "
         f"on the choice of x axes{ends}; about an axis of a universal joint give its other axis as x_axis, "
         "or take model.joint_force on its angle_a or angle_b; elsewhere a bushing or a bending_spring"
@@ -81,11 +83,15 @@ def _about_an_axis(header: Header) -> _Elements:
     )
 
 
-def _axes(result: Result, elements: _Elements) -> tuple[Floats, Floats, Floats]:
-    """x_b, z_b and z_a (k, e, 3) in a sample of the frames with the last one."""
+def _every(frames: int, elements: int) -> int:
+    """Of the frames every so manyth is looked at: each where elements are few."""
+    return -(-frames // max(1, LOOKS // elements))
+
+
+def _axes(result: Result, elements: _Elements, every: int) -> tuple[Floats, Floats, Floats]:
+    """x_b, z_b and z_a (k, e, 3) in every so manyth frame and the last one."""
     bodies = np.unique(elements.bodies[elements.bodies >= 0])
-    count = min(FRAMES, max(1, LOOKS // len(elements.names)))
-    sampled = result.recorded_of("q", bodies, -(-len(result) // count))
+    sampled = result.recorded_of("q", bodies, every)
     q = np.concatenate([sampled, result.recorded("q", np.s_[-1:])[:, bodies]])
     ground = np.broadcast_to(np.eye(3), (len(q), 1, 3, 3))
     A = np.concatenate([rotation.matrix(q[..., 3:]), ground], axis=1)
