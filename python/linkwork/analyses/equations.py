@@ -25,6 +25,9 @@ HARDLY, NO_ARM = 1e-2, 1e-9
 #: Of the largest force in a model: what acts on other bodies is known to no less, by rounding.
 DIGITS_OF_LARGEST = 1e-5
 
+#: Motions, in sizes of the mechanism and rad, by which springs may be stretched against each other.
+PRELOAD = 1e-6
+
 #: Joints or motions that a message names.
 LISTED = 4
 
@@ -69,11 +72,6 @@ class Equations:
         self.scale = np.tile([1.0] * 3 + [1 / self.length] * 3, self.core.body_count)
         self.arms = _arms(self.core, self.length)
 
-    @property
-    def weight(self) -> float:
-        """Of the heaviest body [N]."""
-        return float(np.max(self.core.mass) * np.linalg.norm(self.core.gravity))
-
     def terms(self, t: float, q: Floats, v: Floats | None = None) -> Terms:
         """At t [s], q (7n,), v (6n,) as the model has it (omega in body axes), at rest without v."""
         from scipy.sparse import csr_array
@@ -109,6 +107,11 @@ class Equations:
         own = np.maximum(force, torque / self.arms)
         size = np.maximum(own, DIGITS_OF_LARGEST * own.max()) if own.any() else np.ones_like(own)
         return np.column_stack([size, size * self.arms]).repeat(3, axis=1).ravel()
+
+    def preload(self, K: Sparse) -> Floats:
+        """Forces (6n,) [N, N m] of K by small motions, as of springs that balance each other."""
+        loads: Floats = PRELOAD * self.length * (abs(K) @ self.scale)
+        return loads
 
     def _gross(self, t: float, q: Floats, v: Floats, arms: Floats | float) -> Floats:
         """Sizes before they add up (6n,) [N, N m]: of g, weights, and force elements at these arms."""

@@ -55,9 +55,6 @@ COUNTED_TURN = np.pi / 2
 #: departures from unstable equilibria.
 ITERATIONS, ALL_ITERATIONS, CORRECTIONS, DEPARTURES = 400, 4000, 20, 5
 
-#: Forces of springs that balance each other: this part of stiffness times the size of the mechanism.
-PRELOAD = 1e-6
-
 #: Of the stiffness, relative, where it counts as that of forces with a potential.
 ASYMMETRY = 1e-7
 
@@ -369,8 +366,7 @@ class _Search:
         r, multipliers = self._balance(q)
         softest, motion, neutral = self._softest(q)
         K = stiffness(eq, 0.0, q, self.rest, multipliers)
-        springs = PRELOAD * eq.length * (abs(K) @ eq.scale)
-        self.acting = np.maximum(eq.acting(0.0, q, self.rest, multipliers), springs)
+        self.acting = np.maximum(eq.acting(0.0, q, self.rest, multipliers), eq.preload(K))
         at_rest = eq.model.with_initial_state(q, self.rest, self._turns(q))
         multipliers = shared(eq, 0.0, q, multipliers)
         x = between(np.array(eq.core.q0), q).reshape(-1, 2, 3)

@@ -29,9 +29,6 @@ Complex = NDArray[np.complex128]
 #: Forces that are not in balance, relative to what acts on their body.
 BALANCE = 1e-6
 
-#: Forces of springs that balance each other: this part of stiffness times the size of the mechanism.
-PRELOAD = 1e-6
-
 #: A motion whose stiffness is below this part of the terms that it is the sum of is neutral: that is the
 #: rounding of the differences. Its eigenvalue is rounding up to such a part of the largest, of a double one.
 NEUTRAL, ROUNDED = 1e-10, 1e-7
@@ -270,10 +267,7 @@ def _accelerations(eq: Equations, t: float, q: Floats, v: Floats) -> tuple[Float
 
 def _check_balance(eq: Equations, acting: Floats, K: Sparse, unbalanced: Floats, *, moving: bool) -> None:
     """ModelError: forces in the directions that the joints leave, or accelerations."""
-    springs = (
-        PRELOAD * eq.length * (abs(K) @ eq.scale)
-    )  # that sizes of the mechanism, and a rad, would stretch
-    size = np.abs(unbalanced) / np.maximum(acting, springs)
+    size = np.abs(unbalanced) / np.maximum(acting, eq.preload(K))
     if size.max() > BALANCE:
         body, k = divmod(int(size.argmax()), 6)
         value = f"{unbalanced.reshape(-1, 6)[body, k]:.3g} {'N' if k < 3 else 'N m'}"
