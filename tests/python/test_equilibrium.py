@@ -209,3 +209,37 @@ def test_a_run_that_came_to_rest_is_linearized_there() -> None:
     exact = np.roots([arm**2 + 0.01, 3.0, 9.81 * arm])
     assert found.eigenvalues == pytest.approx([exact[exact.imag > 0][0]], rel=1e-6)
     assert not found.snapshot.v.any()
+
+
+def buckled(k: float) -> lw.Model:
+    """A slider that two springs press out of the line, -1 N/m, beside 89 others on springs of k [N/m]."""
+    model = lw.Model(gravity=(0, 0, 0))
+    for i in range(90):
+        model.body(f"slider {i}", mass=1.0, inertia=(1.0,) * 3, position=(i, 0, 0))
+        model.translational("ground", f"slider {i}", at=(i, 0, 0), axis=(0, 1, 0))
+        if i:
+            model.translational_spring_damper(
+                "ground", f"slider {i}", at=(i, 0, 0), axis=(0, 1, 0), stiffness=k
+            )
+    model.spring_damper("ground", "slider 0", at=((0, 0, -1), (0, 0, 0)), stiffness=2.0, free_length=1.5)
+    return model
+
+
+@pytest.mark.parametrize("k", [1.0, 0.1, 1e-4])
+def test_of_a_large_model_the_smallest_stiffness_is_told_and_not_the_one_nearest_to_zero(k: float) -> None:
+    rest = lw.equilibrium(buckled(k), stable=False)
+    assert rest.softest == pytest.approx(-1.0, rel=1e-9)
+    assert rest.stability == "unstable"
+    assert lw.equilibrium(buckled(k)).moved.max() == pytest.approx(np.sqrt(1.5**2 - 1), rel=1e-6)
+
+
+def test_one_heavy_pendulum_upside_down_beside_89_that_hang_falls() -> None:
+    model = lw.Model()
+    for i in range(90):
+        mass, z = (1.0, 0.5) if i == 0 else (0.01, -0.5)
+        model.body(f"bob {i}", mass=mass, inertia=(1e-3 * mass,) * 3, position=(0.01 * i, 0, z))
+        model.revolute("ground", f"bob {i}", at=(0.01 * i, 0, 0), axis=(1, 0, 0))
+    assert lw.equilibrium(model, stable=False).stability == "unstable"
+    rest = lw.equilibrium(model)
+    assert rest.stability == "stable"
+    assert rest.moved[0] == pytest.approx(1.0, rel=1e-9)

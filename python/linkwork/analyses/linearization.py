@@ -81,6 +81,10 @@ EQUAL = 1e-6
 #: Of the inverse, that are enough for one motion where others are hardly there.
 POWERS = 3
 
+#: A shift lies below the smallest eigenvalue by this part of the largest, or of its distance from a bound,
+#: where the eigenvalue is known as roughly as this.
+BELOW, ROUGH = 0.1, 1e-2
+
 #: Modes of models that are too large for dense matrices, where no number is given.
 MODES = 10
 
@@ -569,14 +573,32 @@ def _arnoldi(
     return s[nearest], shapes[:, nearest]
 
 
+# Lanczos finds the eigenvalue nearest to the shift: the smallest, if the shift is below all. A safe bound is
+# far below, where digits are few: from there the shift goes most of the way up to a rough value.
 def softest_by_lanczos(W: Sparse, K: Sparse, D: Sparse, scale: float) -> tuple[float, Floats]:
-    """The smallest k of K x + D^T mu = k W x, D x = 0, and its x (6n,); `scale` of K in units of W."""
+    """The smallest k of K x + D^T mu = k W x, D x = 0, and its x (6n,).
+
+    K symmetric, W diagonal, `scale` of K in units of W.
+    """
     from scipy.sparse.linalg import LinearOperator, eigsh
 
     if D.shape[0] >= D.shape[1]:
         return np.nan, np.zeros(D.shape[1])
-    sigma = -0.1 * (scale or 1.0)
-    inverse = LinearOperator(W.shape, matvec=_constrained_solver(K - sigma * W, D), dtype=float)
-    first = inverse @ (W @ np.random.default_rng(0).standard_normal(W.shape[0]))
-    values, x = eigsh(K, k=1, M=W, sigma=sigma, OPinv=inverse, v0=first)
+    sigma = min(_lower_bound(W, K), 0.0) - BELOW * (scale or 1.0)
+    first = np.random.default_rng(0).standard_normal(W.shape[0])
+    for tolerance in (ROUGH, 0.0):
+        inverse = LinearOperator(W.shape, matvec=_constrained_solver(K - sigma * W, D), dtype=float)
+        first = inverse @ (W @ first)
+        values, x = eigsh(K, k=1, M=W, sigma=sigma, OPinv=inverse, v0=first, tol=tolerance)
+        sigma, first = sigma + (1 - BELOW) * (float(values[0]) - sigma), x[:, 0]
     return float(values[0]), x[:, 0]
+
+
+def _lower_bound(W: Sparse, K: Sparse) -> float:
+    """Of the eigenvalues of K x = k W x, those of W^-1/2 K W^-1/2: Gershgorin's discs."""
+    from scipy.sparse import diags_array
+
+    root = diags_array(1 / np.sqrt(W.diagonal()))
+    scaled = (root @ K @ root).tocsr()
+    diagonal = scaled.diagonal()
+    return float((diagonal + np.abs(diagonal) - abs(scaled).sum(axis=1)).min())
