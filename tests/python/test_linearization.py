@@ -579,3 +579,123 @@ def test_of_one_joint_that_restricts_velocities_the_message_speaks_in_the_singul
     model.knife_edge("ground", "blade", at=(0, 0, 0), axis=(0, 1, 0))
     with pytest.raises(lw.ModelError, match=r"linearize: knife_edge 1 restricts velocities only"):
         lw.linearize(model)
+
+
+# --- parts that are far from each other ---------------------------------------------------------------------
+
+
+def row_of_sliders(mass: Floats, stiffness: Floats, damping: Floats) -> lw.Model:
+    """Each with a spring and a damper of its own."""
+    model = lw.Model(gravity=(0, 0, 0))
+    for k, (m, c, d) in enumerate(zip(mass, stiffness, damping, strict=True)):
+        name, at = f"slider {k}", (float(k), 0.0, 0.0)
+        model.body(name, mass=m, inertia=(m,) * 3, position=at)
+        model.translational("ground", name, at=at, axis=(0, 1, 0))
+        model.translational_spring_damper(
+            "ground", name, at=at, axis=(0, 1, 0), stiffness=float(c), damping=float(d)
+        )
+    return model
+
+
+def of_sliders(mass: Floats, stiffness: Floats, damping: Floats) -> np.ndarray:
+    """Their eigenvalues, one of each pair, slow ones first."""
+    half = damping / (2 * mass)
+    root = np.sqrt(half**2 - stiffness / mass + 0j)
+    every = np.concatenate([-half + root, np.where(root.imag > 0, np.nan, -half - root)])
+    every = every[~np.isnan(every)]
+    return np.asarray(every[np.argsort(np.abs(every), kind="stable")])
+
+
+@pytest.mark.parametrize("stiffest", [1e4, 1e10, 1e12])
+def test_slow_damped_modes_of_a_large_model_are_found_beside_something_stiff(stiffest: float) -> None:
+    omega = np.arange(1.0, 91)
+    stiffness, damping = omega**2, np.where(np.arange(90) % 2, 0.02, 3.0) * omega
+    stiffness[0] = stiffest
+    exact = of_sliders(np.ones(90), stiffness, damping)[:6]
+    found = lw.linearize(row_of_sliders(np.ones(90), stiffness, damping), modes=6).eigenvalues
+    assert found == pytest.approx(exact, rel=1e-6)
+
+
+@pytest.mark.parametrize("n", [79, 90])
+def test_growth_is_found_where_damped_motions_have_two_modes_each(n: int) -> None:
+    """s^2 + 0.3 s + 0.02 = 0, and a buckled slider of -25 N/m."""
+    model = lw.Model(gravity=(0, 0, 0))
+    for k in range(n):
+        model.body(f"body {k}", mass=1.0, inertia=(1.0,) * 3, position=(k, 0, 0))
+        if k < 2:
+            model.translational("ground", f"body {k}", at=(k, 0, 0), axis=(0, 1, 0))
+        else:
+            model.fixed("ground", f"body {k}", at=(k, 0, 0))
+    model.translational_spring_damper(
+        "ground", "body 0", at=(0, 0, 0), axis=(0, 1, 0), stiffness=0.02, damping=0.3
+    )
+    model.spring_damper("ground", "body 1", at=((1, 0, -1), (1, 0, 0)), stiffness=50.0, free_length=1.5)
+    found = lw.linearize(model)
+    assert np.sort(found.eigenvalues.real) == pytest.approx([-5.0, -0.2, -0.1, 5.0], rel=1e-6)
+    assert not found.stable
+
+
+@pytest.mark.parametrize("others", [0, 90])
+@pytest.mark.parametrize("stiffness", [1e9, 1e10])
+def test_something_light_keeps_its_damping_beside_something_heavy(others: int, stiffness: float) -> None:
+    """omega = 100 rad/s, ratio 1/2."""
+    mass = np.concatenate([[1e6, 1e-3], np.ones(others)])
+    springs = np.concatenate([[stiffness, 10.0], 1e6 + np.arange(others)])
+    dampers = np.concatenate([[0.0, 0.1], np.zeros(others)])
+    found = lw.linearize(row_of_sliders(mass, springs, dampers), modes=2)
+    slow = np.sqrt(stiffness / 1e6) * 1j
+    assert np.sort_complex(found.eigenvalues) == pytest.approx(
+        np.sort_complex([slow, 100 * np.exp(2j * np.pi / 3)]), rel=1e-7, abs=1e-7
+    )
+
+
+@pytest.mark.parametrize("stiff", [1e4, 1e10])
+def test_forces_that_follow_a_body_make_it_flutter_beside_something_stiff(stiff: float) -> None:
+    """s^2 = -100 +- 10 i."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("plate", mass=1.0, inertia=(1.0,) * 3)
+    model.planar("ground", "plate", at=(0, 0, 0), axis=Z)
+    model.bushing("ground", "plate", at=(0, 0, 0), stiffness=(100.0, 100.0, 0.0))
+    model.rotational_spring_damper("ground", "plate", at=(0, 0, 0), axis=Z, stiffness=1.0)
+    model.body("rod", mass=1.0, inertia=(1.0,) * 3, position=(1, 0, 0))
+    model.translational("ground", "rod", at=(1, 0, 0), axis=(1, 0, 0))
+    model.translational_spring_damper("ground", "rod", at=(1, 0, 0), axis=(1, 0, 0), stiffness=stiff)
+
+    def follower(t: float, q: np.ndarray, v: np.ndarray) -> np.ndarray:
+        force = np.zeros_like(v)
+        force[0, :2] = -10 * q[0, 1], 10 * q[0, 0]
+        return force
+
+    model.user_force(follower)
+    found = lw.linearize(model)
+    assert not found.stable
+    assert found.eigenvalues.real.max() == pytest.approx(np.sqrt(-100 + 10j).real, rel=1e-6)
+
+
+def test_near_is_nearest_in_frequency_and_not_in_its_square() -> None:
+    omega = 100.0 + np.arange(90)
+    omega[:2] = 8.0, 11.9
+    model = row_of_sliders(np.ones(90), omega**2, np.zeros(90))
+    assert lw.linearize(model, modes=1, near=10.0).frequencies == pytest.approx([11.9], rel=1e-7)
+
+
+@pytest.mark.parametrize("inertia", [1e-7, 1e-6])
+def test_a_small_rotor_on_a_large_boom_moves_mass(inertia: float) -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    mass, length = 1e5, 100.0
+    moment = mass * length**2 / 3
+    model.body("boom", mass=mass, inertia=(moment / 4,) * 3, position=(length / 2, 0, 0))
+    model.revolute("ground", "boom", at=(0, 0, 0), axis=(0, 1, 0))
+    model.rotational_spring_damper("ground", "boom", at=(0, 0, 0), axis=(0, 1, 0), stiffness=moment)
+    model.body("rotor", mass=0.01, inertia=(inertia,) * 3, position=(length, 0, 0))
+    model.revolute("boom", "rotor", at=(length, 0, 0), axis=Z)
+    model.rotational_spring_damper("boom", "rotor", at=(length, 0, 0), axis=Z, stiffness=100 * inertia)
+    assert lw.linearize(model).frequencies == pytest.approx([1.0, 10.0], rel=1e-6)
+
+
+@pytest.mark.parametrize("n", [79, 90])
+def test_motions_without_stiffness_are_neutral_however_many(n: int) -> None:
+    free = lw.linearize(row_of_sliders(np.ones(n), np.zeros(n), np.zeros(n)), modes=3)
+    assert free.frequencies == pytest.approx(np.zeros(3)) and free.stable
+    damped = lw.linearize(row_of_sliders(np.ones(n), np.zeros(n), 1.0 + np.arange(n)), modes=3)
+    assert damped.frequencies == pytest.approx(np.zeros(3)) and damped.stable

@@ -45,8 +45,8 @@ FOLLOWED = 1e-4
 #: Velocities below this part of the rates of its forces are those of a mechanism at rest.
 REST = 1e-9
 
-#: Damping and asymmetry of the stiffness that count as none, relative.
-SMALL = 1e-7
+#: Asymmetry of the stiffness that counts as none, relative to the largest entries of the bodies: rounding.
+SMALL = 1e-10
 
 #: A turn of this size [rad] must leave the coefficients as they are, but for such a part; those of damping
 #: and stiffness count from this part of the inertia on.
@@ -55,15 +55,19 @@ TURN, STEADY, COUNTS = 1e-3, 1e-5, 1e-9
 #: Mass of a motion, relative to the largest, that is none.
 MASSLESS = 1e-14
 
-#: Imaginary parts, relative to |s|, that are rounding: of one of a conjugate pair they are positive.
+#: Imaginary parts, relative to |s|, that are rounding: of one of a conjugate pair they are positive. And |s|,
+#: relative to the shift from which it was found.
 REAL = 1e-12
 
 #: Shifts of the spectrum, relative to the largest possible eigenvalues (squares, or themselves): enough for
-#: factors where there are neutral motions.
-SQUARE_SHIFT, SHIFT = 1e-8, 1e-4
+#: factors where there are neutral motions, and such as are only just enough.
+SQUARE_SHIFT, SHIFTS = 1e-8, (1e-4, 1e-6)
 
-#: Frequencies [rad/s] below which damping is compared with this one.
-STILL = 1e-12
+#: Vectors of a Krylov space, per eigenvalue, and at least; restarts until it is tried with more vectors.
+VECTORS, FEWEST, RESTARTS = (2, 4), 20, 300
+
+#: Velocities that the joints do not allow, relative, in what is no motion.
+ALLOWED = 1e-3
 
 #: In place of zero, where only a division by it is to be avoided.
 TINY = 1e-300
@@ -186,7 +190,7 @@ def linearize(
 
     start  another state: `Result.snapshot()`; functions of time have the values that they have then
     modes  how many; all of a small model, 10 of a large one
-    near   for large models: those whose frequency is nearest to this [rad/s]
+    near   for large models: those whose eigenvalue is nearest to i near [rad/s]
 
     ModelError: the state is not in balance, or accelerates, is singular, has coefficients that change with
     time, or a massless motion. OptionError: modes or near. NotConvergedError: the iteration of a large model.
@@ -216,16 +220,18 @@ def linearize(
         Z = null_space(eq, D) if small else _some_motions(eq, D)
     if moving:
         _refuse_change(eq, at, coefficients, Z)
+    symmetric = _symmetric(_scaled(eq, K))
     if small:
-        eigenvalues, shapes = _dense(M, C, K, Z)
+        eigenvalues, shapes = _dense(M, C, K, Z, symmetric)
+    elif symmetric and not C.count_nonzero():
+        eigenvalues, shapes = _lanczos(M, K, D, modes or MODES, near)
     else:
-        eigenvalues, shapes = _sparse(M, C, K, D, modes or MODES, near)
+        eigenvalues, shapes = _arnoldi(M, C, K, D, modes or MODES, near)
     eigenvalues, shapes = _one_of_each_pair(_without_rounding(eq, eigenvalues, shapes, M, K), shapes)
     if small:
         eigenvalues, shapes = eigenvalues[:modes], shapes[:, :modes]
-    n = model.body_count
     size = np.abs(shapes / eq.scale[:, None]).max(axis=0, initial=0.0)
-    shapes = (shapes / np.where(size > 0, size, 1.0)).T.reshape(-1, n, 6)
+    shapes = (shapes / np.where(size > 0, size, 1.0)).T.reshape(-1, model.body_count, 6)
     return Linearization(model, at, M, C, K, D, eigenvalues, shapes, eq)
 
 
@@ -378,39 +384,49 @@ def _without_rounding(eq: Equations, s: Complex, shapes: Complex, M: Sparse, K: 
     return np.where(neutral, 0.0, s)
 
 
+def _symmetric(K: Sparse) -> bool:
+    """Whether scaled entries differ from those across the diagonal by rounding of their bodies' largest."""
+    skew, entries = abs(K - K.T).tocoo(), K.tocoo()
+    size = np.zeros(K.shape[0] // 6)
+    for place in (entries.row, entries.col):
+        np.maximum.at(size, place // 6, np.abs(entries.data))
+    return bool((skew.data <= SMALL * np.sqrt(size[skew.row // 6] * size[skew.col // 6])).all())
+
+
 # --- small models ---
 
 
-def _dense(M: Sparse, C: Sparse, K: Sparse, Z: Floats) -> tuple[Complex, Complex]:
+def _dense(M: Sparse, C: Sparse, K: Sparse, Z: Floats, symmetric: bool) -> tuple[Complex, Complex]:
     """Eigenvalues (k,) and shapes (6n, k): y'' + ... over x = Z y; of conjugate pairs both."""
     from scipy.linalg import eig, eigh
 
-    reduced = [Z.T @ (a @ Z) for a in (M, C, K)]
-    m, c, k = reduced
-    m = (m + m.T) / 2
-    if not len(m):
+    m, c, k = (Z.T @ (a @ Z) for a in (M, C, K))
+    f = len(m)
+    if not f:
         return np.zeros(0, complex), np.zeros((len(Z), 0), complex)
-    _refuse_massless(m)
-    fastest = np.sqrt(_norm(k) / _norm(m))
-    if _norm(k - k.T) <= SMALL * _norm(k) and _norm(c) <= SMALL * _norm(m) * max(fastest, STILL):
-        _, y = eigh((k + k.T) / 2, m)
-        return _from_squares(_quotients(k, m, y)), Z @ y.astype(complex)
-    f, rate = len(m), fastest or _norm(c) / _norm(m) or 1.0
-    m, c, k = (a / (_norm(m) * rate**power) for power, a in enumerate((m, c, k)))
-    # [0 I; -k -c] {y; y'} = s / rate [I 0; 0 m] {y; y'}
-    left = np.block([[np.zeros((f, f)), np.eye(f)], [-k, -c]])
-    right = np.block([[np.eye(f), np.zeros((f, f))], [np.zeros((f, f)), m]])
-    s, y = eig(left, right)
-    return s * rate, Z @ y[:f]
+    unit = _unit_masses((m + m.T) / 2)
+    m, c, k = (unit[:, None] * a * unit for a in ((m + m.T) / 2, c, k))
+    _, y = eigh((k + k.T) / 2, m)
+    squares, shapes = _quotients(k, m, y), Z @ (unit[:, None] * y)
+    if symmetric and not C.count_nonzero():
+        return _from_squares(squares), shapes.astype(complex)
+    # a'' + c a' + k a = 0 over motions y without damping: their rates may be far apart
+    k = np.diag(squares) if symmetric else y.T @ k @ y
+    s, a = eig(np.block([[np.zeros((f, f)), np.eye(f)], [-k, -y.T @ c @ y]]))
+    return s, shapes @ a[:f]
 
 
-def _refuse_massless(m: Floats) -> None:
-    values = np.linalg.eigvalsh(m)
+def _unit_masses(m: Floats) -> Floats:
+    """Factors (f,) of the motions by which each has the mass 1. ModelError: one moves no mass."""
+    diagonal = np.diagonal(m)
+    unit = 1 / np.sqrt(np.where(diagonal > 0, diagonal, 1.0))
+    values = np.linalg.eigvalsh(unit[:, None] * m * unit)
     if values[0] <= MASSLESS * values[-1]:
         raise ModelError(
             "linearize: a motion that the joints allow moves no mass: give its bodies mass and inertia",
             code="massless",
         )
+    return np.asarray(unit)
 
 
 def _quotients(K: Any, M: Any, x: Floats) -> Floats:
@@ -444,25 +460,11 @@ def _some_motions(eq: Equations, D: Sparse) -> Floats:
     return np.transpose([solve(b / eq.scale) for b in random])
 
 
-def _sparse(M: Sparse, C: Sparse, K: Sparse, D: Sparse, modes: int, near: float) -> tuple[Complex, Complex]:
-    """(K - sigma M) x + D^T mu = M b, D x = 0 solved for each vector b of a Krylov space."""
-    from scipy.sparse.linalg import ArpackNoConvergence
-
-    size, m = M.shape[0], D.shape[0]
-    count = min(modes, size - m)
-    if count < 1:
-        return np.zeros(0, complex), np.zeros((size, 0), complex)
-    scale = abs(K).sum(axis=1).max() / max(M.diagonal().max(), TINY)
-    damped = abs(C).max() > SMALL * M.diagonal().max() * np.sqrt(scale)
-    try:
-        if not damped and _symmetric(K, M, D, scale):
-            return _lanczos(M, K, D, count, near**2 or -SQUARE_SHIFT * scale)
-        return _arnoldi(M, C, K, D, count, complex(0.0, near) if near else complex(-SHIFT * np.sqrt(scale)))
-    except ArpackNoConvergence as error:
-        raise NotConvergedError(
-            f"linearize: the iteration for {count} modes did not converge: ask for fewer, or give `near`",
-            code="modes_not_found",
-        ) from error
+def _rate(M: Sparse, C: Sparse | None, K: Sparse) -> float:
+    """About the largest that frequencies may be [1/s], 1 without stiffness and damping."""
+    heaviest = max(M.diagonal().max(), TINY)
+    strongest, stiffest = (0.0 if a is None else float(abs(a).sum(axis=1).max()) for a in (C, K))
+    return float(np.sqrt(stiffest / heaviest)) or strongest / heaviest or 1.0
 
 
 def _constrained_solver(A: Sparse, D: Sparse) -> Callable[[Floats], Floats]:
@@ -488,24 +490,18 @@ def _constrained_solver(A: Sparse, D: Sparse) -> Callable[[Floats], Floats]:
     return solve
 
 
-def _symmetric(K: Sparse, M: Sparse, D: Sparse, scale: float) -> bool:
-    """Whether x^T K y = y^T K x for motions that the joints allow, of two at random."""
-    solve = _constrained_solver((K + K.T) / 2 + scale * M, D)
-    random = np.random.default_rng(0)
-    x, y = (solve(M @ random.standard_normal(len(M.diagonal()))) for _ in range(2))
-    one, other = x @ (K @ y), y @ (K @ x)
-    return bool(abs(one - other) <= SMALL * max(abs(one), abs(other), np.sqrt((x @ (K @ x)) * (y @ (K @ y)))))
-
-
 # Of a multiple eigenvalue a Krylov space has one motion, and others by rounding: so it is asked again, for
-# one without those that are known, until there is none nearer.
-def _lanczos(M: Sparse, K: Sparse, D: Sparse, count: int, sigma: float) -> tuple[Complex, Complex]:
+# one without those that are known, until there is none nearer. In omega^2 others are nearest than in omega:
+# so it is asked for more until those are all known that may be nearer to `near`.
+def _lanczos(M: Sparse, K: Sparse, D: Sparse, modes: int, near: float) -> tuple[Complex, Complex]:
+    """(K - sigma M) x + D^T mu = M b, D x = 0 solved for each vector b of a Krylov space."""
     from scipy.sparse.linalg import LinearOperator
 
-    symmetric = (K + K.T) / 2
+    symmetric, sigma = (K + K.T) / 2, near**2 or -SQUARE_SHIFT * _rate(M, None, K) ** 2
     solve = _constrained_solver(symmetric - sigma * M, D)
     random, free = np.random.default_rng(0), M.shape[0] - D.shape[0]
-    squares, x = np.zeros(0), np.zeros((M.shape[0], 0))
+    squares, x, count = np.zeros(0), np.zeros((M.shape[0], 0)), min(modes, free)
+    wanted = count
 
     def without_known(b: Floats) -> Floats:
         z = solve(b)
@@ -514,14 +510,26 @@ def _lanczos(M: Sparse, K: Sparse, D: Sparse, count: int, sigma: float) -> tuple
     inverse = LinearOperator(M.shape, matvec=without_known, dtype=float)
     while len(squares) < free:
         first = without_known(M @ random.standard_normal(M.shape[0]))
-        more, shapes = _converged(symmetric, M, 1 if len(squares) else count, sigma, inverse, first)
-        far = np.sort(np.abs(squares - sigma))[count - 1] if len(squares) >= count else np.inf
+        missing = max(wanted - len(squares), 1)
+        more, shapes = _converged(symmetric, M, missing, sigma, inverse, first)
+        far = np.sort(np.abs(squares - sigma))[wanted - 1] if len(squares) >= wanted else np.inf
         nearer = np.abs(more - sigma) < (1 - EQUAL) * far
-        if not nearer.any():
-            break
         squares, x = np.append(squares, more[nearer]), np.hstack([x, shapes[:, nearer]])
-    order = np.argsort(np.abs(squares - sigma), kind="stable")[:count]
+        if not nearer.any():
+            farthest = np.sort(np.abs(_from_squares(squares) - 1j * near))[count - 1]
+            if farthest <= _known_to(sigma, (1 + EQUAL) * far, near):
+                break
+            wanted = min(2 * wanted, free)
+    order = np.argsort(np.abs(_from_squares(squares) - 1j * near), kind="stable")[:count]
     return _from_squares(_quotients(symmetric, M, x[:, order])), x[:, order].astype(complex)
+
+
+def _known_to(sigma: float, radius: float, near: float) -> float:
+    """Up to which distance of s from i near all are known, where the radius about sigma has all omega^2."""
+    above = np.sqrt(max(sigma + radius, 0.0)) - near
+    least = sigma - radius
+    below = near - np.sqrt(least) if least > 0 else np.sqrt(near**2 - least)
+    return float(min(above, below))
 
 
 def _converged(
@@ -546,15 +554,37 @@ def _converged(
     return squares, x
 
 
+# Where the shift is far from i near others are nearest to it: so it is asked again, from a nearer shift and
+# for more, until those are all known that may be nearer to i near.
+def _arnoldi(M: Sparse, C: Sparse, K: Sparse, D: Sparse, modes: int, near: float) -> tuple[Complex, Complex]:
+    every = 2 * (D.shape[1] - D.shape[0])
+    count, found = min(modes, every), (np.zeros(0, complex), np.zeros((D.shape[1], 0), complex))
+    shifts = [1j * near] if near else [-shift * _rate(M, C, K) for shift in SHIFTS]
+    doublings = int(np.ceil(np.log2(every / count))) if count else 0
+    for sigma in shifts if count else ():
+        nearest = _nearest(M, C, K, D, sigma)
+        for k in range(doublings + 1 if sigma == shifts[-1] else 1):
+            s, shapes, radius = nearest(2 * count * 2**k + 2, every)
+            distance = np.abs(s - 1j * near)
+            chosen = np.sort(np.argsort(distance, kind="stable")[:count])
+            found = s[chosen], shapes[:, chosen]
+            farthest = distance[chosen].max() if len(chosen) == count else np.inf
+            if farthest + abs(sigma - 1j * near) <= (1 + EQUAL) * radius:
+                return found
+    return found
+
+
 # With eta = x':  x_new = (x_old's share) of (sigma^2 M + sigma C + K) x_new = -(C + sigma M) x - M eta,
 # eta_new = sigma x_new + x: one application of (A - sigma B)^-1 B of the first-order equations.
-def _arnoldi(
-    M: Sparse, C: Sparse, K: Sparse, D: Sparse, count: int, sigma: complex
-) -> tuple[Complex, Complex]:
-    from scipy.sparse.linalg import LinearOperator, eigs
+def _nearest(
+    M: Sparse, C: Sparse, K: Sparse, D: Sparse, sigma: complex
+) -> Callable[[int, int], tuple[Complex, Complex, float]]:
+    """Of a number, of so many that there are: s nearest to sigma, one of each pair, their shapes, and the
+    radius in which these are all."""
+    from scipy.sparse.linalg import LinearOperator
 
-    real = sigma.imag == 0
-    shift = sigma.real if real else sigma
+    real = np.imag(sigma) == 0
+    shift = np.real(sigma) if real else sigma
     solve = _constrained_solver((shift * shift * M + shift * C + K).tocsr(), D)
     size = M.shape[0]
 
@@ -564,13 +594,40 @@ def _arnoldi(
         return np.concatenate([new, shift * new + x])
 
     operator = LinearOperator((2 * size, 2 * size), matvec=apply, dtype=float if real else complex)
-    random = np.random.default_rng(0).standard_normal(size)
-    allowed = solve(M @ random)
-    wanted = min(2 * count + 2, 2 * size - 2)
-    theta, z = eigs(operator, k=wanted, v0=np.concatenate([allowed, allowed]))
-    s, shapes = _one_of_each_pair(sigma + 1 / theta, z[:size])
-    nearest = np.sort(np.argsort(np.abs(s - sigma), kind="stable")[:count])
-    return s[nearest], shapes[:, nearest]
+    allowed = solve(M @ np.random.default_rng(0).standard_normal(size))
+    first = np.concatenate([allowed, allowed])
+
+    def found(number: int, every: int) -> tuple[Complex, Complex, float]:
+        theta, z = _largest(operator, min(number, 2 * size - 2), min(number, every), first)
+        off = np.abs(D @ z[size:]).max(axis=0, initial=0.0)  # a Krylov space that is exhausted has others
+        motion = off <= ALLOWED * (abs(D) @ np.abs(z[size:])).max(axis=0, initial=0.0)
+        s = sigma + 1 / theta[motion]
+        s[np.abs(s) <= REAL * np.abs(sigma)] = 0.0
+        s, shapes = _one_of_each_pair(s, z[:size, motion])
+        return s, shapes, float(np.abs(1 / theta).max()) if number < every else np.inf
+
+    return found
+
+
+def _largest(operator: Any, number: int, enough: int, first: Complex) -> tuple[Complex, Complex]:
+    """Eigenvalues and vectors, `enough` at least: where there are no more others do not converge."""
+    from scipy.sparse.linalg import ArpackNoConvergence, eigs
+
+    error: ArpackNoConvergence | None = None
+    for vectors in VECTORS:
+        ncv = min(max(vectors * number + 1, FEWEST), operator.shape[0])
+        try:
+            theta, z = eigs(operator, k=number, v0=first, ncv=ncv, maxiter=RESTARTS)
+            return theta, z
+        except ArpackNoConvergence as failure:
+            error = failure
+            if len(failure.eigenvalues) >= enough - 1:  # of a pair one may be left out
+                return failure.eigenvalues, failure.eigenvectors
+    raise NotConvergedError(
+        f"linearize: the iteration for {number} eigenvalues did not converge: ask for fewer modes, or give "
+        "`near`",
+        code="modes_not_found",
+    ) from error
 
 
 # Lanczos finds the eigenvalue nearest to the shift: the smallest, if the shift is below all. A safe bound is
