@@ -699,3 +699,33 @@ def test_motions_without_stiffness_are_neutral_however_many(n: int) -> None:
     assert free.frequencies == pytest.approx(np.zeros(3)) and free.stable
     damped = lw.linearize(row_of_sliders(np.ones(n), np.zeros(n), 1.0 + np.arange(n)), modes=3)
     assert damped.frequencies == pytest.approx(np.zeros(3)) and damped.stable
+
+
+@pytest.mark.parametrize("away", [1.0, 500.0, 5000.0])
+@pytest.mark.parametrize("kind", ["distance", "universal_spherical", "revolute_spherical"])
+def test_a_short_pendulum_swings_as_it_does_however_far_another_body_is(kind: str, away: float) -> None:
+    """omega^2 = g / l of a bob on a rod of 0.3 m."""
+    model = lw.Model()
+    model.body("bob", mass=1.0, inertia=(1e-3,) * 3, position=(0, 0, -0.3))
+    axis = {"axis": (0, 1, 0)} if kind == "revolute_spherical" else {}
+    getattr(model, kind)("ground", "bob", at=((0, 0, 0), (0, 0, -0.3)), **axis)
+    model.body("pylon", mass=1.0, inertia=(1.0,) * 3, position=(away, 0, 0))
+    model.fixed("ground", "pylon", at=(away, 0, 0))
+    assert lw.linearize(model).frequencies.max() == pytest.approx(np.sqrt(G / 0.3), rel=1e-6)
+
+
+@pytest.mark.parametrize("away", [1.0, 500.0, 5000.0])
+def test_a_short_strut_buckles_however_far_another_body_is(away: float) -> None:
+    """20 N/m do not hold a weight of 9.81 N on a rod of 0.3 m: that takes 32.7 N/m."""
+    model = lw.Model()
+    model.body("bob", mass=1.0, inertia=(1e-3,) * 3, position=(0, 0, 0.3))
+    model.distance("ground", "bob", at=((0, 0, 0), (0, 0, 0.3)))
+    model.bushing(
+        "ground", "bob", at=(0, 0, 0.3), stiffness=(20.0, 20.0, 0.0), rotational_stiffness=(1.0,) * 3
+    )
+    model.body("pylon", mass=1.0, inertia=(1.0,) * 3, position=(away, 0, 0))
+    model.fixed("ground", "pylon", at=(away, 0, 0))
+    assert not lw.linearize(model).stable
+    rest = lw.equilibrium(model, stable=False)
+    assert rest.stability == "unstable"
+    assert rest.softest == pytest.approx(20 - G / 0.3, rel=1e-6)

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -95,16 +96,25 @@ def _constraint_part(equations: Equations, t: float, q: Floats, multipliers: Flo
     from scipy.sparse import coo_array
 
     core, n = equations.core, equations.core.body_count
-    found = equations.dynamics.evaluate(t, q, np.zeros(6 * n))["D"]
-    starts, columns = found["indptr"], found["indices"]
-    row = np.repeat(np.arange(core.row_count), np.diff(starts))
+
+    def constraints(x: Floats) -> Any:
+        return equations.dynamics.evaluate(t, displaced(q, x), np.zeros(6 * n))["D"]
+
+    found = constraints(np.zeros(6 * n))
+    columns, row = found["indices"], np.repeat(np.arange(core.row_count), np.diff(found["indptr"]))
     joint, body = _incidence(core)
-    ones = np.ones(len(joint))
-    share = coo_array((ones, (joint, body)), shape=(core.joint_count, n)).tocsr()
+    share = coo_array((np.ones(len(joint)), (joint, body)), shape=(core.joint_count, n)).tocsr()
     partners = (share.T @ share).tocoo()
-    color = _colors(n, np.column_stack([partners.row, partners.col]))
+    pairs = np.column_stack([partners.row, partners.col])
+    color = _colors(n, pairs)
+    vector = np.unique(2 * n * row + columns // 3, return_inverse=True)[1]
     weight = multipliers[row]
     used = weight != 0.0
+
+    def force(x: Floats) -> Floats:
+        return np.bincount(columns, constraints(x)["data"] * weight, minlength=6 * n)
+
+    steps = _geometric_steps(equations, q, force, pairs)
     parts: list[tuple[Floats, Indices, Indices]] = []
     for c in range(color.max(initial=-1) + 1):
         mover = np.full(core.joint_count, -1)
@@ -114,16 +124,30 @@ def _constraint_part(equations: Equations, t: float, q: Floats, multipliers: Flo
         if not wanted.any():
             continue
         for k in range(6):
-            h = CONSTRAINT_STEP * (equations.length if k < 3 else 1.0)
             x = np.zeros((n, 6))
-            x[color == c, k] = h
-            change = sum(
-                w * equations.dynamics.evaluate(t, displaced(q, s * x.ravel()), np.zeros(6 * n))["D"]["data"]
-                for s, w in STENCIL
-            )
-            values = (np.asarray(change) * weight / h)[wanted]
+            x[color == c, k] = steps[color == c, k]
+            terms = np.array([w * constraints(s * x.ravel())["data"] for s, w in STENCIL])
+            values = (_change(terms, vector) * weight)[wanted] / steps[moved[wanted], k]
             parts.append((values, columns[wanted], 6 * moved[wanted] + k))
     return _assembled(parts, 6 * n, coo_array)
+
+
+def _change(terms: Floats, vector: Indices) -> Floats:
+    """Sums of the terms (4, k); zero where they are rounding of the largest of their vector."""
+    change, rounding = terms.sum(axis=0), np.zeros(len(vector))
+    np.maximum.at(rounding, vector, ROUNDING * np.abs(terms).sum(axis=0))
+    return np.where(np.abs(change) > rounding[vector], change, 0.0)
+
+
+def _geometric_steps(
+    equations: Equations, q: Floats, force: Callable[[Floats], Floats], pairs: Indices
+) -> Floats:
+    """Steps (n, 6) in which the forces of joints change as in shorter ones: for short rods they are short."""
+    steps = CONSTRAINT_STEP * equations.length * equations.scale
+    blur = LAST_DIGITS * float(np.abs(q.reshape(-1, 7)[:, :3]).max()) / (CONSTRAINT_STEP * equations.length)
+    difference = partial(_difference, force, np.abs(force(np.zeros_like(steps))))
+    direction = np.random.default_rng(0).uniform(0.5, 1.0, len(steps))
+    return _resolving(equations, difference, steps, direction, pairs, blur).reshape(-1, 6)
 
 
 def _force_part(
