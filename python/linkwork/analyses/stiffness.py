@@ -112,7 +112,8 @@ def _constraint_part(equations: Equations, t: float, q: Floats, multipliers: Flo
     used = weight != 0.0
 
     def force(x: Floats) -> Floats:
-        return np.bincount(columns, constraints(x)["data"] * weight, minlength=6 * n)
+        sums = np.bincount(columns, constraints(x)["data"] * weight, minlength=6 * n)
+        return np.asarray(sums, dtype=float)
 
     steps = _geometric_steps(equations, q, force, pairs)
     parts: list[tuple[Floats, Indices, Indices]] = []
