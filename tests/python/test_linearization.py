@@ -729,3 +729,20 @@ def test_a_short_strut_buckles_however_far_another_body_is(away: float) -> None:
     rest = lw.equilibrium(model, stable=False)
     assert rest.stability == "unstable"
     assert rest.softest == pytest.approx(20 - G / 0.3, rel=1e-6)
+
+
+@pytest.mark.parametrize("across", [0.0, 1e10])
+def test_a_contact_counts_beside_something_stiff_on_the_same_body(across: float) -> None:
+    """Force k d^1.5 of a ball of 1 kg, in a mechanism of 30 m: omega^2 = 1.5 k sqrt(d)."""
+    model, k = lw.Model(), 1e8
+    model.body("pylon", mass=1.0, inertia=(1.0,) * 3, position=(30, 0, 0))
+    model.fixed("ground", "pylon", at=(30, 0, 0))
+    model.body("ball", mass=1.0, inertia=(0.1,) * 3, position=(0, 0, 0.1))
+    model.bushing(
+        "ground", "ball", at=(0, 0, 0.1), stiffness=(across, across, 0), rotational_stiffness=(1e4,) * 3
+    )
+    at = ((0, 0, 0), (0, 0, 0.1))
+    model.sphere_plane_contact("ground", "ball", at=at, normal=Z, radius=0.1, stiffness=k)
+    found = lw.linearize(lw.equilibrium(model).model).frequencies
+    exact = np.sqrt(1.5 * k * np.cbrt(G / k))
+    assert np.abs(found / exact - 1).min() < 1e-4

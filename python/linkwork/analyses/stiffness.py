@@ -191,7 +191,9 @@ def _resolving(
     blurred = np.full(len(steps) // 6, blur)
     for _ in range(SHORTER):
         shorter, noise = (SHORTEN * part for part in difference(steps * direction / SHORTEN))
-        off = largest(value - shorter) > (SMOOTH + SHORTEN * blurred) * largest(value) + largest(noise)
+        blurring = (SHORTEN * blurred * largest(value)).repeat(6) / equations.scale
+        differ = np.abs(value - shorter) > SMOOTH * np.abs(value) + blurring + noise
+        off = differ.reshape(-1, 6).any(axis=1)
         if not off.any():
             break
         inner = pairs[(pairs >= 0).all(axis=1)]
