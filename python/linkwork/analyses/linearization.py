@@ -200,16 +200,7 @@ def linearize(
     if not is_number(near) or near < 0:
         raise OptionError(f"near {near!r} rad/s must be a finite number, zero or positive", code="near")
     eq = Equations(model)
-    if start is not None:
-        checks.start_time(start)
-        checks.check_state(model, start)
-    at = start if start is not None else Snapshot(0.0, *_initial(model))
-    if len(at.history):
-        checks.check_history(eq.dynamics, at)
-        eq.dynamics.history = np.asarray(at.history, dtype=float)
-    elif start is not None:
-        eq.dynamics.history = eq.dynamics.beginning_history(at.t, np.ravel(at.q), np.ravel(at.v))
-    at = _at_rest(eq, at)
+    at = _at_rest(eq, _begun(eq, start))
     coefficients = _coefficients(eq, at)
     M, C, K, D = coefficients
     moving = np.abs(at.v).max(initial=0.0) > 0
@@ -233,6 +224,21 @@ def linearize(
     size = np.abs(shapes / eq.scale[:, None]).max(axis=0, initial=0.0)
     shapes = (shapes / np.where(size > 0, size, 1.0)).T.reshape(-1, model.body_count, 6)
     return Linearization(model, at, M, C, K, D, eigenvalues, shapes, eq)
+
+
+def _begun(eq: Equations, start: Snapshot | None) -> Snapshot:
+    """The state, with the history of which forces are evaluated. OptionError: none of this model."""
+    if start is None:
+        return Snapshot(0.0, *_initial(eq.model))
+    checks.start_time(start)
+    checks.check_state(eq.model, start)
+    if len(start.history):
+        checks.check_history(eq.dynamics, start)
+        eq.dynamics.history = np.asarray(start.history, dtype=float)
+    else:
+        y = np.ravel(start.q), np.ravel(start.v)
+        eq.dynamics.history = eq.dynamics.beginning_history(start.t, *y)
+    return start
 
 
 def _initial(model: Model) -> tuple[Floats, Floats]:
