@@ -746,3 +746,20 @@ def test_a_contact_counts_beside_something_stiff_on_the_same_body(across: float)
     found = lw.linearize(lw.equilibrium(model).model).frequencies
     exact = np.sqrt(1.5 * k * np.cbrt(G / k))
     assert np.abs(found / exact - 1).min() < 1e-4
+
+
+@pytest.mark.parametrize("near", [0.0, 10.1])
+def test_equal_damped_modes_of_a_large_model_are_all_found(near: float) -> None:
+    """Pairs of sliders, whose joints have no part in their motion."""
+    model, frequencies = lw.Model(gravity=(0, 0, 0)), np.repeat(np.arange(1.0, 51.0), 2)
+    for k, w in enumerate(frequencies):
+        name, at = f"slider {k}", (0.01 * k, 0, 0)
+        model.body(name, mass=1.0, inertia=(1.0,) * 3, position=at)
+        model.translational("ground", name, at=at, axis=(1, 0, 0))
+        model.translational_spring_damper(
+            "ground", name, at=at, axis=(1, 0, 0), stiffness=w * w, damping=0.1 * w
+        )
+    found = lw.linearize(model, modes=6, near=near)
+    exact = [1, 1, 2, 2, 3, 3] if near == 0 else [9, 9, 10, 10, 11, 11]
+    assert found.frequencies == pytest.approx(exact, rel=1e-6)
+    assert found.damping_ratios == pytest.approx(np.full(6, 0.05), rel=1e-6)

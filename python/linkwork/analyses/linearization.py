@@ -63,6 +63,9 @@ REAL = 1e-12
 #: factors where there are neutral motions, and such as are only just enough.
 SQUARE_SHIFT, SHIFTS = 1e-8, (1e-4, 1e-6)
 
+#: How often twice as many eigenvalues are asked for, until those that are wanted are certain.
+DOUBLINGS = 6
+
 #: Vectors of a Krylov space, per eigenvalue, and at least; restarts until it is tried with more vectors.
 VECTORS, FEWEST, RESTARTS = (2, 4), 20, 300
 
@@ -566,7 +569,8 @@ def _arnoldi(M: Sparse, C: Sparse, K: Sparse, D: Sparse, modes: int, near: float
     every = 2 * (D.shape[1] - D.shape[0])
     count, found = min(modes, every), (np.zeros(0, complex), np.zeros((D.shape[1], 0), complex))
     shifts = [1j * near] if near else [-shift * _rate(M, C, K) for shift in SHIFTS]
-    doublings = int(np.ceil(np.log2(every / count))) if count else 0
+    needed = int(np.ceil(np.log2(every / count))) if count else 0
+    doublings = min(needed, DOUBLINGS)
     for sigma in shifts if count else ():
         nearest = _nearest(M, C, K, D, sigma)
         for k in range(doublings + 1 if sigma == shifts[-1] else 1):
@@ -577,6 +581,12 @@ def _arnoldi(M: Sparse, C: Sparse, K: Sparse, D: Sparse, modes: int, near: float
             farthest = distance[chosen].max() if len(chosen) == count else np.inf
             if farthest + abs(sigma - 1j * near) <= (1 + EQUAL) * radius:
                 return found
+    if doublings < needed:
+        raise NotConvergedError(
+            f"linearize: beside what is stiff here it is not certain which {count} modes are the nearest: ask "
+            "for more modes, or give `near`",
+            code="modes_not_found",
+        )
     return found
 
 
@@ -606,7 +616,9 @@ def _nearest(
     def found(number: int, every: int) -> tuple[Complex, Complex, float]:
         theta, z = _largest(operator, min(number, 2 * size - 2), min(number, every), first)
         off = np.abs(D @ z[size:]).max(axis=0, initial=0.0)  # a Krylov space that is exhausted has others
-        motion = off <= ALLOWED * (abs(D) @ np.abs(z[size:])).max(axis=0, initial=0.0)
+        all_terms = (abs(D) @ np.abs(z[size:])).max(axis=0, initial=0.0)
+        rounding = ALLOWED**3 * abs(D).max() * np.abs(z[size:]).max(axis=0, initial=0.0) if D.nnz else 0.0
+        motion = off <= np.maximum(ALLOWED * all_terms, rounding)  # joints may have no part in it
         s = sigma + 1 / theta[motion]
         s[np.abs(s) <= REAL * np.abs(sigma)] = 0.0
         s, shapes = _one_of_each_pair(s, z[:size, motion])
