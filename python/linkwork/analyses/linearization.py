@@ -583,7 +583,7 @@ def _arnoldi(M: Sparse, C: Sparse, K: Sparse, D: Sparse, modes: int, near: float
                 return found
     if doublings < needed:
         raise NotConvergedError(
-            f"linearize: beside what is stiff here it is not certain which {count} modes are the nearest: ask "
+            f"linearize: beside what is stiff here it is not certain which {count} modes are nearest: ask "
             "for more modes, or give `near`",
             code="modes_not_found",
         )
