@@ -20,10 +20,10 @@ from linkwork.motion.records import Reaction, Snapshot
 __all__ = ["Equilibrium", "equilibrium"]
 
 #: Forces not in balance, relative to what acts on their body: where the iteration may end, and tries to.
-ACCEPTED, WANTED = 1e-9, 1e-14
+ACCEPTED, WANTED = 1e-9, 1e-13
 
-#: Steps below this part of the size of the mechanism are rounding.
-ROUNDING = 1e-13
+#: Steps below this part of the size of the mechanism are rounding; and where others have settled.
+ROUNDING, SETTLED = 1e-13, 1e-9
 
 #: Of positions, relative: forces that change by more than the tolerance within them are in balance.
 LAST_DIGITS = 1e-15
@@ -229,10 +229,12 @@ class _Search:
             self._limit(way.longest)
             found, mu = self._step(q, r, K, max(mu, LEAST_DAMPING))
             self.steps += 1
-            if found is None or (self._size(r) <= ACCEPTED and self._size(found[1]) >= self._size(r)):
-                break  # no better: rounding
+            if found is None:
+                break
             x = between(q, found[0])
             step = self._reach(x)
+            if step < SETTLED and self._size(r) <= ACCEPTED and self._size(found[1]) >= self._size(r):
+                break  # no better: rounding
             q, r, multipliers = found
             self._accept(q)
             self.acting = np.maximum(self.acting, self.eq.acting(0.0, q, self.rest, multipliers))
