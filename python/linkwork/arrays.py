@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Floats", "Indices", "Number", "VectorLike", "pieces"]
+__all__ = ["Complex", "Floats", "Indices", "Number", "VectorLike", "pieces"]
 
 Floats = NDArray[np.float64]
+Complex = NDArray[np.complex128]
 
 #: Of bodies, as the compiled module takes them.
 Indices = NDArray[np.int32]

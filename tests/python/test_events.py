@@ -422,3 +422,13 @@ def test_the_event_of_another_body_does_not_undo_a_barrier() -> None:
     assert sorted(it.name for it in result.events) == ["a", "b"]
     rise = 0.01 * np.sqrt(2 * g * height) - g * 1e-4
     assert result.velocity[-1, :, 2] == pytest.approx([rise, rise], rel=1e-5)
+
+
+@pytest.mark.parametrize(("happened", "message"), [
+    (5, "is no list of"), ([("kick", "up")], "is no list of"),
+    ([("kick", [1.0])], "'kick' has not the 13 numbers"),
+])  # fmt: skip
+def test_events_that_are_said_to_have_come_are_looked_at(happened: Any, message: str) -> None:
+    start = run(mechanisms.pendulum(), 0.1).snapshot()._replace(happened=happened, resume=None)
+    with pytest.raises(lw.OptionError, match=message):
+        run(mechanisms.pendulum(), 0.2, clock(0.15), start=start)

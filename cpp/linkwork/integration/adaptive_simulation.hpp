@@ -133,17 +133,17 @@ class AdaptiveSimulation final : public Run {
   int shorter_ = 0;             ///< such intervals in a row that were shorter than the one before
   double shorter_since_ = 0.0;  ///< when the first of them began
   double t_ = 0.0, h_ = 0.0, t_new_ = 0.0;
-  double start_ = 0.0;      ///< of this run, which may have been resumed from before it
-  VectorXd y_new_;          ///< at t_new_
-  VectorXd y_before_;       ///< the start of the last finished step
-  double trial_h_ = 0.0;    ///< of the step that is to be tried
-  double step_ = 0.0;       ///< what the controller proposes
-  double proposed_ = 0.0;   ///< what it proposed for this one
-  VectorXd Phi_, Phi_dot_;  ///< where the step begins
-  bool yields_ = false;     ///< the formulation lets constraints be violated
-  // Near a singular pose
-  double usual_step_ = 0.0;         ///< the last outside
+  double start_ = 0.0;              ///< of this run, which may have been resumed from before it
+  VectorXd y_new_;                  ///< at t_new_
+  VectorXd y_before_;               ///< the start of the last finished step
+  double trial_h_ = 0.0;            ///< of the step that is to be tried
+  double step_ = 0.0;               ///< what the controller proposes
+  double proposed_ = 0.0;           ///< what it proposed for this one
+  VectorXd Phi_, Phi_dot_;          ///< where the step begins
   double correction_length_ = 0.0;  ///< see Dynamics::correct_over
+  bool yields_ = false;             ///< the formulation lets constraints be violated
+  // Near a singular pose
+  double usual_step_ = 0.0;  ///< the last outside
   int tries_ = 0;
   double best_step_ = 0.0, best_error_ = 0.0;  ///< of these tries
   bool begun_ = false;

@@ -33,7 +33,8 @@ import numpy as np
 from linkwork.arrays import Floats
 
 __all__ = [
-    "WRONG", "Energies", "Method", "StepEstimate", "Verdict", "estimate", "leaping", "say", "without_steps",
+    "LEAST_RTOL", "WRONG", "Energies", "Method", "StepEstimate", "Verdict", "estimate", "leaping", "say",
+    "without_steps",
 ]  # fmt: skip
 
 #: Errors up to here are good, beyond the second the motion is wrong.
@@ -45,7 +46,7 @@ AIM = 1e-4
 #: Of an error: the part of runs before that no step of this one could mend.
 INHERITED = 0.5
 
-#: Steps follow no tolerance below.
+#: The smallest rtol that double precision holds.
 LEAST_RTOL = 1e-13
 
 #: On the estimate: too large is better than too small.

@@ -14,10 +14,13 @@ from linkwork.arrays import Floats
 from linkwork.modeling.model import Model
 from linkwork.running import checks
 
-__all__ = ["Equations", "Terms", "Sparse"]
+__all__ = ["LAST_DIGITS", "Equations", "Sparse", "Terms"]
 
 #: A matrix of scipy.sparse.
 Sparse = Any
+
+#: Of positions, relative: what they have no digits for.
+LAST_DIGITS = 1e-15
 
 #: Of the size of a mechanism: arms that are none; of a body's arms.
 HARDLY, NO_ARM = 1e-2, 1e-9

@@ -9,7 +9,7 @@ import numpy as np
 
 from linkwork import _core
 from linkwork.analyses.constraint_solver import DENSE, balance, null_space, saddle_point, shared
-from linkwork.analyses.equations import Equations, Sparse
+from linkwork.analyses.equations import LAST_DIGITS, Equations, Sparse
 from linkwork.analyses.stiffness import stiffness
 from linkwork.analyses.tangent import between, displaced
 from linkwork.arrays import Floats
@@ -24,9 +24,6 @@ ACCEPTED, WANTED = 1e-9, 1e-13
 
 #: Steps below this part of the size of the mechanism are rounding; and where others have settled.
 ROUNDING, SETTLED = 1e-13, 1e-9
-
-#: Of positions, relative: forces that change by more than the tolerance within them are in balance.
-LAST_DIGITS = 1e-15
 
 #: Violations of joints, relative to the size of the mechanism: none, and what rounding may leave.
 MET, NEARLY_MET = 1e-13, 1e-10
@@ -329,7 +326,7 @@ class _Search:
 
     def _softest(self, q: Floats) -> tuple[float, Floats, float]:
         """The smallest stiffness that the joints leave [N/m], its motion, and which one would be none."""
-        from linkwork.analyses.linearization import softest_by_lanczos
+        from linkwork.analyses.eigenmodes import softest_by_lanczos
 
         _, multipliers = self._balance(q)
         K = stiffness(self.eq, 0.0, q, self.rest, multipliers)

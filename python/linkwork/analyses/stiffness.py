@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import _core
-from linkwork.analyses.equations import Equations, Sparse
+from linkwork.analyses.equations import LAST_DIGITS, Equations, Sparse
 from linkwork.analyses.tangent import displaced
 from linkwork.arrays import Floats
 
@@ -35,7 +35,7 @@ Difference = Callable[[Floats], tuple[Floats, Floats]]
 CONSTRAINT_STEP, FORCE_STEP, VELOCITY_STEP = 1e-3, 1e-5, 1e-4
 
 #: Of those of forces at least, in distances from the origin: positions have 16 digits.
-PLACE_STEP, LAST_DIGITS = 1e-10, 1e-15
+PLACE_STEP = 1e-10
 
 #: f' = sum w_k f(k h) / h.
 STENCIL = ((-2, 1 / 12), (-1, -2 / 3), (1, 2 / 3), (2, -1 / 12))

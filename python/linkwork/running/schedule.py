@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
+from linkwork.accuracy.verdict import LEAST_RTOL
 from linkwork.arguments import array
 from linkwork.equations.system import System
 from linkwork.errors import OptionError
@@ -35,8 +36,8 @@ MOST_STEPS = 1e15
 #: Times that are one, relative to the step.
 SAME_TIME = 1e-9
 
-#: Where only the other tolerance is given; the smallest rtol that double precision holds.
-USUAL_RTOL, USUAL_RATIO, LEAST_RTOL = 1e-6, 1e-3, 1e-13
+#: Where only the other tolerance is given.
+USUAL_RTOL, USUAL_RATIO = 1e-6, 1e-3
 
 
 @dataclass(frozen=True)
@@ -207,10 +208,22 @@ class Adaptive:
 
 
 def _happened(events: Sequence[_core.Event], start: Snapshot | None) -> list[tuple[int, NDArray[np.float64]]]:
-    """The events that came at the time of the start, by index, with y before them (13n,)."""
+    """The events that came at the time of the start, by index, with y before them (13n,). OptionError: what
+    is no list of them."""
     if start is None:
         return []
-    known = [(label, np.asarray(y, dtype=float)) for label, y in start.happened if np.size(y) == len(start.y)]
+    try:
+        known = [(str(label), np.asarray(y, dtype=float)) for label, y in start.happened]
+    except (TypeError, ValueError) as error:
+        raise OptionError(
+            f"start: happened {start.happened!r:.80} is no list of (label, y before) of events", code="start"
+        ) from error
+    wrong = next((label for label, y in known if y.shape != start.y.shape), None)
+    if wrong is not None:
+        raise OptionError(
+            f"start: happened: y before event '{wrong}' has not the {len(start.y)} numbers of (q, v)",
+            code="start",
+        )
     return [(k, y) for k, event in enumerate(events) for label, y in known if label == event.name]
 
 
