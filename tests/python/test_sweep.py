@@ -11,8 +11,10 @@ import re
 import signal
 import subprocess
 import sys
+import threading
 import time
 import warnings
+import weakref
 from collections import Counter
 from pathlib import Path
 from typing import Any
@@ -933,6 +935,45 @@ def test_a_command_that_is_ended_goes_on_where_it_was(folder: Path, sign: signal
     assert subprocess.run(line, cwd=folder, capture_output=True, timeout=120).returncode == 0
     whole = keys_in(folder / "kept")
     assert len(whole) == 40 and set(whole.values()) == {1} and not done - whole
+
+
+class Pressed:
+    """An executor in whose third task the key is pressed, in the callback of a weak reference or in a run."""
+
+    def __init__(self, swallowed: bool) -> None:
+        self.left, self.swallowed = 3, swallowed
+
+    def submit(self, task: Any, *given: Any) -> concurrent.futures.Future[Any]:
+        found: concurrent.futures.Future[Any] = concurrent.futures.Future()
+        self.left -= 1
+        if not self.left and self.swallowed:
+            thing = Pressed(True)
+            kept = weakref.ref(thing, lambda _: signal.raise_signal(signal.SIGINT))  # noqa: F841
+            del thing
+        elif not self.left:
+            threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT)).start()
+            lw.simulate(rod(), 1e4, 1e-3, progress=False)
+        found.set_result(task(*given))
+        return found
+
+
+@pytest.mark.parametrize("swallowed", [True, False])
+def test_a_key_that_is_pressed_ends_a_study(
+    swallowed: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Python ignores what is raised in callbacks of weak references."""
+    monkeypatch.setattr(sys, "unraisablehook", lambda _: None)
+    before = signal.getsignal(signal.SIGINT)
+
+    def study() -> lw.Study:
+        masses = {"rod.mass": [1.0 + k for k in range(12)]}
+        kept, options = tmp_path / "kept", {**FEW, "processes": None}
+        return lw.sweep(rod(), masses, "final", directory=kept, executor=Pressed(swallowed), **options)
+
+    with pytest.raises(KeyboardInterrupt, match=r"interrupted: \d+ of 12 cases are done, and kept"):
+        study()
+    assert signal.getsignal(signal.SIGINT) is before
+    assert len(keys_in(tmp_path / "kept")) < 12
 
 
 @pytest.mark.parametrize("kind", ["object", "spline", "frame"])

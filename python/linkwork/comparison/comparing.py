@@ -23,6 +23,7 @@ from linkwork.modeling.model import Model
 from linkwork.options import TABLE, Policy, check_name, check_number, check_option, names
 from linkwork.results.result import Result
 from linkwork.running.checks import check_bodies
+from linkwork.running.interrupts import Interrupts
 from linkwork.running.manifest import platform_facts
 from linkwork.running.progress import ShowOption, counting
 from linkwork.running.recording import frame_bytes
@@ -187,18 +188,20 @@ def _run(
     todo = [item for item in items if item.key not in found]
 
     def beat(places: Sequence[int]) -> None:
+        interrupts.check()
         now = f", {todo[places[0]].label}" if places else ""
         report(1 + len(found), f"{len(found)} of {len(items)} runs{now}")
 
-    for place, answer in in_processes(task, todo, processes, time_limit, beat):
-        item = todo[place]
-        if isinstance(answer, Lost):
-            found[item.key] = runs.lost(item, answer.reason)
-        else:
-            found[item.key] = answer
-            if store is not None:
-                store.keep(item, answer)
-        log.info("%s: %s", item.label, getattr(found[item.key], "verdict", "done"))
+    with Interrupts() as interrupts:
+        for place, answer in interrupts.each(in_processes(task, todo, processes, time_limit, beat)):
+            item = todo[place]
+            if isinstance(answer, Lost):
+                found[item.key] = runs.lost(item, answer.reason)
+            else:
+                found[item.key] = answer
+                if store is not None:
+                    store.keep(item, answer)
+            log.info("%s: %s", item.label, getattr(found[item.key], "verdict", "done"))
     return [found[item.key] for item in items]
 
 

@@ -18,6 +18,7 @@ from linkwork.errors import LinkworkError, ModelError, OptionError
 from linkwork.modeling.model import Model
 from linkwork.motion import summary
 from linkwork.results.result import Result
+from linkwork.running.interrupts import Interrupts
 from linkwork.running.simulation import simulate
 
 __all__ = ["ERRORS", "Reference", "given_reference", "solved_reference"]
@@ -110,11 +111,12 @@ def solved_reference(
         for rtol in TOLERANCES:
             pair = (rtol, TIGHTER * rtol)
             runs = [_Run(model, t_end, times, method, tolerance) for tolerance in pair]
-            for place, answer in in_processes(_solve, runs, processes, seconds, beat):
-                if isinstance(answer, Result):
-                    found[pair[place]] = answer
-                else:
-                    failures.append(f"{method['formulation']}, rtol {pair[place]:g}: {answer.reason}")
+            with Interrupts() as interrupts:
+                for place, answer in interrupts.each(in_processes(_solve, runs, processes, seconds, beat)):
+                    if isinstance(answer, Result):
+                        found[pair[place]] = answer
+                    else:
+                        failures.append(f"{method['formulation']}, rtol {pair[place]:g}: {answer.reason}")
             best = _closest(found, method)
             if best is not None and best.error is not None and best.error["state_error"] <= AGREED:
                 return best

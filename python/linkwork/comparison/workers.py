@@ -159,6 +159,7 @@ def _serve(connection: Connection, others: Sequence[Connection], task: Any, item
     """The other process: it ends when nobody is left to ask it."""
     gc.freeze()  # what was there before is no garbage here: not to be looked through, and so copied
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # who asks heeds it
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
     signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT, signal.SIGTERM})
     os.environ["OMP_NUM_THREADS"] = "1"  # of threads counted from here on: others need processors, too
     logging.getLogger("linkwork").setLevel(logging.WARNING)  # who asks tells of each item

@@ -31,6 +31,7 @@ from linkwork.options import TABLE, check_name, check_number, check_option, with
 from linkwork.options import names as option_names
 from linkwork.results.result import Result
 from linkwork.running import checks, recording, schedule
+from linkwork.running.interrupts import Interrupts
 from linkwork.running.manifest import platform_facts
 from linkwork.running.progress import ShowOption, counting
 from linkwork.running.simulation import check_run, simulate
@@ -422,13 +423,6 @@ class _Found:
     store: Store | None
 
     def add(self, answer: Answer) -> None:
-        try:
-            self._add(answer)
-        except KeyboardInterrupt:  # in the midst of it: what is kept is to be known
-            self._add(answer)
-            raise
-
-    def _add(self, answer: Answer) -> None:
         if self.store is not None:
             self.store.keep(answer)
         for run in answer.runs:
@@ -446,13 +440,14 @@ def _carried_out(
         return lost
     executor, processes, seconds, total = workers
     done, counts, started = 0, Counter[str](), time.monotonic()
-    with counting(progress, len(todo)) as report, _telling(todo, to):
+    with counting(progress, len(todo)) as report, _telling(todo, to), Interrupts() as interrupts:
 
         def beat() -> None:
+            interrupts.check()
             report(done, _line(done, len(todo), time.monotonic() - started, counts["failed"] + len(lost)))
 
         with closing(run_cases(runner, todo, executor, processes, beat, seconds, total)) as found:
-            for chunk, answer in found:
+            for chunk, answer in interrupts.each(found):
                 done += len(chunk)
                 if isinstance(answer, Lost):
                     lost.update({case.key: answer.reason for case in chunk})
