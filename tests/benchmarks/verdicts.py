@@ -120,7 +120,7 @@ def methods(seed: int, count: int) -> Iterator[dict[str, Any]]:
         if how["stabilization"] == "baumgarte":
             how |= {"baumgarte_alpha": 5.0, "baumgarte_beta": 5.0}
         if how["formulation"] == "standard" and rng.random() < 0.3:
-            how["system"] = "schur"
+            how["matrix_form"] = "schur"
         yield how
 
 

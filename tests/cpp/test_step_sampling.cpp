@@ -112,3 +112,41 @@ TEST_CASE("a single step that makes energy is kept, an even loss in all of them 
     for (const KeptStep& step : found) CHECK(step.t == bad);
   }
 }
+
+TEST_CASE("steps with switches, and those that depend on them, stand for their kind alone") {
+  Dynamics dynamics(pendulum(), Options());
+  for (const int memory : {0, 3}) {
+    StepSampling sampling(dynamics);
+    sampling.remember(memory);
+    sampling.expect(5000);
+    VectorXd y = dynamics.initial_y(), y_new = y, side = VectorXd::Ones(1);
+    for (int n = 0; n < 5000; ++n) {
+      sampling.before(dynamics, y, 1.0, 0.0, side);
+      if (n % 50 == 7) side = -side;
+      y_new[7] = y[7] + (n % 50 == 7 ? 1.0 : 1e-3);
+      sampling.after(n, 1.0, y, y_new);
+      y = y_new;
+    }
+    std::vector<double> starts;
+    std::int64_t covered = 0;
+    for (const RunPart& part : sampling.switched()) {
+      starts.push_back(part.any.t);
+      covered += part.steps;
+      CHECK(static_cast<int>(part.any.t) % 50 >= 7);
+      CHECK(static_cast<int>(part.any.t) % 50 <= 7 + memory);
+    }
+    std::sort(starts.begin(), starts.end());
+    CHECK(starts.size() >= 10);
+    CHECK(starts.size() <= 20);
+    CHECK(starts.front() < 700.0);
+    CHECK(starts.back() > 4300.0);
+    CHECK(covered >= 100 * (memory + 1));
+    CHECK(covered < 120 * (memory + 1));
+    for (const RunPart& part : sampling.parts())
+      for (const KeptStep* step : {&part.any, &part.steepest}) {
+        if (!step->kept()) continue;
+        const int since = (static_cast<int>(step->t) + 43) % 50;
+        CHECK(step->switched == (since <= memory));
+      }
+  }
+}

@@ -386,3 +386,50 @@ def test_contacts_that_begin_almost_together_are_no_error() -> None:
         found = lw.simulate(model, 0.6, rtol=rtol, on_inaccurate="pass").verdict
         assert found is not None
         assert found.level == "good"
+
+
+def bouncing() -> lw.Model:
+    model = lw.Model()
+    ball = model.body("ball", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0, 0, 0.3))
+    model.sphere_plane_contact(
+        "ground",
+        ball,
+        at=((0, 0, 0), (0, 0, 0.3)),
+        normal=(0, 0, 1),
+        radius=0.1,
+        stiffness=1e5,
+        hysteresis=0.3,
+    )
+    return model
+
+
+def between_stops() -> lw.Model:
+    model = lw.Model(gravity=(0, 0, 0))
+    slider = model.body("slider", mass=1.0, inertia=(0.1, 0.1, 0.1), velocity=(1, 0, 0))
+    axis: dict[str, Any] = {"at": (0, 0, 0), "axis": (1, 0, 0)}
+    model.translational("ground", slider, **axis)
+    model.translational_stop("ground", slider, **axis, lower=-0.1, upper=0.1, stiffness=3e3)
+    return model
+
+
+@pytest.mark.parametrize("integrator", ["rk4", "ab4", "abm4"])
+@pytest.mark.parametrize("make_model", [bouncing, between_stops])
+def test_contacts_and_stops_that_begin_and_end_inside_steps(make_model: Any, integrator: str) -> None:
+    """Steps beside them stand for each other alone: not for smooth ones, nor these for them."""
+    ratios = []
+    for step in (6.1e-4, 3.1e-4, 1.7e-4, 9e-5):
+        run = lw.simulate(make_model(), 1.0, step, integrator, progress=False, on_inaccurate="pass")
+        truth = lw.simulate(
+            make_model(),
+            1.0,
+            rtol=1e-12,
+            integrator="dop853",
+            times=run.t,
+            progress=False,
+            on_inaccurate="pass",
+        )
+        speeds = np.abs(run.velocity - truth.velocity).max() / np.abs(truth.velocity).max()
+        assert run.verdict is not None
+        ratios.append(run.verdict.error / max(speeds, np.abs(run.position - truth.position).max() / 0.2))
+    assert min(ratios) > 1.0
+    assert max(ratios) < 1000.0

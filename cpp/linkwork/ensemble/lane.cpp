@@ -118,8 +118,8 @@ void Lane::balance(std::int64_t step, const VectorXd& y, double potential) {
   });
 }
 
-void Lane::sample(const VectorXd& y, double kinetic, double potential) {
-  if (run_) run_->sampling.before(dynamics_, y, kinetic, potential);
+void Lane::sample(const VectorXd& y, double kinetic, double potential, const VectorXd& switches) {
+  if (run_) run_->sampling.before(dynamics_, y, kinetic, potential, switches);
 }
 
 void Lane::sample_step(double t, double h, const VectorXd& y, const VectorXd& y_new, double change) {

@@ -129,7 +129,7 @@ class Lane {
   bool judged() const { return run_ != nullptr; }
   LaneRun* run() const { return run_; }
   /// For the verdict.
-  void sample(const VectorXd& y, double kinetic, double potential);
+  void sample(const VectorXd& y, double kinetic, double potential, const VectorXd& switches);
   void sample_step(double t, double h, const VectorXd& y, const VectorXd& y_new, double change);
   /// Singular poses ahead of a step from the state y. `factors`, where there are any, spare the lane its own.
   void look_ahead(std::int64_t at, const FixedSteps& steps, const Speeds& speeds, const VectorXd& y,

@@ -284,7 +284,10 @@ void LaneEvaluation::evaluate_forces(LaneGuard& guard) {
     else evaluate_lane_by_lane(of.kind, guard);
   }
   if (structure_.history_size > 0) each_lane(guard, [&](int l) { take_history(l, *user_forces_.place(l).at); });
-  if (structure_.switch_count > 0) each_lane(guard, [&](int l) { look_for_switches(l); });
+  if (structure_.switch_count > 0)
+    each_lane(guard, [&](int l) {
+      if (mechanisms_[l]->looks_for_switches()) mechanisms_[l]->look_for_switches(switches(l));
+    });
   kernels_.inertia_forces(structure_.blocks.data() + structure_.joint_blocks,
                           std::ssize(structure_.blocks) - structure_.joint_blocks, structure_.rows, inertance_.data(),
                           coordinate_gamma_.data(), at_.D.data(), at_.g.data());
@@ -322,17 +325,14 @@ void LaneEvaluation::take_history(int l, Evaluation& at) const {
   }
 }
 
-/// As an evaluation by itself does.
-void LaneEvaluation::look_for_switches(int l) {
-  Dynamics& mechanism = *mechanisms_[l];
-  if (!mechanism.looks_for_switches()) return;
+const VectorXd& LaneEvaluation::switches(int l) {
   if (apart_) switches_of_lane_ = user_forces_.place(l).at->switches;
   for (const LaneStructure::Forces& of : structure_.forces) {
     if (!lanes_of(of.kind, level_)) continue;
     for (const std::ptrdiff_t first : of.switches)
       layout_.take(switches_, l, first, switches_of_lane_.segment(first, force_kinds()[of.kind].switches));
   }
-  mechanism.look_for_switches(switches_of_lane_);
+  return switches_of_lane_;
 }
 
 /// The user's own.

@@ -45,6 +45,8 @@ class LaneEvaluation {
   bool has_power() const { return !forces_.empty() || apart_ || structure_.time_dependent; }
   /// What a run by itself would find of its inerters.
   void take_inerters(int l, Evaluation& out) const;
+  /// Of the force elements of one lane, until the next call.
+  const VectorXd& switches(int l);
 
  private:
   using Numbers = AlignedDoubles;
@@ -83,7 +85,6 @@ class LaneEvaluation {
   void evaluate_forces(LaneGuard& guard);
   void evaluate_lane_by_lane(int kind, LaneGuard& guard);
   void take_history(int l, Evaluation& at) const;
-  void look_for_switches(int l);
   void evaluate_other_forces(LaneGuard& guard);
   void take_forces(int l, Evaluation& at) const;
   void give_forces(int l, const Evaluation& at);

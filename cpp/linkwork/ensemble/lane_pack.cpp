@@ -200,7 +200,7 @@ void LanePack::begin_lane(int l, std::int64_t step) {
   if (!lane.stepping()) return;
   const double kinetic = watches_.kinetic_energy(l, lane.dynamics().evaluation(), y);
   if (last) {
-    lane.sample(y, kinetic, potential);
+    lane.sample(y, kinetic, potential, stepper_.switches(l));
     lane.end(steps_.t_end(), y);
     return;
   }
@@ -208,7 +208,7 @@ void LanePack::begin_lane(int l, std::int64_t step) {
   if (lane.watches())
     lane.look_ahead(step, steps_, watches_.speeds(l), y, structure_.inerters == 0 ? &factors : nullptr);
   lane.finish_record(t);
-  if (lane.stepping() || (lane.moves() && !lane.leaping())) lane.sample(y, kinetic, potential);
+  if (lane.stepping() || (lane.moves() && !lane.leaping())) lane.sample(y, kinetic, potential, stepper_.switches(l));
   if (!lane.moves()) return;
   lane.move(step, y);
   watches_.hand_on(l, lane);

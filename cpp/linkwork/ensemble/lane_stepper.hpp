@@ -50,6 +50,7 @@ class LaneStepper {
   double velocity_violation(int l, int row) const { return evaluation_.at().Phi_dot[layout_.index(row, l)]; }
   /// What a run by itself would find of its inerters.
   void inerters(int l, Evaluation& out) const { evaluation_.take_inerters(l, out); }
+  const VectorXd& switches(int l) { return evaluation_.switches(l); }
   void violations(int l, VectorXd& Phi, VectorXd& Phi_dot) const;
   /// The largest number of a state in amount, and of its velocities; infinite where one is no number.
   const double* largest_number();

@@ -25,6 +25,8 @@ class Integrator {
   virtual ~Integrator() = default;
   virtual const std::string& name() const = 0;
   virtual int order() const = 0;
+  /// Of how many steps before a step its result depends on what was evaluated where they began.
+  virtual int memory() const { return 0; }
   /// OptionError: a choice of the run that this method cannot honor.
   virtual void check_run(const Dynamics&) const {}
   /// Forgets earlier steps and sizes its storage.

@@ -35,6 +35,7 @@ class Multistep final : public Integrator {
 
   const std::string& name() const override { return method_.name; }
   int order() const override { return method_.order; }
+  int memory() const override { return static_cast<int>(method_.predictor.size()) - 1; }
   void start(int y_size) override {
     f_.assign(method_.predictor.size(), VectorXd::Zero(y_size));
     predicted_rates_.resize(y_size);

@@ -15,8 +15,11 @@ constexpr int usual_divisions = 1, few_divisions = 2, divisions_of_worst = 3;  /
 
 std::vector<RunPart> parts_to_judge(const StepSampling& sampling) {
   std::vector<RunPart> out = sampling.parts();
+  for (RunPart& part : out)
+    for (KeptStep* step : {&part.any, &part.steepest})
+      if (step->switched) *step = {};
   for (RunPart& part : sampling.broken()) out.push_back(std::move(part));
-  for (RunPart& part : sampling.contacts()) out.push_back(std::move(part));
+  for (RunPart& part : sampling.switched()) out.push_back(std::move(part));
   for (const KeptStep& step : sampling.outliers(out)) {  // each a part of its own
     out.push_back({1, step.t, step.h, step.change, {}, {}});
     out.back().any = step;

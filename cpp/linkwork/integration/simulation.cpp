@@ -41,6 +41,7 @@ Simulation::Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrato
   if (!integrator_) return;
   integrator_->check_run(dynamics);
   integrator_->start(static_cast<int>(y_.size()));
+  sampling_.remember(integrator_->memory());
 }
 
 bool Simulation::same(double a, double b) const {

@@ -12,9 +12,10 @@
 namespace linkwork {
 namespace {
 
+constexpr int divisions_where_contacts_begin = 3;
 constexpr double beside = 1e-9;  // of a step: how far from a break the parts on its sides end and begin
 
-/// One step of a one-step method in two parts, with the correction that a multistep method adds.
+/// One step of a one-step method in parts, with the correction that a multistep method adds.
 class Starter final : public Integrator {
  public:
   explicit Starter(const ButcherTableau& tableau) : tableau_(tableau) { check(tableau); }
@@ -26,22 +27,30 @@ class Starter final : public Integrator {
     for (VectorXd* state : {&stage_, &correction_}) state->resize(y_size);
   }
 
+  void divide(int times) { divisions_ = times; }
+
   void step(Dynamics& dynamics, double t, double h, VectorXd& y) override {
     correction_.setZero();
     dynamics.add_correction(h, correction_);
-    advance(dynamics, t, golden_share * h, y);
-    dynamics.evaluate(t + golden_share * h, y);
-    advance(dynamics, t + golden_share * h, (1.0 - golden_share) * h, y);
+    advance(dynamics, t, h, y, divisions_);
     y += correction_;
   }
 
  private:
-  void advance(Dynamics& dynamics, double t, double h, VectorXd& y) {
-    evaluate_free_stages(tableau_, dynamics, {t, h}, y, k_, stage_);
-    add_combination(h, tableau_.b, k_, y);
+  void advance(Dynamics& dynamics, double t, double h, VectorXd& y, int divisions) {
+    if (divisions == 0) {
+      evaluate_free_stages(tableau_, dynamics, {t, h}, y, k_, stage_);
+      return add_combination(h, tableau_.b, k_, y);
+    }
+    const double first = golden_share * h;
+    advance(dynamics, t, first, y, divisions - 1);
+    dynamics.evaluate(t + first, y);
+    dynamics.advance_history();
+    advance(dynamics, t + first, h - first, y, divisions - 1);
   }
 
   ButcherTableau tableau_;
+  int divisions_ = 1;
   MatrixXd k_;
   VectorXd stage_, correction_;
 };
@@ -59,7 +68,9 @@ SecondTake in_parts(std::unique_ptr<Integrator> integrator) {
 }
 
 SecondTake by_starter(const MultistepCoefficients& method) {
-  return {std::make_unique<Starter>(method.starter), 1.0, 0.0};
+  auto starter = std::make_unique<Starter>(method.starter);
+  const auto divide = [starter = starter.get()](int times) { starter->divide(times); };
+  return {std::move(starter), 1.0, 0.0, {}, divide};
 }
 
 StepJudge::StepJudge(Dynamics& dynamics, SecondTake take, std::vector<double> breaks)
@@ -91,6 +102,7 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside, co
   out.force = out.torque = out.largest_force = out.largest_torque = NAN;
   came_inside_ = false;
   dynamics_.correct_over(step.correction_length);
+  if (take_.divide) take_.divide(step.history_new.size() > 0 ? divisions_where_contacts_begin : 1);
   try {
     const bool rows_change = dynamics_.dropped().rows() != step.left_out;
     if (retaken.end.size() == 0 || retaken.rows_change != rows_change) take_again(step);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -20,6 +21,7 @@ struct SecondTake {
   double share = 1.0;
   double left = 0.0;
   std::optional<EmbeddedPair> pair = {};
+  std::function<void(int)> divide = {};  ///< of an integrator that takes parts by itself: in so many powers of two
 };
 
 /// Two parts a h and (1 - a) h by the same one-step method, Richardson (1911): with a local error c h^(p+1) the parts
@@ -29,7 +31,8 @@ struct SecondTake {
 /// left.
 SecondTake in_parts(std::unique_ptr<Integrator> integrator);
 /// A multistep method cannot take its step in parts: it is compared with its one-step starter in two parts, whose
-/// error is small beside its own, from the same state and with the same correction of the violation.
+/// error is small beside its own, from the same state and with the same correction of the violation. Where a contact
+/// begins in eight: at which speed is known where a part ends, whatever the method.
 SecondTake by_starter(const MultistepCoefficients& method);
 
 /// The share of the first of two parts.

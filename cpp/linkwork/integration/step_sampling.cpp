@@ -17,7 +17,7 @@ constexpr int small_model = 50, most_looked_at = 500;  // bodies
 constexpr std::int64_t affordable = 50;                // steps, of 10 000
 constexpr double steeper = 1.1;                        // than the steepest so far, to be worth a copy
 constexpr std::size_t most_outliers = 4;
-constexpr std::size_t most_broken = 16;
+constexpr std::size_t most_broken = 16, most_switched = 20;
 constexpr double same_time = 1e-9;  // relative to the step
 constexpr double far_more = 20.0;   // than the mean, for a jump of energy to be out of the ordinary
 constexpr double energy_noise = 1e-13;
@@ -122,34 +122,61 @@ void StepSampling::begin_anew(const Dynamics& dynamics, double work) {
   StepSampling fresh(dynamics);
   fresh.width_ = width_;
   fresh.breaks_ = std::move(breaks_);
+  fresh.memory_ = memory_;
   fresh.work_before_ = work;
   *this = std::move(fresh);
 }
 
 void StepSampling::before(const Dynamics& dynamics, const VectorXd& y) {
   const Evaluation& at = dynamics.evaluation();
-  before(dynamics, y, system_->kinetic_energy(at, y.segment(q_size_, system_->v_size())), at.potential);
+  const double kinetic = system_->kinetic_energy(at, y.segment(q_size_, system_->v_size()));
+  before(dynamics, y, kinetic, at.potential, at.switches);
 }
 
-void StepSampling::before(const Dynamics& dynamics, const VectorXd& y, double kinetic, double potential) {
+void StepSampling::before(const Dynamics& dynamics, const VectorXd& y, double kinetic, double potential,
+                          const VectorXd& switches) {
   const VectorXd& history = dynamics.history();
-  if (history.size() > 0) look_for_contacts(history, y);
+  if (switches.size() > 0) look_for_switches(history, switches, y);
   balance(y, kinetic, potential);
   if (history.size() > 0) history_ = history;
   correction_length_ = dynamics.correction_length();
   if (const std::vector<int>& rows = dynamics.dropped().rows(); left_out_ != rows) left_out_ = rows;
 }
 
-/// A variable that was zero is the speed of a contact that has begun. Of many the last ones are kept.
-void StepSampling::look_for_contacts(const VectorXd& now, const VectorXd& y) {
-  const bool begun =
-      last_.kept() && history_.size() == now.size() && ((history_.array() == 0.0) && (now.array() != 0.0)).any();
-  if (begun) {
-    const std::size_t place = static_cast<std::size_t>(steps_with_contacts_) % std::min(most_broken, most_parts_);
-    steps_with_contacts_ += 1;
-    if (place == contacts_.size()) contacts_.emplace_back();
-    keep(contacts_[place], last_.t, last_.h, last_.change, last_.y, y);
-    contacts_[place].history_new = now;
+/// A variable that was zero is the speed of a contact that has begun.
+void StepSampling::look_for_switches(const VectorXd& history, const VectorXd& switches, const VectorXd& y) {
+  const bool begun = last_.kept() && history_.size() == history.size() &&
+                     ((history_.array() == 0.0) && (history.array() != 0.0)).any();
+  const bool passed = pass_switches(switches);
+  since_switch_ = passed || begun ? 0 : since_switch_ + 1;
+  if (!last_.kept() || since_switch_ > memory_) return;
+  for (KeptStep* step : {&parts_.back().any, &parts_.back().steepest})
+    if (step->kept() && step->t == last_.t) step->switched = true;
+  keep_switched(y);
+  if (begun && switched_.back().step.t == last_.t) switched_.back().step.history_new = history;
+}
+
+bool StepSampling::pass_switches(const VectorXd& switches) {
+  bool passed = false;
+  const bool known = sides_.size() == static_cast<std::size_t>(switches.size());
+  sides_.resize(switches.size());
+  for (std::size_t k = 0; k < sides_.size(); ++k) {
+    const char side = switches[static_cast<Eigen::Index>(k)] > 0.0;
+    passed = passed || sides_[k] != side;
+    sides_[k] = side;
+  }
+  return known && passed;
+}
+
+/// Multiples of the golden ratio are spread evenly whichever of them are taken: of many steps those that are small.
+void StepSampling::keep_switched(const VectorXd& y_new) {
+  const double multiple = golden * static_cast<double>(switched_steps_++), place = multiple - std::floor(multiple);
+  if (place >= share_switched_) return;
+  switched_.push_back({place, {}});
+  keep(switched_.back().step, last_.t, last_.h, last_.change, last_.y, y_new);
+  while (switched_.size() > std::min(most_switched, most_parts_)) {
+    share_switched_ *= golden;
+    std::erase_if(switched_, [&](const Switched& it) { return it.place >= share_switched_; });
   }
 }
 
@@ -250,6 +277,7 @@ void StepSampling::keep(KeptStep& place, double t, double h, double change, cons
   place.history = history_;
   place.correction_length = correction_length_;
   place.left_out = left_out_;
+  place.switched = false;
 }
 
 std::vector<RunPart> StepSampling::parts() const {
@@ -291,6 +319,7 @@ std::vector<RunPart> parts_of(const std::vector<KeptStep>& kept, std::int64_t co
     out.back().steps = each;
     out.back().t = step.t;
     out.back().seconds = static_cast<double>(each) * step.h;
+    out.back().sum_of_changes = static_cast<double>(each) * step.change;
     out.back().any = step;
   }
   return out;
@@ -300,7 +329,11 @@ std::vector<RunPart> parts_of(const std::vector<KeptStep>& kept, std::int64_t co
 
 std::vector<RunPart> StepSampling::broken() const { return parts_of(broken_, steps_with_breaks_); }
 
-std::vector<RunPart> StepSampling::contacts() const { return parts_of(contacts_, steps_with_contacts_); }
+std::vector<RunPart> StepSampling::switched() const {
+  std::vector<KeptStep> kept;
+  for (const Switched& it : switched_) kept.push_back(it.step);
+  return parts_of(kept, switched_steps_);
+}
 
 double time_sampling(const Dynamics& dynamics, std::int64_t steps) {
   StepSampling sampling(dynamics);

@@ -17,6 +17,7 @@ struct KeptStep {
   VectorXd y, y_new;
   VectorXd history;           ///< variables of the elements, at t
   VectorXd history_new;       ///< at t + h, of a step in which contacts begin; else empty
+  bool switched = false;      ///< see StepSampling::switched
   std::vector<int> left_out;  ///< redundant rows, at t
 
   bool kept() const { return h > 0.0; }
@@ -55,6 +56,9 @@ using RunPart = PartOfRun<KeptStep>;
 /// equally many steps, with two kept steps each, after the first step, where nobody knows what came before; where
 /// nobody knows how many steps will come, parts are joined in pairs when there are too many.
 ///
+/// Steps in which contacts and stops begin or end, and those that depend on such a step, stand for others of their kind,
+/// not for the smooth ones around them.
+///
 /// Accelerations count as differences of velocities over steps, of angular ones times a length of the mechanism; in
 /// large models only some bodies are looked at.
 ///
@@ -71,6 +75,8 @@ class StepSampling {
   /// many.
   void expect_breaks(std::vector<double> times) { breaks_ = std::move(times); }
   const std::vector<double>& breaks() const { return breaks_; }
+  /// See Integrator::memory.
+  void remember(int steps) { memory_ = steps; }
 
   /// The steps so far, and the work up to here [J], are not of the run.
   void begin_anew(const Dynamics& dynamics, double work);
@@ -79,8 +85,8 @@ class StepSampling {
   // `pass_over` where the step is not one of the method's own (cut by an event, a leap over a singular pose).
   void before(const Dynamics& dynamics, const VectorXd& y);
   void after(double t, double h, const VectorXd& y, const VectorXd& y_new);
-  // The same where somebody else knows the energies there, and the change of the rates.
-  void before(const Dynamics& dynamics, const VectorXd& y, double kinetic, double potential);
+  // The same where somebody else knows the energies and the switches there, and the change of the rates.
+  void before(const Dynamics& dynamics, const VectorXd& y, double kinetic, double potential, const VectorXd& switches);
   void after(double t, double h, const VectorXd& y, const VectorXd& y_new, double change);
   /// v_dot over the last step (6n,), of every so many bodies; angular rates count by the square of a length.
   VectorXd& rates() { return rates_; }
@@ -103,8 +109,9 @@ class StepSampling {
   std::vector<KeptStep> outliers(const std::vector<RunPart>& parts) const;
   /// The steps that contain breaks: a part of the run of its own for each that was kept.
   std::vector<RunPart> broken() const;
-  /// The steps in which contacts begin likewise: at which speed is found one step late, and held from there on.
-  std::vector<RunPart> contacts() const;
+  /// Of the steps in which a contact or a stop begins or ends, and of those that depend on them, some likewise: forces
+  /// are not smooth there, and at which speed a contact begins is found one step late, and held from there on.
+  std::vector<RunPart> switched() const;
 
   /// How many of so many steps are taken again.
   static std::int64_t samples(std::int64_t steps, int bodies);
@@ -116,7 +123,9 @@ class StepSampling {
     KeptStep step;
   };
 
-  void look_for_contacts(const VectorXd& now, const VectorXd& y);
+  void look_for_switches(const VectorXd& history, const VectorXd& switches, const VectorXd& y);
+  bool pass_switches(const VectorXd& switches);
+  void keep_switched(const VectorXd& y_new);
   void balance(const VectorXd& y, double kinetic, double potential);
   void keep_jump(double jump, const VectorXd& y_new);
   void meet_break(double t, double h, const VectorXd& y, const VectorXd& y_new);
@@ -145,8 +154,17 @@ class StepSampling {
   std::vector<Balanced> worst_;
   std::vector<double> breaks_;
   std::size_t next_break_ = 0;
-  std::int64_t steps_with_breaks_ = 0, steps_with_contacts_ = 0;
-  std::vector<KeptStep> broken_, contacts_;
+  std::int64_t steps_with_breaks_ = 0;
+  std::vector<KeptStep> broken_;
+  int memory_ = 0;
+  std::vector<char> sides_;  ///< of switches, positive or not, where the step begins
+  std::int64_t since_switch_ = std::numeric_limits<int>::max(), switched_steps_ = 0;
+  double share_switched_ = 1.0;  ///< of those steps that are kept, and where each stands in their order:
+  struct Switched {
+    double place;
+    KeptStep step;
+  };
+  std::vector<Switched> switched_;
 };
 
 /// Time that a run of so many steps spends on following them, without what they take themselves [s].
