@@ -432,3 +432,51 @@ def test_events_that_are_said_to_have_come_are_looked_at(happened: Any, message:
     start = run(mechanisms.pendulum(), 0.1).snapshot()._replace(happened=happened, resume=None)
     with pytest.raises(lw.OptionError, match=message):
         run(mechanisms.pendulum(), 0.2, clock(0.15), start=start)
+
+
+def hinged_bars(count: int) -> lw.Model:
+    model = lw.Model()
+    before: Any = "ground"
+    for k in range(count):
+        bar = model.body(f"bar {k}", mass=1.0, inertia=(0.003, 0.03, 0.03), position=(0.3 + 0.6 * k, 0, 0))
+        model.revolute(before, bar, at=(0.6 * k, 0, 0), axis=(0, 1, 0), name=f"hinge {k}")
+        before = bar
+    return model
+
+
+CALLS: list[float] = []
+CHANGES: dict[str, Any] = {
+    "bounce": lambda t, state: setattr(state, "v", -0.6 * state.v),
+    "splash": lambda t, state: setattr(state, "v", 0.5 * state.v),
+    "kick": lambda t, state: setattr(state, "v", np.concatenate([-2.4 * state.v[:6], state.v[6:]])),
+    "count": lambda t, state: CALLS.append(t),
+}
+
+
+@pytest.mark.parametrize("integrator", ["bs32", "dopri5", "tsit5"])
+@pytest.mark.parametrize("change", CHANGES)
+@pytest.mark.parametrize("of", ["height", "speed"])
+def test_changes_of_mechanisms_with_joints_come_once(of: str, change: str, integrator: str) -> None:
+    """What brings the state back to the constraints moves the function off zero, to either side."""
+    levels = (0.2, 0.3, 0.47)
+
+    def event(level: float) -> lw.Event:
+        def height(t: float, state: lw.State) -> float:
+            bar = state.body("bar 0")
+            return float(bar.position[2] + 0.3 * lw.rotation.matrix(bar.orientation)[2, 0] + level)
+
+        def speed(t: float, state: lw.State) -> float:
+            return float(state.body("bar 0").omega[1]) - 8.0 * level
+
+        function = height if of == "height" else speed
+        return lw.Event(function, direction=-1 if of == "height" else 1, change=CHANGES[change])
+
+    for level in levels:
+        right = run(hinged_bars(2), 0.5, event(level), rtol=1e-11)
+        times = [it.t for it in right.events]
+        assert times
+        for rtol in (1e-4, 1e-6):
+            found = run(
+                hinged_bars(2), 0.5, event(level), rtol=rtol, integrator=integrator, on_inaccurate="pass"
+            )
+            assert [it.t for it in found.events] == pytest.approx(times, abs=30 * rtol)

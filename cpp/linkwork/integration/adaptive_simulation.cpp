@@ -393,6 +393,18 @@ double AdaptiveSimulation::energy() const {
          dynamics_.evaluation().potential;
 }
 
+/// Of the functions of events that change the state, by what brings y_ back to the constraints.
+void AdaptiveSimulation::find_drift() {
+  const auto changes = [this](const EventWatch::Found& it) { return bool(watch_.event(it.event).change); };
+  if (std::none_of(stops_.begin(), stops_.end(), changes)) return;
+  const double t = clock();
+  VectorXd y = y_;
+  projection().positions(t, y);
+  projection().velocities(t, y);
+  for (EventWatch::Found& it : stops_) it.drift = watch_.value(it.event, t_, y);
+  dynamics_.evaluate(t, y_);
+}
+
 /// The work takes up the energy that the event makes or takes away.
 bool AdaptiveSimulation::apply(const Event& event, Occurrence& occurrence) {
   const System& system = dynamics_.system();
@@ -566,6 +578,7 @@ void AdaptiveSimulation::finish_event(double t_before) {
     return std::any_of(schedule_.happened.begin(), schedule_.happened.end(), same);
   };
   bool known = repeating() && t_ <= start_;
+  with_time(t_, NAN, [&] { find_drift(); });
   for (const EventWatch::Found& it : stops_) {
     const Event& event = watch_.event(it.event);
     ends = ends || event.terminal;

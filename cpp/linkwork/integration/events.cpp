@@ -22,6 +22,7 @@ constexpr double roundoff = 1e-15;      // likewise
 constexpr double on_constraints = 0.1;  // of what a function changes by in that line: less is what corrections leave
 constexpr double slowest = 1e4;         // times that it was faster before
 constexpr double leaving = 16.0;        // times as long as a time is known: what a barrier has turned back has left
+constexpr double as_drift = 2.0;        // times what brings back to the constraints moved a function before the change
 constexpr double at_rest = 1e-6;        // of the speed before an event: what those differences resolve
 
 void check(const Event& event) {
@@ -38,7 +39,8 @@ EventWatch::EventWatch(std::vector<Event> events)
       last_value_(events_.size(), 0.0),
       last_theta_(events_.size(), 0.0),
       barrier_t_(events_.size(), -INFINITY),
-      left_t_(events_.size(), -INFINITY) {
+      left_t_(events_.size(), -INFINITY),
+      zero_(events_.size(), 0.0) {
   for (const Event& event : events_) check(event);
 }
 
@@ -82,7 +84,8 @@ void EventWatch::start_after(const System& system, double t, const VectorXd& y, 
     before << it.before, 0.0;
     const double through = rate(system, it.event, t, before);
     if (through == 0.0) continue;
-    restart(system, t, before, y, {it.event, 0.0, through > 0.0 ? 1.0 : -1.0}, -INFINITY);
+    const double found = last_value_[it.event];
+    restart(system, t, before, y, {it.event, 0.0, through > 0.0 ? 1.0 : -1.0, found}, -INFINITY);
     fresh_ = true;
   }
 }
@@ -92,6 +95,7 @@ void EventWatch::restart(const System& system, double t, const VectorXd& before,
   const std::vector<double> last_values = last_value_, last_barriers = barrier_t_;
   take_signs(t, y);
   fresh_ = true;
+  std::fill(zero_.begin(), zero_.end(), 0.0);
   for (std::size_t k = 0; k < events_.size(); ++k) {
     if (t <= left_t_[k]) last_value_[k] = last_values[k];  // another one's barrier
     else barrier_t_[k] = -INFINITY;
@@ -112,6 +116,8 @@ void EventWatch::restart(const System& system, double t, const VectorXd& before,
     const double slower = now < -at_rest * through ? std::clamp(through / -now, 1.0, slowest) : 1.0;
     left_t_[k] = t + leaving * slower * resolved(k, t);
   }
+  const double near = as_drift * std::abs(happened.drift);
+  if (std::abs(last_value_[k]) <= near) zero_[k] = near;
   last_value_[k] = barrier ? -happened.side : 0.0;
 }
 
@@ -182,7 +188,8 @@ void EventWatch::scan_piece(const Interpolant& step, const System& system, doubl
     };
     const double last_value = last_value_[k], found = at(to);
     const double now = found == 0.0 && last ? -last_value : found;
-    if (now == 0.0) continue;
+    if (std::abs(now) <= zero_[k]) continue;
+    zero_[k] = 0.0;
     if ((last_value < 0.0) != (now < 0.0) && last_value != 0.0 && events_[k].direction * now >= 0.0) {
       const double a = std::min(last_theta_[k], from), fa = a == 0.0 ? at(a) : last_value;
       // A sample of zero between the two has no sign, and at the start of a step the interpolant may round otherwise.

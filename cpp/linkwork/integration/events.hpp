@@ -49,7 +49,9 @@ struct Happened {
 /// After an event that changed the state the sign is not known either, its function is zero up to roundoff, unless the
 /// change was a barrier: it stopped or turned back the motion through zero. Then the sign is that of the side from
 /// which the motion came, and to be on the other side is the same event again; a bounce too small to be seen is not
-/// lost.
+/// lost. Where the event was found the motion is as far off the constraints as tolerances let it be; with the change it
+/// comes back to them, by which the function may move to either side: what is no larger than that counts as zero until
+/// the motion has left it.
 ///
 /// Events as little later as the tolerance of their times come with it.
 class EventWatch {
@@ -59,8 +61,9 @@ class EventWatch {
 
   struct Found {
     std::size_t event;
-    double theta;  ///< place in the step, 0 to 1
-    double side;   ///< 1 or -1: the sign after it
+    double theta;        ///< place in the step, 0 to 1
+    double side;         ///< 1 or -1: the sign after it
+    double drift = 0.0;  ///< value where the motion comes back to the constraints before the change
   };
 
   bool empty() const { return events_.empty(); }
@@ -78,12 +81,14 @@ class EventWatch {
   /// come with it. `last`: of the run, at whose end zero counts as having been passed.
   const std::vector<Found>& scan(const Interpolant& step, const System& system, double t, double h, bool last = false);
 
+  /// Of the function of an event at (t, y).
+  double value(std::size_t index, double t, const VectorXd& y);
+
   /// Between steps.
-  void keep(Archive& archive) { archive(last_value_, fresh_, barrier_t_, left_t_); }
+  void keep(Archive& archive) { archive(last_value_, fresh_, barrier_t_, left_t_, zero_); }
 
  private:
   void take_signs(double t, const VectorXd& y);
-  double value(std::size_t index, double t, const VectorXd& y);
   double change_along(const System& system, std::size_t index, double t, const VectorXd& y, double& s);
   double rate(const System& system, std::size_t index, double t, const VectorXd& y);
   void restart(const System& system, double t, const VectorXd& before, const VectorXd& y, const Found& happened,
@@ -99,6 +104,7 @@ class EventWatch {
   bool fresh_ = false;             ///< an event has just ended a step
   std::vector<double> barrier_t_;  ///< when it came, of the last events that ended a step, if the change was a barrier
   std::vector<double> left_t_;     ///< until when what the barrier turned back may still be there
+  std::vector<double> zero_;       ///< what is no larger has no sign, until the function has left it
   VectorXd state_, q_and_v_;
 };
 
