@@ -50,16 +50,16 @@ std::unique_ptr<Integrator> make_integrator(const py::object& method) {
 
 /// `other`: it is not the method of the run, but one without an error beside it.
 SecondTake second_take(const py::object& method, bool other, bool inside) {
-  if (py::isinstance<MultistepCoefficients>(method)) return by_starter(method.cast<MultistepCoefficients>());
+  if (py::isinstance<MultistepCoefficients>(method))
+    return by_one_step_method(method.cast<MultistepCoefficients>().starter);
+  if (other) return by_one_step_method(method.cast<ButcherTableau>());
   if (py::isinstance<EmbeddedPair>(method)) {
     auto pair = method.cast<EmbeddedPair>();
     SecondTake take = in_parts(make_runge_kutta(pair.method));
     if (inside) take.pair = std::move(pair);
     return take;
   }
-  SecondTake take = in_parts(make_integrator(method));
-  if (other) take.left = 0.0;
-  return take;
+  return in_parts(make_integrator(method));
 }
 
 /// With `steps` one by one, or none of them.

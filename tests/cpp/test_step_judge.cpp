@@ -32,7 +32,7 @@ TEST_CASE("a multistep method is compared with its starter in parts, and has the
     Dynamics dynamics(pendulum(), Options());
     Simulation run(dynamics, make_multistep(ab2()), {0.4, h});
     run.advance(1 << 30, 1e9);
-    StepJudge judge(dynamics, by_starter(ab2()));
+    StepJudge judge(dynamics, by_one_step_method(ab2().starter));
     double largest = 0.0;
     for (const RunPart& part : run.sampling().parts())
       if (part.any.kept() && part.any.t > 2.5 * h)

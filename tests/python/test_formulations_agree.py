@@ -6,8 +6,10 @@ against those of the mechanism and of its bodies without joints, M^-1 g: some me
 
 from __future__ import annotations
 
+import contextlib
 from dataclasses import replace
 
+import linkwork as lw
 import numpy as np
 import pytest
 from hypothesis import given
@@ -152,3 +154,18 @@ def test_random_mechanisms_are_consistent(mechanism: Mechanism) -> None:
     assert largest(at.Phi) <= 1e-13 * (1 + largest(mechanism.q))
     assert largest(at.Phi_dot) <= 1e-12 * speed
     assert largest(at.D @ mechanism.v + at.Phi_t) <= 1e-12 * speed
+
+
+@pytest.mark.parametrize("penalty", [1e-300, 1e-200, 1e-150, 1e-30, 1e-8, 1.0, 1e30, 1e200, 1e300])
+@pytest.mark.parametrize("name", ["spatial_slider_crank", "chain", "bricard"])
+def test_the_augmented_lagrangian_is_right_with_any_penalty_or_says_that_it_is_not(
+    name: str, penalty: float
+) -> None:
+    model = getattr(lw.mechanisms, name)()
+    n = model.body_count
+    y = lw.System(model).initial_state()
+    right, *_ = lw.System(model).accelerations(0.0, y[: 7 * n], y[7 * n :])
+    system = lw.System(model, formulation="augmented_lagrangian", penalty=penalty)
+    with contextlib.suppress(lw.NotConvergedError):
+        found, *_ = system.accelerations(0.0, y[: 7 * n], y[7 * n :])
+        assert np.abs(found - right).max() < 1e-8 * np.abs(right).max()

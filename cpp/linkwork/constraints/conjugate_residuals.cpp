@@ -19,6 +19,13 @@ constexpr double weakly_resisted = 1e-5;  // likewise: nearly singular
 // about. Near singular poses roundoff does, for more of them, and again.
 constexpr int small_steps = 2, most_small_steps = 5, most_restarts = 3;
 constexpr int patience = 3;
+constexpr double smallest = 1e-50;  // of directions: squares of what is smaller are lost
+
+/// A power of two, so that nothing else changes.
+double scale_of(const VectorXd& direction) {
+  const double largest = direction.size() > 0 ? direction.cwiseAbs().maxCoeff() : 0.0;
+  return largest > 0.0 && largest < smallest ? std::ldexp(1.0, -std::ilogb(largest)) : 1.0;
+}
 
 }  // namespace
 
@@ -115,6 +122,9 @@ bool ConjugateResiduals::mark_done(const IsDone& is_done) {
 bool ConjugateResiduals::find_step(const Evaluation& at, const Refinement::Nearby& nearby) {
   nearby(none_, r_2_, dx_, dlambda_);
   const double before = square_;
+  if (!(before > 0.0)) scale_ = scale_of(dx_);
+  dx_ *= scale_;
+  dlambda_ *= scale_;
   system_->multiply_mass(at, dx_, Mx_);
   square_ = dx_.dot(Mx_);
   const double beta = before > 0.0 ? square_ / before : 0.0;
@@ -123,7 +133,7 @@ bool ConjugateResiduals::find_step(const Evaluation& at, const Refinement::Nearb
   system_->multiply_D(at, p_, Dp_);
   nearby(none_, Dp_, dx_, dlambda_);
   const double curvature = Dp_.dot(dlambda_);
-  step_ = square_ / curvature;
+  step_ = square_ / curvature / scale_;
   return square_ > 0.0 && curvature > 0.0;
 }
 

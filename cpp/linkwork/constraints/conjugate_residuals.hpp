@@ -60,6 +60,7 @@ class ConjugateResiduals {
   VectorXd p_, p_lambda_, Mx_, Dp_;
   std::vector<Progress> progress_;  ///< of each component, as are these:
   VectorXd residuals_, free_motion_, sizes_, motions_, rates_, left_, multipliers_, all_multipliers_, forces_;
+  double scale_ = 1.0;  ///< of directions
   double square_ = 0.0, step_ = 0.0;
   int steps_ = 0;
 };

@@ -35,7 +35,7 @@ Simulation::Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrato
   begin_at(schedule.t_start, schedule.t_end, schedule.start);
   find_origin();
   count_steps();
-  y_dot_.resize(y_.size());
+  y_dot_.setZero(y_.size());
   kept_y_ = y_;
   sampling_.expect(steps_total_);
   if (!integrator_) return;
@@ -77,7 +77,8 @@ double Simulation::t() const {
 void Simulation::keep(Archive& archive) {
   const double start = schedule_.t_start;
   Run::keep(archive);
-  archive(schedule_.t_start, origin_, first_step_, leaping_, leapt_, last_power_, last_t_);
+  archive(schedule_.t_start, origin_, first_step_, leaping_, leapt_);
+  if (!integrator_) archive(kept_y_, y_dot_, last_t_);
   crossing_.keep(archive, leaping_ || leapt_);
   if (integrator_) integrator_->keep(archive);
   if (archive.reading()) go_on_to(start);
@@ -142,6 +143,7 @@ double Simulation::begin_step() {
     if (!leaping_) {
       look_where_steps_are_long(y_.size());
       sampling_.before(dynamics_, y_);
+      if (!integrator_) with_time(t(), next_step(), [&] { find_correction(); });
       return next_step();
     }
     follow_leap();
@@ -229,14 +231,32 @@ void Simulation::finish_step() {
   evaluated_ = false;
 }
 
-// The work of an integrator of the user's own, which returns only q and v, is a sum by the trapezoidal rule.
+/// Of an integrator of the user's own, which returns only q and v.
 void Simulation::add_work() {
+  const VectorXd before = y_dot_;
   dynamics_.rates(y_dot_);
-  const double power = y_dot_.tail<1>()[0], h = t() - last_t_;
-  if (steps_done_ > 0 && !leapt_) y_.tail<1>()[0] += 0.5 * h * (last_power_ + power);
-  last_power_ = power;
+  if (steps_done_ > 0 && !leapt_) y_.tail<1>()[0] += work_of_step(before, t() - last_t_);
   last_t_ = t();
-  dynamics_.begin_zero_order_hold(deadbeat_gains(0.5, next_step()), next_step());
+}
+
+/// By Simpson's rule, in the middle of the step with the state of Hermite's cubics: of order 4.
+double Simulation::work_of_step(const VectorXd& y_dot_before, double h) {
+  const double first = y_dot_before.tail<1>()[0], last = y_dot_.tail<1>()[0];
+  if (first == 0.0 && last == 0.0) return 0.0;
+  const Dynamics::Place end = dynamics_.place();
+  VectorXd middle = 0.5 * (kept_y_ + y_) + 0.125 * h * (y_dot_before - y_dot_), y_dot(y_.size());
+  dynamics_.system().normalize(middle.head(dynamics_.system().q_size()));
+  dynamics_.formulation().look(true);
+  dynamics_.evaluate(t() - 0.5 * h, middle);
+  dynamics_.rates(y_dot);
+  dynamics_.return_to(end);
+  return h / 6.0 * (first + 4.0 * y_dot.tail<1>()[0] + last);
+}
+
+/// Apart from the rates, as of multistep methods: nobody knows how an integrator of the user's own combines these.
+void Simulation::find_correction() {
+  correction_.setZero(y_.size());
+  dynamics_.add_correction(next_step(), correction_);
 }
 
 void Simulation::accept(const ConstVector& q_and_v) {
@@ -244,8 +264,7 @@ void Simulation::accept(const ConstVector& q_and_v) {
   if (q_and_v.size() != size)
     throw OptionError("integrator", "the integrator returned " + std::to_string(q_and_v.size()) + " numbers, not " +
                                         std::to_string(size));
-  dynamics_.end_zero_order_hold();
-  y_.head(size) = q_and_v;
+  y_.head(size) = q_and_v + correction_.head(size);
   finish_step();
   stop_at_singular_pose();
 }

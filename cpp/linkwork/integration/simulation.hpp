@@ -58,6 +58,8 @@ class Simulation final : public Run {
   void begin_leap();
   void follow_leap();
   void add_work();
+  double work_of_step(const VectorXd& y_dot_before, double h);
+  void find_correction();
   void trace_step(double h);
 
   std::unique_ptr<Integrator> integrator_;  ///< null for the user's own
@@ -73,9 +75,9 @@ class Simulation final : public Run {
   bool evaluated_ = false;
   bool leaping_ = false;  ///< over a singular pose: states come from the leap
   bool leapt_ = false;    ///< to the present state
-  double last_power_ = 0.0, last_t_ = 0.0;
-  VectorXd y_dot_;
-  VectorXd kept_y_;  ///< at the start of the step
+  double last_t_ = 0.0;
+  VectorXd y_dot_, correction_;  ///< of an integrator of the user's own, where the step begins
+  VectorXd kept_y_;              ///< at the start of the step
 };
 
 }  // namespace linkwork

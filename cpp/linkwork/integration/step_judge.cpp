@@ -16,9 +16,9 @@ constexpr int divisions_where_contacts_begin = 3;
 constexpr double beside = 1e-9;  // of a step: how far from a break the parts on its sides end and begin
 
 /// One step of a one-step method in parts, with the correction that a multistep method adds.
-class Starter final : public Integrator {
+class CorrectedApart final : public Integrator {
  public:
-  explicit Starter(const ButcherTableau& tableau) : tableau_(tableau) { check(tableau); }
+  explicit CorrectedApart(const ButcherTableau& tableau) : tableau_(tableau) { check(tableau); }
 
   const std::string& name() const override { return tableau_.name; }
   int order() const override { return tableau_.order; }
@@ -67,10 +67,10 @@ SecondTake in_parts(std::unique_ptr<Integrator> integrator) {
   return {std::move(integrator), golden_share, order > 0 ? left : 0.0};
 }
 
-SecondTake by_starter(const MultistepCoefficients& method) {
-  auto starter = std::make_unique<Starter>(method.starter);
-  const auto divide = [starter = starter.get()](int times) { starter->divide(times); };
-  return {std::move(starter), 1.0, 0.0, {}, divide};
+SecondTake by_one_step_method(const ButcherTableau& other) {
+  auto method = std::make_unique<CorrectedApart>(other);
+  const auto divide = [method = method.get()](int times) { method->divide(times); };
+  return {std::move(method), 1.0, 0.0, {}, divide};
 }
 
 StepJudge::StepJudge(Dynamics& dynamics, SecondTake take, std::vector<double> breaks)

@@ -30,10 +30,11 @@ struct SecondTake {
 /// the golden ratio, which is in step with nothing. An order of 0 is one that nobody knows: nothing is then taken to be
 /// left.
 SecondTake in_parts(std::unique_ptr<Integrator> integrator);
-/// A multistep method cannot take its step in parts: it is compared with its one-step starter in two parts, whose
-/// error is small beside its own, from the same state and with the same correction of the violation. Where a contact
-/// begins in eight: at which speed is known where a part ends, whatever the method.
-SecondTake by_starter(const MultistepCoefficients& method);
+/// A multistep method cannot take its step in parts, nor one of which nobody knows what it is: it is compared with a
+/// one-step method in two parts, such as its starter, whose error is small beside its own, from the same state and with
+/// the same correction of the violation, apart from the rates. Where a contact begins in eight: at which speed is known
+/// where a part ends, whatever the method.
+SecondTake by_one_step_method(const ButcherTableau& other);
 
 /// The share of the first of two parts.
 constexpr double golden_share = 0.6180339887498949;

@@ -324,7 +324,7 @@ class StopIterationIsError(AbstractContextManager[None]):
 def _python_pieces(
     run: _core.Simulation, interrupts: Interrupts, step: PythonStep, system: System
 ) -> Iterator[Frames]:
-    """The user's own integrator; meanwhile `system.derivative` has the sampled correction in it."""
+    """The user's own integrator."""
     finished = False
     while not finished:
         with interrupts.computing(), StopIterationIsError():
