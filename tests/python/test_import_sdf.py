@@ -334,3 +334,79 @@ def test_a_screw_that_has_turned_has_advanced(thread: str, tmp_path: Path) -> No
     assert core.q0[2] == pytest.approx(4.0 * pitch / (2 * np.pi), abs=1e-14)
     assert core.v0[[2, 5]] == pytest.approx([3.0 * pitch / (2 * np.pi), 3.0], abs=1e-14)
     assert np.abs(lw.System(model).evaluate(0.0, core.q0, core.v0).Phi).max() < 1e-14
+
+
+# --- where coordinates put links ----------------------------------------------------------------------------
+
+BRACKET = {
+    "column": joint("column", "fixed", "world", "foot"),
+    "crank": joint("crank", "revolute", "world", "a", axis("0 0 1")),
+    "bracket": joint("bracket", "fixed", "foot", "b"),
+    "coupler": joint("coupler", "revolute", "a", "b", axis("0 0 1")),
+}
+
+
+@pytest.mark.parametrize("order", [("column", "crank", "bracket", "coupler"), ("crank", "coupler", "column",
+                                                                               "bracket")])  # fmt: skip
+def test_coordinates_leave_what_fixed_joints_hold_in_its_place(
+    order: tuple[str, ...], tmp_path: Path
+) -> None:
+    """In whatever order the file has its joints: the last one closes the loop where the bracket is."""
+    text = link("foot") + link("a") + link("b", "2 0 0 0 0 0") + "".join(BRACKET[name] for name in order)
+    core = loaded(tmp_path, text, coordinates={"crank": 0.3}).model.compiled()
+    k = core.find_joint("coupler")
+    ends = dict(zip(core.joint_arrays()["bodies"][k].tolist(), core.joint_arrays()["origin"][k], strict=True))
+    assert ends[-1] == pytest.approx([2, 0, 0], abs=1e-14)  # on the ground, which the bracket is part of
+
+
+@pytest.mark.parametrize("order", ["ab", "ba"])
+def test_links_that_are_fixed_to_each_other_move_as_one(order: str, tmp_path: Path) -> None:
+    """Their inertia is that of the file's poses, whichever of them a chain with coordinates leads to."""
+    parents = {"a": "world", "b": "crank"}
+    text = (
+        *(link("crank"), link("a", "2 0 0 0 0 0"), link("b", "2 1 0 0 0 0")),
+        *(joint(f"to {name}", "revolute", parents[name], name, axis("0 0 1")) for name in order),
+        joint("pin", "revolute", "world", "crank", axis("0 0 1")) + joint("weld", "fixed", "a", "b"),
+    )
+    still, moved = (
+        loaded(tmp_path, "".join(text), merge_fixed=True, coordinates=q).model.compiled()
+        for q in ({}, {"pin": 0.3})
+    )
+    assert moved.inertia == pytest.approx(still.inertia, rel=1e-12)
+    assert still.mass.tolist() == [2, 4]
+
+
+HANGING = (link("a") + link("b", "1 0 0 0.3 0.2 0.1") + joint("pin", "revolute", "world", "a", axis("0 0 1"))
+           + joint("up", "revolute", "b", "a", "<pose>0.5 0.1 0 0 0 0</pose>" + axis("0.3 0 1")))  # fmt: skip
+
+
+def test_a_joint_may_have_its_parent_farther_from_the_ground_than_its_child(tmp_path: Path) -> None:
+    imported = loaded(
+        tmp_path, HANGING, coordinates={"pin": 0.6, "up": 0.3}, velocities={"pin": 2.0, "up": -1.0}
+    )
+    result = lw.simulate(imported.model, t_end=0.01, step=1e-3)  # which begins with all joints closed
+    for name, value, rate in (("pin", 0.6, 2.0), ("up", 0.3, -1.0)):
+        found = result.coordinate(name)
+        assert (found.value[0], found.rate[0]) == pytest.approx((value, rate), abs=1e-12)
+
+
+def test_what_a_joint_carries_the_other_way_round_is_not_fixed_to_the_ground(tmp_path: Path) -> None:
+    assert loaded(tmp_path, HANGING, floating=False).model.body_count == 2
+
+
+def test_a_stop_of_a_joint_the_other_way_round_carries_its_parent(tmp_path: Path) -> None:
+    """k = (100 rad/s)^2 J, of a link of 2 kg alone, whose center of mass is 0.7 m from the axis."""
+    limit = "<limit><lower>-1</lower><upper>1</upper></limit>"
+    up = joint("up", "revolute", "b", "a", "<pose>0.4 0.2 0 0 0 0</pose>" + axis("0 0 1", limit))
+    text = link("a") + link("b", "1 0 0 0 0 0") + joint("pin", "revolute", "world", "a", axis("0 0 1"))
+    (note,) = loaded(tmp_path, text + up, limits="stops").notes
+    stiffness = 1e4 * (0.25 + 2 * 0.7**2)
+    assert str(note) == f"joint 'up': limits -1 to 1 rad are stops of {stiffness:.3g} N m/rad"
+
+
+def test_the_angles_of_a_universal_joint_are_those_of_the_file(tmp_path: Path) -> None:
+    text = link("a") + joint("u", "universal", "world", "a", axis("1 0 0") + axis("0 1 0", tag="axis2"))
+    model = loaded(tmp_path, text, coordinates={"u": (0.4, -0.2)}).model
+    result = lw.simulate(model, t_end=0.01, step=1e-3)
+    starts = [result.coordinate("u", which).value[0] for which in ("angle_a", "angle_b")]
+    assert starts == pytest.approx([0.4, -0.2], abs=1e-14)

@@ -12,7 +12,7 @@ import numpy as np
 
 from linkwork.arrays import Floats
 from linkwork.importers.description import WORLD, Description, JointDescription
-from linkwork.importers.tree import LinkState, link_states
+from linkwork.importers.tree import LinkState, grounded_links, link_states
 
 #: Angle [rad] to which axes of one loop are parallel where they are meant to be: two roundings of 1.57 apart.
 ROUNDED = 2e-3
@@ -72,8 +72,7 @@ def _meant(axis: Floats, known: list[Floats], near: float) -> Floats:
 def loops(description: Description) -> list[list[JointDescription]]:
     """The joints of each closed loop; loops that share a joint are one. Links fixed to the ground are it."""
     joints = [joint for joint in description.joints if joint.kind != "free"]
-    carried = {joint.child for joint in joints if not joint.closes_loop}
-    of_ground = {link for link in description.grounded if link not in carried} | {WORLD}
+    of_ground = {*grounded_links(description), WORLD}
     ends = [tuple(WORLD if x in of_ground else x for x in (joint.parent, joint.child)) for joint in joints]
 
     parents = _spanning_forest(ends)

@@ -25,10 +25,11 @@ from linkwork.importers.description import (
 from linkwork.importers.frames import Frame, turned
 from linkwork.importers.groups import Group, check_light, grouped, moments_of, real_inertia
 from linkwork.importers.stops import Stops
-from linkwork.importers.tree import LinkState, joint_values, link_states
+from linkwork.importers.tree import LinkState, link_states, starts
 from linkwork.modeling.elements import KINDS
 from linkwork.modeling.handles import Body
 from linkwork.modeling.model import Model
+from linkwork.modeling.placement import Attachment
 from linkwork.modeling.shapes import Shape
 
 __all__ = ["Options", "build", "check_options"]
@@ -117,7 +118,7 @@ def build(description: Description, options: Options, lines: Mapping[str, int] |
     check_light(description, groups, options.get("keep_massless", False), lines or {}, faults)
     gravity = options.get("gravity")
     model = Model(description.gravity if gravity is None else gravity, description.name)
-    builder = _Builder(description, model, states, groups, joint_values(description, coordinates), options)
+    builder = _Builder(description, model, states, groups, starts(description, coordinates, states), options)
     for group in builder.moving:
         _collect(faults, lines or {}, "link", group.main, partial(builder.add_body, group))
     for joint in description.joints if not faults else ():
@@ -187,6 +188,7 @@ class _Builder:
         options: Options,
     ) -> None:
         self._description, self._model, self._starts = description, model, starts
+        self._references = {joint.name: float(joint.reference[0]) for joint in description.joints}
         self._stops = Stops(description, model)
         self._repair_inertia = options.get("repair_inertia", False)
         self._inertia_as_is = options.get("inertia_as_is", False)
@@ -245,7 +247,8 @@ class _Builder:
             self._model.force(self._bodies[group.main], force=force.tolist(), at=at, name=f"{name} lift")
 
     def add_joint(self, joint: JointDescription) -> None:
-        a, b = self._side(joint.parent, joint.in_parent), self._side(joint.child, joint.in_child)
+        in_parent, in_child = joint.at_zero()
+        a, b = self._side(joint.parent, in_parent), self._side(joint.child, in_child)
         if a.body == b.body:
             if joint.kind != "fixed":
                 self._note("rigid", joint, "joins links of one rigid group: it cannot move")
@@ -271,7 +274,8 @@ class _Builder:
         given = [(name, self._coordinates[name], factor) for name, factor in terms if factor]
         taken = self._model.compiled().find_joint(coupling.name) >= 0
         name = f"{coupling.name} {coupling.kind}" if taken else coupling.name
-        self._model.coupler(given, offset=coupling.offset, name=name)
+        offset = coupling.offset + sum(factor * self._references[name] for name, factor in terms)
+        self._model.coupler(given, offset=offset, name=name)
 
     def note_coupling(self, coupling: Coupling, reason: str) -> None:
         text = f"that it follows {coupling} is not represented: {reason}"
@@ -289,8 +293,8 @@ class _Builder:
         return {"axis": (a.axis(axis), b.axis(axis)), "x_axis": (a.axis(x), b.axis(x))}
 
     def _start(self, joint: JointDescription) -> Floats:
-        """Its coordinates at t = 0, from where both sides agree."""
-        return self._starts.get(joint.name, np.zeros(len(joint.motions)))
+        """Its coordinates at t = 0."""
+        return self._starts[joint.name]
 
     def _note_turns(self, joint: JointDescription) -> None:
         for motion, start in zip(joint.motions, self._start(joint).tolist(), strict=True):
@@ -315,7 +319,15 @@ class _Builder:
     def _add_about_axis(self, joint: JointDescription, a: _Side, b: _Side, place: dict[str, Any]) -> None:
         getattr(self._model, joint.kind)(a.body, b.body, **self._axis_place(joint, a, b), **place)
 
-    _add_revolute = _add_translational = _add_cylindrical = _add_about_axis
+    _add_revolute = _add_translational = _add_about_axis
+
+    def _add_cylindrical(self, joint: JointDescription, a: _Side, b: _Side, place: dict[str, Any]) -> None:
+        self._add_about_axis(joint, a, b, place)
+        first, second = joint.motions
+        if first.axis @ second.axis < 0:
+            which = "angle" if second.rotation else "displacement"
+            text = f"its two axes are opposite: its {which} in results has the other sign than in the file"
+            self._note("coordinates", joint, text)
 
     def _add_planar(self, joint: JointDescription, a: _Side, b: _Side, place: dict[str, Any]) -> None:
         normal, x = joint.motions[-1].axis, joint.motions[0].axis
@@ -325,9 +337,14 @@ class _Builder:
     def _add_screw(self, joint: JointDescription, a: _Side, b: _Side, place: dict[str, Any]) -> None:
         self._model.screw(a.body, b.body, pitch=joint.pitch, **self._axis_place(joint, a, b), **place)
 
+    # Model.universal counts angles from the initial pose; in frames with x = z_a x z_b they are the file's.
     def _add_universal(self, joint: JointDescription, a: _Side, b: _Side, place: dict[str, Any]) -> None:
         first, second = (motion.axis for motion in joint.motions)
-        self._model.universal(a.body, b.body, axes=(a.axis(first), b.axis(second)), **place)
+        x = np.cross(first, second) / np.linalg.norm(np.cross(first, second))
+        frames = [np.column_stack([x, np.cross(z, x), z]) for z in (first, second)]
+        frame = np.array([[side.frame.A @ F for side, F in zip((a, b), frames, strict=True)]])
+        where = Attachment(np.array([[a.at, b.at]]), frame, np.zeros(1))
+        self._model._add_attached("universal", a.body, b.body, joint.name, where)
 
     def _add_spherical(self, joint: JointDescription, a: _Side, b: _Side, place: dict[str, Any]) -> None:
         self._model.spherical(a.body, b.body, **place)
@@ -420,7 +437,7 @@ class _Builder:
             b.body,
             **place,
             stiffness=joint.stiffness,
-            free_angle=joint.spring_reference - float(joint.reference[0]) - zero,
+            free_angle=joint.spring_reference - zero,
             name=f"{joint.name} spring",
         )
 
@@ -432,7 +449,7 @@ class _Builder:
             frames="body",
             **self._axis_place(joint, a, b),
             stiffness=joint.stiffness,
-            free_displacement=joint.spring_reference - float(joint.reference[0]),
+            free_displacement=joint.spring_reference,
             name=f"{joint.name} spring",
         )
 

@@ -105,6 +105,22 @@ class JointDescription:
     stops: tuple[float, float] | None = None  #: coordinates of the ends, of a joint that has stops
     closes_loop: bool = False  #: it has no say in where its child is
 
+    # M_1(q_1 - r_1) ... M_n(q_n - r_n) = M_1(-r_1) ... M_(n-1)(-r_(n-1)) M_1(q_1) ... M_n(q_n) M_n(-r_n):
+    # shifts can change places
+    def at_zero(self) -> tuple[Frame, Frame]:
+        """Its frames in parent and child that agree where its coordinates are zero."""
+        in_parent, in_child = self.in_parent, self.in_child
+        values = np.broadcast_to(self.reference, len(self.motions)).tolist()
+        for motion, value in zip(self.motions[:-1], values[:-1], strict=True):
+            in_parent = in_parent @ motion.displacement(-value)
+        for motion, value in zip(self.motions[-1:], values[-1:], strict=True):
+            in_child = in_child @ motion.displacement(value)
+        return in_parent, in_child
+
+    def other(self, link: str) -> str:
+        """Of its two links."""
+        return self.child if link == self.parent else self.parent
+
 
 @dataclass(frozen=True)
 class Coupling:

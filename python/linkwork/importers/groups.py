@@ -10,7 +10,7 @@ import numpy as np
 from linkwork.arrays import Floats
 from linkwork.errors import Fault
 from linkwork.importers.description import WORLD, Description, JointDescription, LinkDescription
-from linkwork.importers.tree import LinkState
+from linkwork.importers.tree import LinkState, grounded_links
 
 __all__ = ["Group", "check_light", "grouped", "moments_of", "real_inertia"]
 
@@ -52,11 +52,9 @@ def grouped(description: Description, states: Mapping[str, LinkState], merge_fix
             groups[one] = _merged(groups[one], groups.pop(other), states)
             leader[other] = one
 
-    carried = {joint.child for joint in description.joints if not joint.closes_loop}
-    for name in description.links:
-        if name in description.grounded and name not in carried and name != WORLD:
-            merge(WORLD, name)
-            description.note("base", f"link '{name}'", "the base is the ground")
+    for name in grounded_links(description):
+        merge(WORLD, name)
+        description.note("base", f"link '{name}'", "the base is the ground")
     fixed = [joint for joint in description.joints if joint.kind == "fixed" and not joint.closes_loop]
     at_link: dict[str, list[JointDescription]] = {name: [] for name in leader}
 

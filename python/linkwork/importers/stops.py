@@ -10,6 +10,7 @@ import numpy as np
 from linkwork import rotation
 from linkwork.arrays import Floats
 from linkwork.importers.description import Description, JointDescription
+from linkwork.importers.tree import spanning_tree
 from linkwork.modeling.handles import Body
 from linkwork.modeling.model import Model
 
@@ -29,19 +30,22 @@ class Stops:
 
     def __init__(self, description: Description, model: Model) -> None:
         self._description, self._model = description, model
-        self._children: dict[str, list[str]] = {}
-        for joint in description.joints:
-            if not joint.closes_loop:
-                self._children.setdefault(joint.parent, []).append(joint.child)
+        self._tree = spanning_tree(description)
+        self._behind: dict[str, list[str]] = {}  #: each link those that are placed from it
+        for link, joint in self._tree.items():
+            if joint is not None:
+                self._behind.setdefault(joint.other(link), []).append(link)
 
     def carried(self, joint: JointDescription) -> set[str]:
-        """The links that move with the child of a joint when it moves alone."""
-        found, stack = {joint.parent, joint.child}, [joint.child]
+        """The links that move when a joint moves alone, on its side away from the ground."""
+        far = joint.parent if self._tree[joint.parent] is joint else joint.child
+        near = joint.other(far)  # around a closed loop one comes to it
+        found, stack = {near, far}, [far]
         while stack:
-            fresh = [link for link in self._children.get(stack.pop(), []) if link not in found]
-            found.update(fresh)
-            stack += fresh
-        return found - {joint.parent}
+            behind = [link for link in self._behind.get(stack.pop(), []) if link not in found]
+            found.update(behind)
+            stack += behind
+        return found - {near}
 
     def add(
         self,
@@ -58,7 +62,7 @@ class Stops:
         """
         assert joint.stops is not None
         turning, name = joint.kind == "revolute", f"joint '{joint.name}'"
-        lower, upper = (end - float(joint.reference[0]) for end in joint.stops)
+        lower, upper = joint.stops
         inertia = self._inertia(pair[1], place["at"][1], place["axis"][1], turning, carried)
         ends = f"{joint.stops[0]:g} to {joint.stops[1]:g} {'rad' if turning else 'm'}"
         if inertia <= 0:

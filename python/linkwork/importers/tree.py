@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
+from linkwork import rotation
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError, nearest
 from linkwork.importers.description import WORLD, Description, JointDescription
@@ -31,42 +33,123 @@ class LinkState:
         return velocity
 
 
+#: To each link the joint that places it; None where it stands by itself, as in the file.
+Tree = Mapping[str, JointDescription | None]
+
+
+def grounded_links(description: Description) -> list[str]:
+    """Those that are fixed to the ground though no joint says so: nothing carries them."""
+    walk = _Walk(description)
+    walk.go_from(WORLD)
+    carried = {joint.child for joint in description.joints if not joint.closes_loop} | walk.tree.keys()
+    return [name for name in description.links if name in description.grounded and name not in carried]
+
+
+def spanning_tree(description: Description) -> Tree:
+    """All links, each behind the one from which it is placed. Joints that close loops have no say."""
+    walk = _Walk(description)
+    walk.go_from(WORLD, *grounded_links(description))
+    carried = {joint.child for joint in description.joints if not joint.closes_loop}
+    roots = [name for name in description.links if name not in carried]
+    for root in [*roots, *description.links]:  # the last for links on a ring of joints
+        walk.go_from(root)
+    return walk.tree
+
+
+class _Walk:
+    """Along fixed joints first, so that links stay together that these hold; then from parents to children,
+    and only where none is left from children to parents."""
+
+    def __init__(self, description: Description) -> None:
+        self.tree: dict[str, JointDescription | None] = {}
+        self._fixed: dict[str, list[JointDescription]] = {}  #: at each link
+        self._down: dict[str, list[JointDescription]] = {}  #: by parents
+        self._up: dict[str, list[JointDescription]] = {}  #: by children
+        self._downward: list[str] = []  #: links from which to go on
+        self._upward: deque[str] = deque()
+        for joint in description.joints:
+            if joint.closes_loop:
+                continue
+            rigid = joint.kind == "fixed"
+            for table, link in ((self._down, joint.parent), (self._up, joint.child)):
+                (self._fixed if rigid else table).setdefault(link, []).append(joint)
+
+    def go_from(self, *links: str) -> None:
+        for link in links:
+            self._place(link, None)
+        while self._downward or self._upward:
+            if self._downward:
+                for joint in self._down.get(self._downward.pop(), ()):
+                    self._place(joint.child, joint)
+            else:
+                for joint in self._up.get(self._upward.popleft(), ()):
+                    self._place(joint.parent, joint)
+
+    def _place(self, link: str, joint: JointDescription | None) -> None:
+        """With all that is rigid with it, if it has no place yet."""
+        stack = [(link, joint)]
+        while stack:
+            here, by = stack.pop()
+            if here in self.tree:
+                continue
+            self.tree[here] = by
+            self._downward.append(here)
+            self._upward.append(here)
+            stack += [(it.other(here), it) for it in self._fixed.get(here, ())]
+
+
 def link_states(description: Description, coordinates: Values, velocities: Values) -> dict[str, LinkState]:
-    """Of every link, and of the world. Joints that close loops have no say.
+    """Of every link, and of the world.
 
     ModelError: a joint that does not exist or closes a loop, or another number of coordinates.
     """
-    children: dict[str, list[JointDescription]] = {}
-    tree = [joint for joint in description.joints if not joint.closes_loop]
-    for joint in tree:
-        children.setdefault(joint.parent, []).append(joint)
-    carried = {joint.child for joint in tree}
     q = joint_values(description, coordinates)
     rates = _with_couplings(description, _checked(description, velocities, "velocities"), offsets=False)
-
-    states: dict[str, LinkState] = {WORLD: LinkState()}
-    used: set[str] = set()
-    roots = [name for name in description.links if name not in carried]
-    for root in [WORLD, *roots, *description.links]:  # the last for links on a ring of joints
-        if root not in states:
-            states[root] = LinkState(description.links[root].pose)
-        elif root != WORLD:
+    states: dict[str, LinkState] = {}
+    tree = spanning_tree(description)
+    for link, joint in tree.items():
+        if joint is None:
+            states[link] = LinkState(Frame() if link == WORLD else description.links[link].pose)
             continue
-        stack = [root]
-        while stack:
-            for joint in children.get(stack.pop(), []):
-                if joint.child not in states:
-                    states[joint.child] = _next(
-                        joint, states[joint.parent], q.get(joint.name), rates.get(joint.name)
-                    )
-                    used.add(joint.name)
-                    stack.append(joint.child)
+        values = q.get(joint.name), rates.get(joint.name)
+        if link == joint.child:
+            states[link] = _next(joint, states[joint.parent], *values)
+        else:
+            states[link] = _previous(joint, states[joint.child], *values)
+    used = {joint.name for joint in tree.values() if joint is not None}
     for name in [*coordinates, *velocities]:
         if name not in used:
             raise ModelError(
                 f"joint '{name}' closes a loop: its coordinate follows from the others", code="coordinates"
             )
     return states
+
+
+def starts(
+    description: Description, coordinates: Values, states: Mapping[str, LinkState]
+) -> dict[str, Floats]:
+    """The coordinates of each joint at t = 0; of several that close a loop those of the file."""
+    q = joint_values(description, coordinates)
+    tree = {joint.name for joint in spanning_tree(description).values() if joint is not None}
+    found: dict[str, Floats] = {}
+    for joint in description.joints:
+        if joint.name not in tree and len(joint.motions) == 1:
+            value = _measured(joint, states[joint.parent], states[joint.child])
+        else:
+            value = q.get(joint.name, np.zeros(len(joint.motions)))
+        found[joint.name] = value + joint.reference
+    return found
+
+
+def _measured(joint: JointDescription, parent: LinkState, child: LinkState) -> Floats:
+    """From where both sides agree: an angle within a turn, or a shift."""
+    motion = joint.motions[0]
+    step = (parent.frame @ joint.in_parent).inverse @ child.frame @ joint.in_child
+    if not motion.rotation:
+        return np.array([motion.axis @ step.r])
+    x = rotation.perpendicular(motion.axis)
+    turned = step.A @ x
+    return np.array([np.arctan2(np.cross(motion.axis, x) @ turned, x @ turned)])
 
 
 def joint_values(description: Description, coordinates: Values) -> dict[str, Floats]:
@@ -131,3 +214,13 @@ def _next(joint: JointDescription, parent: LinkState, q: Floats | None, rates: F
         frame = moved
     child = frame @ joint.in_child.inverse
     return LinkState(child, velocity + np.cross(omega, child.r - frame.r), omega)
+
+
+# X_parent = X_child X^-1, where X is the child in the parent, which moves there by v and omega.
+def _previous(joint: JointDescription, child: LinkState, q: Floats | None, rates: Floats | None) -> LinkState:
+    """The parent, from the child."""
+    step = _next(joint, LinkState(), q, rates)
+    frame = child.frame @ step.frame.inverse
+    omega = child.omega - frame.A @ step.omega
+    velocity = child.velocity - np.cross(omega, child.frame.r - frame.r) - frame.A @ step.velocity
+    return LinkState(frame, velocity, omega)

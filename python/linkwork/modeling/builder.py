@@ -203,6 +203,12 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         self._place("joint", kind, a, b, frames, name, False, arguments)
         return self._joint(self.joint_count - 1)
 
+    def _add_attached(self, kind: str, a: BodyLike, b: BodyLike, name: str, place: Attachment) -> None:
+        """A joint without parameters, at points and axes in its bodies."""
+        subject = Subject(kind, self._named(name, kind, 0), False, 1)
+        bodies = self._bodies.pair(a, b, subject)
+        self._add(with_parameters(kind_info("joint", kind), subject, bodies, place, {}))
+
     def drive(
         self,
         joint: Joint | str,
