@@ -208,7 +208,8 @@ def test_a_joint_equality_is_a_coupler(tmp_path: Path) -> None:
     imported = lw.import_mjcf(
         written(tmp_path, body, rest), coordinates={"q2": 0.5}, velocities={"q2": 2.0}, gravity=(3, 0, 0)
     )
-    assert [note.subject for note in imported.notes if note.topic == "equality"] == ["equality 'square'"]
+    subjects = [note.subject for note in imported.notes if note.topic == "equality"]
+    assert subjects == ["equality 'linear'", "equality 'square'"]
     result = lw.simulate(imported.model, t_end=1.0, step=1e-3)
     one, other = (result.coordinate(name).value for name in ("q1", "q2"))
     assert np.ptp(other) > 0.1
@@ -540,3 +541,40 @@ def test_a_coordinate_that_counts_the_other_way_is_noted(joints: str, which: str
     ]
     result = lw.simulate(imported.model, t_end=0.01, step=1e-3)
     assert result.coordinate("a+b", which).value[0] == pytest.approx(-0.2)
+
+
+def test_bodies_without_names_are_not_those_that_have_the_invented_ones(tmp_path: Path) -> None:
+    heavy = INERTIAL.replace('mass="2"', 'mass="5"')
+    body = (f'<body><joint type="free" name="k" armature="3"/>{INERTIAL}</body>'
+            f'<body name="body 1" pos="1 0 0"><joint axis="0 1 0"/>{heavy}</body>'
+            f'<body name="k rotor" pos="2 0 0"><joint axis="0 1 0"/>{INERTIAL}</body>')  # fmt: skip
+    core = lw.import_mjcf(written(tmp_path, body)).model.compiled()
+    names = [core.body_name(k) for k in range(core.body_count)]
+    assert dict(zip(names, core.mass.tolist(), strict=True)) == {
+        "body 1 2": 2, "body 1": 5, "k rotor": 2, "k rotor 2": 3,
+    }  # fmt: skip
+
+
+def test_joints_without_names_are_not_those_that_have_the_invented_ones(tmp_path: Path) -> None:
+    """Of a joint, a fixed body, several joints of one body and an equality."""
+    two = '<joint name="x" type="slide" axis="0 0 1"/><joint name="y" axis="0 0 1"/>'
+    body = (f'<body name="a"><joint/>{INERTIAL}<body name="b">{INERTIAL}</body></body>'
+            f'<body name="c"><joint name="joint 0"/>{INERTIAL}<body name="d">{two}{INERTIAL}</body></body>'
+            f'<body name="e"><joint name="b fixed"/>{INERTIAL}</body>'
+            f'<body name="f"><joint name="x+y"/>{INERTIAL}</body>'
+            f'<body name="g"><joint name="lock"/>{INERTIAL}</body>')  # fmt: skip
+    rest = '<equality><connect name="lock" body1="f" body2="g" anchor="0 0 0"/></equality>'
+    core = lw.import_mjcf(written(tmp_path, body, rest)).model.compiled()
+    joints = {core.joint_name(k): core.joint_arrays()["bodies"][k, 1] for k in range(core.joint_count)}
+    assert {name: core.body_name(body) for name, body in joints.items()} == {
+        "joint 0 2": "a", "b fixed 2": "b", "joint 0": "c", "x+y 2": "d", "b fixed": "e", "x+y": "f",
+        "lock": "g", "lock 2": "g",
+    }  # fmt: skip
+
+
+def test_a_joint_equality_is_noted_as_rigid(tmp_path: Path) -> None:
+    body = "".join(f'<body name="{q}"><joint name="{q}"/>{INERTIAL}</body>' for q in "xy")
+    path = written(tmp_path, body, '<equality><joint name="e" joint1="x" joint2="y"/></equality>')
+    assert [str(it) for it in lw.import_mjcf(path).notes] == [
+        "equality 'e': soft in MuJoCo, a rigid coupler here"
+    ]

@@ -403,7 +403,7 @@ def test_sliders_stop_and_mjcf_counts_from_its_reference(tmp_path: Path) -> None
         1"/></body> </worldbody></mujoco>"""
     )
     height, _ = angle_over_time(lw.import_mjcf(path, limits="stops").model, "s")
-    assert height[-1] == pytest.approx(-0.2 - 9.81 / 1e4, abs=2e-3)
+    assert height[-1] == pytest.approx(0.1 - 9.81 / 1e4, abs=2e-3)
     assert height.min() > -0.2 - 1.2 * np.sqrt(2 * 9.81 * 0.2) / 100
 
 

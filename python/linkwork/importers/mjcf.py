@@ -29,6 +29,7 @@ from linkwork.importers.mjcf_coverage import MJCF
 from linkwork.importers.mjcf_dynamics import JointDynamics, is_disabled
 from linkwork.importers.mjcf_files import roots
 from linkwork.importers.mjcf_gravity import GravityCompensation
+from linkwork.importers.mjcf_names import Names
 from linkwork.importers.mjcf_visuals import shapes_of
 from linkwork.importers.robot_file import STOPPED
 from linkwork.importers.xml_text import Node, Reader
@@ -124,15 +125,16 @@ class _MujocoModel:
 
         self._options = options
         self._path, self._model, self._mj, self._lines = path, model, mujoco, lines
+        self._name = Names(model)
         self._dynamics, self._compensation = JointDynamics(model), GravityCompensation(model)
         self._links: dict[str, LinkDescription] = {}
         self._faults: list[Fault] = []
 
     def description(self) -> Description:
         model = self._model
-        for body, name in enumerate(self._names("body", model.nbody)):
-            if body:
-                self._links[name] = self._link(body, name)
+        for body in range(1, model.nbody):
+            name = self._name("body", body)
+            self._links[name] = self._link(body, name)
         gravity = np.zeros(3) if is_disabled(model, "gravity") else np.array(model.opt.gravity)
         out = Description(self._path, self._model_name(), self._links, [], [], gravity)
         joints = [joint for body in range(1, model.nbody) for joint in self._joints_of(body, out)]
@@ -150,17 +152,6 @@ class _MujocoModel:
         name = bytes(self._model.names).split(b"\0", 1)[0].decode()
         return "" if name == "MuJoCo Model" else name
 
-    def _name(self, kind: str, index: int) -> str:
-        """Of an object; unnamed ones are called by kind and number."""
-        object_type = getattr(self._mj.mjtObj, f"mjOBJ_{kind.upper()}")
-        return self._mj.mj_id2name(self._model, object_type, index) or f"{kind} {index}"
-
-    def _names(self, kind: str, count: int) -> list[str]:
-        return [self._name(kind, k) for k in range(count)]
-
-    def _body_name(self, body: int) -> str:
-        return self._name("body", body) if body else WORLD
-
     def _link(self, body: int, name: str) -> LinkDescription:
         model = self._model
         inertial = from_quaternion(model.body_ipos[body], model.body_iquat[body])
@@ -176,8 +167,8 @@ class _MujocoModel:
 
     def _joints_of(self, body: int, out: Description) -> Iterator[JointDescription]:
         """What carries a body: a fixed joint, or one for all in the file; nothing carries a free one."""
-        model, name = self._model, self._body_name(body)
-        parent, pose = self._body_name(int(model.body_parentid[body])), self._pose(body)
+        model, name = self._model, self._name("body", body)
+        parent, pose = self._name("body", int(model.body_parentid[body])), self._pose(body)
         joints = range(model.body_jntadr[body], model.body_jntadr[body] + max(model.body_jntnum[body], 0))
         types = [int(model.jnt_type[k]) for k in joints]
         kinds = self._mj.mjtJoint
@@ -185,7 +176,8 @@ class _MujocoModel:
             yield from self._free(joints[0], name, pose, out)
             return
         if not types:
-            yield JointDescription(f"{name} fixed", "fixed", parent, name, pose)
+            label = self._name.free("joint", f"{name} fixed")
+            yield JointDescription(label, "fixed", parent, name, pose)
             return
         motions = [
             Motion(t == kinds.mjJNT_HINGE, np.array(model.jnt_axis[k]))
@@ -201,7 +193,8 @@ class _MujocoModel:
             )
             self._fault(f"body '{name}'", f"no joint here does what its joints {words} do together")
             return
-        joint = JointDescription("+".join(labels), kind, parent, name, pose @ anchor, anchor, motions)
+        label = labels[0] if len(labels) == 1 else self._name.free("joint", "+".join(labels))
+        joint = JointDescription(label, kind, parent, name, pose @ anchor, anchor, motions)
         joint.reference = np.array([model.qpos0[model.jnt_qposadr[k]] for k in joints])
         if len(types) == 1:
             self._dynamics.set(joints[0], joint)
@@ -224,13 +217,14 @@ class _MujocoModel:
         self._note_polynomials(range(k, k + 1), joint, out)
         if joint.armature > 0:  # a negative one is refused where the joint is added
             armature, joint.armature = joint.armature, 0.0
-            rotor = f"{label} rotor"
+            rotor = self._name.free("body", f"{label} rotor")
             self._links[rotor] = LinkDescription(
                 rotor, armature, inertia=armature * np.eye(3), weightless=1.0
             )
             text = f"armature {armature:g} is that of the weightless body '{rotor}', fixed to its body"
             out.note("armature", f"joint '{label}'", text)
-            yield JointDescription(f"{rotor} fixed", "fixed", name, rotor, Frame())
+            held = self._name.free("joint", f"{rotor} fixed")
+            yield JointDescription(held, "fixed", name, rotor, Frame())
         if joint.damping or joint.stiffness or joint.friction or joint.armature:
             yield joint
 
@@ -301,7 +295,7 @@ class _MujocoModel:
             else:
                 bodies = one, other
                 frames = self._anchors(type_ == kinds.mjEQ_WELD, data)
-            names = [self._body_name(body) for body in bodies]
+            names = [self._name("body", body) for body in bodies]
             turns = type_ == kinds.mjEQ_CONNECT or data[10] == 0  # a weld whose torquescale is zero
             kind = "spherical" if turns else "fixed"
             out.note("equality", f"equality '{name}'", f"soft in MuJoCo, a rigid {kind} joint here")
@@ -317,6 +311,8 @@ class _MujocoModel:
         if other < 0 or any(powers) or not known.issuperset((follower, leader)):
             return False
         out.couplings = [*out.couplings, Coupling("equality", name, follower, leader, factor, constant)]
+        if self._options.get("couple", True):
+            out.note("equality", f"equality '{name}'", "soft in MuJoCo, a rigid coupler here")
         return True
 
     def _site(self, site: int) -> Frame:
@@ -355,7 +351,7 @@ class _MujocoModel:
             out.note("visual", "model", f"{self._model.ngeom} geoms are left out, as was asked for")
             return
         for body, shapes in shapes_of(self._model, out.note).items():
-            name = self._body_name(body)
+            name = self._name("body", body)
             link = self._links.setdefault(name, LinkDescription(WORLD)) if body == 0 else self._links[name]
             link.shapes += shapes
 
@@ -372,7 +368,7 @@ class _MujocoModel:
         model, policies = self._model, self._mj.mjtSleepPolicy
         for tree in range(model.ntree):
             if model.tree_sleep_policy[tree] == policies.mjSLEEP_INIT:
-                name = self._body_name(int(model.tree_bodyadr[tree]))
+                name = self._name("body", int(model.tree_bodyadr[tree]))
                 text = "and what it carries start asleep in MuJoCo: here they move from the start"
                 out.note("sleep", f"body '{name}'", text)
         if model.opt.enableflags & int(self._mj.mjtEnableBit.mjENBL_SLEEP):
