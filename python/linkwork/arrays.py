@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Complex", "Floats", "Indices", "Number", "VectorLike", "pieces"]
+__all__ = ["Complex", "Floats", "Indices", "Number", "VectorLike", "near_one", "pieces"]
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -24,6 +24,13 @@ VectorLike = ArrayLike | Sequence[ArrayLike] | Sequence[Sequence[ArrayLike]]
 
 #: Rows of a large array that are worked on at a time: with what is computed on the way they fit into a cache.
 PIECE = 4096
+
+
+def near_one(vectors: Floats) -> Floats:
+    """Vectors (..., n) times powers of two, without rounding: squares of what is left are numbers, too."""
+    _, exponent = np.frexp(np.abs(vectors).max(axis=-1, keepdims=True))
+    scaled: Floats = np.ldexp(vectors, -exponent)
+    return scaled
 
 
 def pieces(count: int) -> Iterator[slice]:

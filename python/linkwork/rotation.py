@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork.arguments import array
-from linkwork.arrays import Floats, pieces
+from linkwork.arrays import Floats, near_one, pieces
 from linkwork.errors import ModelError
 
 __all__ = ["about", "between", "from_axes", "from_matrix", "matrix", "perpendicular"]
@@ -120,6 +120,7 @@ def _vectors(given: ArrayLike, size: int, what: str) -> Floats:
 
 def _unit(a: Floats, what: str) -> Floats:
     """ModelError: a vector without a direction."""
+    a = near_one(a)
     length = np.linalg.norm(a, axis=-1, keepdims=True)
     if not (length > 0).all():
         raise ModelError(f"rotation.{what} has no direction", code="zero_axis")

@@ -273,6 +273,27 @@ WRONG = [
         "</joint><joint name='g' type='gearbox'><parent>a</parent><child>a</child></joint>",
         r":4: joint 'g' gearbox_reference_body: is missing",
     ),
+    (
+        '<link name="a">',
+        '<link name="b::a"/><link name="a">',
+        r":3: link 'b::a': has ::, which stands behind",
+    ),
+    (
+        "<pose >",
+        '<pose rotation_format="quat_wxyz">',
+        r":3: link 'a' pose: rotation_format 'quat_wxyz' is not",
+    ),
+    (
+        "<pose >0",
+        '<pose rotation_format="quat_xyzw" degrees="1">1 0',
+        r":3: link 'a' pose: a quaternion is not in degrees",
+    ),
+    ('name="m"', 'name="m" canonical_link="b"', r":2: model 'm' canonical_link: no link 'b'"),
+    (
+        "<xyz >0 0 1</xyz>",
+        "<xyz>0 0 1</xyz><limit><lower>inf</lower></limit>",
+        r":4: joint 'j' lower: 'inf' is not a finite number",
+    ),
     ('<?xml version="1.0"?>', '<!DOCTYPE sdf SYSTEM "file:///etc/passwd">', r":1: DOCTYPE is not taken"),
 ]
 
@@ -410,3 +431,52 @@ def test_the_angles_of_a_universal_joint_are_those_of_the_file(tmp_path: Path) -
     result = lw.simulate(model, t_end=0.01, step=1e-3)
     starts = [result.coordinate("u", which).value[0] for which in ("angle_a", "angle_b")]
     assert starts == pytest.approx([0.4, -0.2], abs=1e-14)
+
+
+# --- what is not taken as it is written ---------------------------------------------------------------------
+
+
+def test_a_link_in_a_model_is_not_one_of_an_old_file_that_is_called_so(tmp_path: Path) -> None:
+    """Before 1.8 names could have ::, and two links the same full name."""
+    with pytest.raises(lw.ModelFileError, match="link 'm::a': is the full name of another, too"):
+        loaded(tmp_path, link("m::a") + f'<model name="m">{link("a")}</model>', version="1.7")
+
+
+def test_what_a_gearbox_and_a_fixed_joint_have_besides_is_noted(tmp_path: Path) -> None:
+    more = "<dynamics><damping>7</damping></dynamics><limit><lower>-1</lower><upper>1</upper></limit>"
+    text = (link("a") + link("b") + link("c") + joint("w", "fixed", "world", "a", axis("0 0 1", more))
+            + joint("j", "revolute", "a", "b", axis("0 0 1"))
+            + joint("k", "revolute", "a", "c", axis("0 0 1"))
+            + joint("g", "gearbox", "b", "c", "<gearbox_reference_body>a</gearbox_reference_body><physics/>"
+                    + axis("0 0 1", more) + axis("0 0 1", tag="axis2") + '<sensor name="s"/>'))  # fmt: skip
+    found = {(note.topic, note.subject) for note in loaded(tmp_path, text).notes}
+    gear, weld = "joint 'g'", "joint 'w'"
+    assert found >= {("dynamics", gear), ("limit", gear), ("physics", gear), ("sensor", gear),
+                     ("dynamics", weld), ("limit", weld)}  # fmt: skip
+
+
+@pytest.mark.parametrize(("version", "notes"), [("1.6", 0), ("1.7", 1), ("1.9", 1)])
+def test_an_axis_in_the_model_frame_is_noted_where_the_version_has_none(
+    version: str, notes: int, tmp_path: Path
+) -> None:
+    rest = "<use_parent_model_frame>true</use_parent_model_frame>"
+    text = link("a", POSE) + joint("j", "revolute", "world", "a", axis("0 0 1", rest))
+    assert [str(note) for note in loaded(tmp_path, text, version).notes] == notes * [
+        "joint 'j': use_parent_model_frame of its axis is not taken: there is none since SDF 1.7"
+    ]
+
+
+def test_limits_that_are_infinite_are_none(tmp_path: Path) -> None:
+    limit = "<limit><lower>-inf</lower><upper>inf</upper><effort>inf</effort></limit>"
+    text = link("a") + joint("j", "revolute", "world", "a", axis("0 0 1", limit))
+    imported = loaded(tmp_path, text, "1.11", limits="stops")
+    assert (imported.notes, imported.model.force_count) == ((), 0)
+
+
+@pytest.mark.parametrize("size", ["1e200", "1e-200", "3"])
+def test_quaternions_and_axes_may_have_any_length(size: str, tmp_path: Path) -> None:
+    pose = link("a", f"0 0 0 {size} 0 0 {size}", 'rotation_format="quat_xyzw"')
+    text = pose + joint("j", "revolute", "world", "a", axis(f"0 {size} -{size}"))
+    core = loaded(tmp_path, text).model.compiled()
+    assert core.q0[3:] == pytest.approx([0.5**0.5, 0.5**0.5, 0, 0], abs=1e-15)
+    assert core.joint_arrays()["frame"][0, 1, :, 2] == pytest.approx([0, 0.5**0.5, -(0.5**0.5)], abs=1e-15)

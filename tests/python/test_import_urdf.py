@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 from typing import Any
 
@@ -303,6 +304,8 @@ WRONG = [
     ('xyz="0 0 0"', 'xyz="0\u00a00 0"', r":3: link 'base' origin xyz: .* is not 3 finite numbers"),
     ('<mass value="1.0"/>', "", r":3: link 'base' mass: is missing"),
     ('ixx="0.3"', "", r":3: link 'base' inertia ixx: is missing"),
+    ('xyz="0 0 0"', 'xyz=""', r":3: link 'base' origin xyz: '' is not 3 finite numbers"),
+    ('ixx="0.3"', 'ixx=" "', r":3: link 'base' inertia ixx: '' is not a finite number"),
     ('xyz="0 0 0"', 'xyz="0 0"', r":3: link 'base' origin xyz: '0 0' is not 3 finite numbers"),
     ('<axis xyz="0 0 1"/>', '<axis xyz="0 0 0"/>', r":5: joint 'hinge' axis: has no direction"),
     ('<axis xyz="0 0 1"/>', '<axis xyz="z"/>', r":5: joint 'hinge' axis: 'z' is not 3 finite numbers"),
@@ -421,6 +424,15 @@ def test_coordinates_are_checked() -> None:
         ({"inertia_as_is": 1}, lw.OptionError, "inertia_as_is 1 is not True or False"),
         ({"merge_fixed": "no"}, lw.OptionError, "merge_fixed 'no' is not True or False"),
         ({"floating": "no"}, lw.OptionError, "floating 'no' is not True, False or None"),
+        ({"coordinates": [1]}, lw.OptionError, r"coordinates \[1\] is no mapping"),
+        ({"coordinates": {"elbow": "abc"}}, lw.OptionError, "coordinates.'elbow'. 'abc' is not made of num"),
+        ({"coordinates": {"elbow": 1j}}, lw.OptionError, "coordinates.'elbow'. 1j is not made of numbers"),
+        ({"velocities": {"elbow": "1.5"}}, lw.OptionError, "velocities.'elbow'. '1.5' is no number"),
+        ({"velocities": {"elbow": [[1], [2, 3]]}}, lw.OptionError, "velocities.'elbow'. .* not made of num"),
+        *(
+            ({"align_axes": angle}, lw.OptionError, f"align_axes {angle!r} is no angle from 0 to 0.785 rad")
+            for angle in ("x", float("nan"), -1, 3.2, True)
+        ),
         ({"search_path": 3}, lw.OptionError, "search_path 3 is no list of folders"),
         ({"search_path": ["nowhere"]}, lw.FileError, "search_path '.*nowhere': there is no such folder"),
         ({"search_path": ARM}, lw.FileError, "search_path '.*arm.urdf': there is no such folder"),
@@ -438,3 +450,29 @@ def test_one_folder_is_a_search_path(tmp_path: Path) -> None:
     """A text is not one of letters."""
     (tmp_path / "meshes").mkdir()
     assert lw.import_urdf(ARM, search_path=str(tmp_path / "meshes")).notes == lw.import_urdf(ARM).notes
+
+
+@pytest.mark.filterwarnings("error")
+def test_numbers_beyond_all_are_refused_by_name_and_without_warnings(tmp_path: Path) -> None:
+    text = (link("base") + link("a") + link("b") + joint("x", "revolute", "base", "a", '<axis xyz="0 0 1"/>')
+            + joint("y", "revolute", "base", "b", '<mimic joint="x" multiplier="1e308"/>'))  # fmt: skip
+    with pytest.raises(
+        lw.ModelError, match=r"joint 'y', 1e\+308 times joint 'x', would be beyond all numbers"
+    ):
+        loaded(tmp_path, text, coordinates={"x": 1e3})
+    far = link("c") + joint("w", "fixed", "a", "c", '<origin xyz="1e200 0 0"/>')
+    with pytest.raises(lw.ModelFileError, match=r":\d+: link 'a': inertia .*inf.*"):
+        loaded(tmp_path, text + far, merge_fixed=True)
+
+
+def test_long_chains_of_joints_that_follow_each_other_are_read_at_once(tmp_path: Path) -> None:
+    count = 1000
+    chain = "".join(
+        link(f"l{k}") + joint(f"j{k}", "continuous", "base", f"l{k}", f'<mimic joint="j{k + 1}"/>')
+        for k in range(count)
+    )
+    last = link("last") + joint(f"j{count}", "continuous", "base", "last")
+    begin = time.process_time()
+    model = loaded(tmp_path, link("base") + chain + last, coordinates={f"j{count}": 0.3}).model
+    assert time.process_time() - begin < 20  # the time of a chain grew with the cube of its length
+    assert model.joint_count == 2 * count + 1

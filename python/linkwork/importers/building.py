@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork import rotation
-from linkwork.arguments import one_of
+from linkwork.arguments import array, is_number, one_of
 from linkwork.arrays import Floats
 from linkwork.errors import Fault, LinkworkError, ModelError, ModelFileError, OptionError, nearest
 from linkwork.importers.alignment import align_axes
@@ -39,6 +39,9 @@ PERPENDICULAR = 1e-6
 
 #: Angles [rad] up to which one surely begins in (-pi, pi], where angles begin: less than half a turn.
 WITHIN_A_TURN = 3.0
+
+#: Angle [rad] up to which axes can be parallel or perpendicular, but not both.
+MOST_ALIGNED = 0.785
 
 #: Coulomb friction is regularized below these speeds [rad/s], [m/s].
 TRANSITION = {"rotational_friction": 1e-2, "translational_friction": 1e-3}
@@ -95,6 +98,13 @@ def check_options(options: Options) -> None:
     if not isinstance(floating := options.get("floating"), bool | None):
         raise OptionError(f"floating {floating!r:.60} is not True, False or None", code="floating")
     one_of(options.get("limits", "note"), ("note", "stops"), "limits")
+    for name in ("coordinates", "velocities"):
+        _check_values(name, options.get(name))
+    if (angle := options.get("align_axes")) is not None and (
+        isinstance(angle, bool) or not is_number(angle) or not 0 <= angle <= MOST_ALIGNED
+    ):
+        text = f"align_axes {angle!r:.60} is no angle from 0 to {MOST_ALIGNED:g} rad, nor None"
+        raise OptionError(text, code="align_axes")
     if options.get("repair_inertia") and options.get("inertia_as_is"):
         raise OptionError(
             "repair_inertia changes inertias, inertia_as_is takes those of the file: give one of them",
@@ -102,6 +112,18 @@ def check_options(options: Options) -> None:
         )
 
 
+def _check_values(option: str, given: object) -> None:
+    """OptionError: not of joints by name, or not made of numbers."""
+    if given is not None and not isinstance(given, Mapping):
+        text = f"{option} {given!r:.60} is no mapping: give the values of joints by name, {{'elbow': 0.3}}"
+        raise OptionError(text, code=option)
+    for name, value in (given or {}).items():
+        array(value, f"{option}[{name!r:.60}]")
+        if np.asarray(value).dtype.kind in "USb":  # texts and truths, which NumPy makes numbers of
+            raise OptionError(f"{option}[{name!r:.60}] {value!r:.60} is no number", code="not_a_number")
+
+
+@np.errstate(over="ignore", invalid="ignore")  # bodies and joints refuse what is not finite
 def build(description: Description, options: Options, lines: Mapping[str, int] | None = None) -> Imported:
     """The model of a description. `lines`: where each link is in the file.
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork import rotation
-from linkwork.arrays import Floats
+from linkwork.arrays import Floats, near_one
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ def from_rpy(xyz: ArrayLike, rpy: ArrayLike) -> Frame:
 
 def from_quaternion(xyz: ArrayLike, p: ArrayLike) -> Frame:
     """Origin and Euler parameters, scalar first, of any length."""
-    p = np.asarray(p, dtype=float)
+    p = near_one(np.asarray(p, dtype=float))
     return Frame(np.array(xyz, dtype=float), rotation.matrix(p / np.linalg.norm(p)))
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from linkwork.arrays import Floats
+from linkwork.arrays import Floats, near_one
 from linkwork.importers.building import Options, check_options
 from linkwork.importers.description import Coupling, Description, JointDescription, LinkDescription, Note
 from linkwork.importers.frames import Frame
@@ -62,16 +62,30 @@ class RobotFile:
             who = f"joint '{coupling.follower}' mimic"
             if coupling.leader not in self.joints:
                 reader.add_line(line, who, f"no joint '{coupling.leader}'")
-            ring = [coupling.follower]
-            while ring[-1] in leader_of and ring[-1] not in ring[:-1]:
-                ring.append(leader_of[ring[-1]])
-            if len(ring) > 1 and ring[-1] == coupling.follower:
-                reader.add_line(line, who, f"follows itself: {' -> '.join(ring)}")
+        for ring in rings(leader_of):
+            who, line = f"joint '{ring[0]}' mimic", self.lines.get(f"joint {ring[0]}", 1)
+            reader.add_line(line, who, f"follows itself: {' -> '.join([*ring, ring[0]])}")
 
     def description(self, path: str, name: str, **others: Any) -> Description:
         """Of what was read. `others` as of Description."""
         joints = list(self.joints.values())
         return Description(path, name, self.links, joints, self.notes, couplings=self.couplings, **others)
+
+
+def rings(next_of: Mapping[str, str]) -> list[list[str]]:
+    """Closed rings of names of which each leads to the next. Every name is passed once."""
+    passed: set[str] = set()
+    found: list[list[str]] = []
+    for start in next_of:
+        way: dict[str, int] = {}
+        name = start
+        while name in next_of and name not in passed:
+            passed.add(name)
+            way[name] = len(way)
+            name = next_of[name]
+        if name in way:
+            found.append(list(way)[way[name] :])
+    return found
 
 
 def set_inertia(link: LinkDescription, reader: Reader, frame: Frame, node: Node, texts: Texts,
@@ -83,12 +97,13 @@ def set_inertia(link: LinkDescription, reader: Reader, frame: Frame, node: Node,
     }
     (xx, yy, zz, xy, xz, yz) = entries.values()
     tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-    link.center, link.inertia = frame.r, frame.A @ tensor @ frame.A.T
+    with np.errstate(over="ignore", invalid="ignore"):  # a body refuses what is not finite
+        link.center, link.inertia = frame.r, frame.A @ tensor @ frame.A.T
 
 
 def direction(reader: Reader, node: Node, text: str | None, who: str, default: Floats) -> Floats:
     """Of unit length; a fault and the default where there is none."""
-    given = np.array(reader.numbers(node, text, 3, who, default.tolist()))
+    given = near_one(np.array(reader.numbers(node, text, 3, who, default.tolist())))
     length = np.linalg.norm(given)
     if length == 0:
         reader.add(node, who, "has no direction")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
@@ -146,8 +147,13 @@ class _SdfFile(RobotFile):
     def _read_links(self, scope: Scope) -> None:
         for tag, name in ((tag, name) for tag, named in scope.nodes.items() for name in named):
             scope.pose_of(tag, name)  # faults of frames that nothing uses are faults, too
+        if not scope.is_world and scope.node.attributes.get("canonical_link") and scope.link("") is None:
+            text = f"no link '{scope.node.attributes['canonical_link'][:60]}'"
+            scope.reader.add(scope.node, f"model '{scope.name}' canonical_link", text)
         for name, node in scope.nodes["link"].items():
             link = self._link(scope, name, node)
+            if link.name in self.links:
+                scope.reader.add(node, f"link '{link.name}'", "is the full name of another, too")
             self.links[link.name] = link
             self.lines[f"link {link.name}"] = scope.line(node)
             if scope.is_static:
@@ -158,6 +164,8 @@ class _SdfFile(RobotFile):
             self.lines[f"joint {scope.prefix}{name}"] = scope.line(node)
             joint = self._joint(scope, name, node)
             if joint is not None:
+                if joint.name in self.joints:
+                    scope.reader.add(node, f"joint '{joint.name}'", "is the full name of another, too")
                 self.joints[joint.name] = joint
                 if scope.is_static and joint.kind != "fixed":
                     self.note("static", f"joint '{joint.name}'", "moves, though its model is static")
@@ -225,6 +233,8 @@ class _SdfFile(RobotFile):
         if ends is None or reader.faults.count:
             return None
         if type_ == "gearbox":
+            self._note_dynamics(node, who, ("axis", "axis2"))
+            self.note_children(node, who, ("physics", "sensor"))
             self._gearboxes.append((scope, name, node))
             return None
         if type_ not in KINDS:
@@ -243,8 +253,7 @@ class _SdfFile(RobotFile):
             self._screw(reader, node, joint, who)
         if count == 1:
             self._dynamics(scope, node, joint, who)
-        unused = {"universal": ("axis", "axis2"), "spherical": ("axis", "axis2")}.get(joint.kind, ("axis2",))
-        self._note_dynamics(node, who, unused)
+        self._note_dynamics(node, who, ("axis2",) if count == 1 else ("axis", "axis2"))
         self.note_children(node, who, ("physics", "sensor"))
         return joint
 
@@ -275,8 +284,13 @@ class _SdfFile(RobotFile):
         given = direction(scope.reader, xyz or axis, xyz.text if xyz else None, f"{who} {tag}", Z)
         expressed_in = xyz.attributes.get("expressed_in") if xyz is not None else None
         word, field = axis.word("use_parent_model_frame"), f"{who} {tag} use_parent_model_frame"
-        in_model = scope.reader.boolean(axis, word, field) or version < (1, 5)
-        if expressed_in or (in_model and version < (1, 7)):
+        said = scope.reader.boolean(axis, word, field)
+        in_model = (said or version < (1, 5)) and version < (1, 7)
+        if said and not in_model:
+            self.note(
+                tag, who, f"use_parent_model_frame of its {tag} is not taken: there is none since SDF 1.7"
+            )
+        if expressed_in or in_model:
             frame = scope.absolute @ scope.pose(expressed_in or "", axis)
             given = here.A.T @ (frame.A @ given)
         return given
@@ -295,10 +309,13 @@ class _SdfFile(RobotFile):
 
     def _limits(self, reader: Reader, limit: Node, joint: JointDescription) -> None:
         who = f"joint '{joint.name}'"
-        lower, upper = (reader.number(limit, limit.word(end), f"{who} {end}", sign * 1e16)
-                        for end, sign in (("lower", -1), ("upper", 1)))  # fmt: skip
+        lower, upper = (
+            sign * np.inf if _is_infinite(limit.word(end), sign) else
+            reader.number(limit, limit.word(end), f"{who} {end}", sign * np.inf)
+            for end, sign in (("lower", -1), ("upper", 1))
+        )  # fmt: skip
         words = ((tag, limit.word(tag)) for tag in ("effort", "velocity", "stiffness", "dissipation"))
-        found = [f"{tag} {text}" for tag, text in words if text]
+        found = [f"{tag} {text}" for tag, text in words if text and not _is_infinite(text, 1)]
         unit = {"revolute": "rad", "translational": "m"}.get(joint.kind, "")
         self.limit(joint, lower, upper, unit, found)
 
@@ -346,3 +363,8 @@ class _SdfFile(RobotFile):
             for what in ("dynamics", "limit", "mimic"):
                 if node.find(tag, what) is not None:
                     self.note(what, who, f"the {what} of its {tag} is not represented")
+
+
+def _is_infinite(text: str | None, sign: int) -> bool:
+    """Whether it says that there is no limit."""
+    return bool(re.fullmatch("-inf" if sign < 0 else r"\+?inf", text or "", re.IGNORECASE))

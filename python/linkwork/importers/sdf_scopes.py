@@ -28,6 +28,12 @@ MODEL = "__model__"
 
 SEPARATOR = "::"
 
+#: The version from which on names cannot have it.
+RESERVED = (1, 8)
+
+#: What three or four numbers behind the origin of a pose are.
+ROTATIONS = {"": 3, "euler_rpy": 3, "quat_xyzw": 4}
+
 
 class Scope:
     """A model, or the world, with what is named in it. Poses are in the frame of the model itself."""
@@ -89,6 +95,8 @@ class Scope:
             self.reader.add(node, tag, "name is missing")
         elif name == WORLD:
             self.reader.add(node, who, "is the name of the ground")
+        elif SEPARATOR in name and self.source.version >= RESERVED:
+            self.reader.add(node, who, f"has {SEPARATOR}, which stands behind names of models")
         elif tag in taken:
             self.reader.add(node, who, "is given twice")
         elif taken and self.source.version >= (1, 7):
@@ -240,7 +248,16 @@ class Scope:
         pose = node.one("pose")
         if pose is None:
             return Frame()
-        angles = 4 if pose.attributes.get("rotation_format") == "quat_xyzw" else 3
+        given = pose.attributes.get("rotation_format", "")
+        degrees = self.reader.boolean(pose, pose.attributes.get("degrees"), f"{who} pose degrees")
+        if given not in ROTATIONS:
+            known = ", ".join(filter(None, ROTATIONS))
+            self.reader.add(
+                pose, f"{who} pose", f"rotation_format '{given[:60]}' is not taken; there are {known}"
+            )
+        angles = ROTATIONS.get(given, 3)
+        if angles == 4 and degrees:
+            self.reader.add(pose, f"{who} pose", "a quaternion is not in degrees")
         standard = [0.0] * 6 + [1.0] * (angles - 3)
         values = self.reader.numbers(pose, pose.text, 3 + angles, f"{who} pose", standard)
         if angles == 4:
@@ -249,7 +266,6 @@ class Scope:
                 self.reader.add(pose, f"{who} pose", "quaternion is zero")
                 return Frame()
             return from_quaternion(values[:3], (w, x, y, z))
-        degrees = self.reader.boolean(pose, pose.attributes.get("degrees"), f"{who} pose degrees")
         return from_rpy(values[:3], np.radians(values[3:]) if degrees else values[3:])
 
     def _refuse_ring(self, node: Node, how: str, names: list[str]) -> None:

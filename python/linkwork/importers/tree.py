@@ -181,14 +181,19 @@ def _with_couplings(description: Description, values: dict[str, Floats], offsets
     coupling_of = {coupling.follower: coupling for coupling in description.couplings}
     single = {joint.name for joint in description.joints if len(joint.motions) == 1}
     out = dict(values)
-    for name in coupling_of:
-        chain = [name]  # up to the first joint whose value is known, or which follows no other
-        while chain[-1] not in out and chain[-1] in coupling_of and chain[-1] not in chain[:-1]:
-            chain.append(coupling_of[chain[-1]].leader)
-        value = out.get(chain[-1], np.zeros(1))
-        for follower in reversed(chain[:-1]):
+    for start in coupling_of:
+        name = start
+        chain: dict[str, None] = {}  # up to a joint whose value is known, or which follows no other
+        while name not in out and name in coupling_of and name not in chain:
+            chain[name] = None
+            name = coupling_of[name].leader
+        value = out.get(name, np.zeros(1))
+        for follower in reversed(chain):
             coupling = coupling_of[follower]
             value = coupling.multiplier * value + (coupling.offset if offsets else 0.0)
+            if not np.isfinite(value).all():
+                text = f"joint '{follower}', {coupling}, would be beyond all numbers"
+                raise ModelError(text, code="coordinates")
             if value.shape == (1,) and follower in single:
                 out[follower] = value
     return out

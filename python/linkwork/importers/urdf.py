@@ -18,7 +18,7 @@ from linkwork.importers.building import Options, build
 from linkwork.importers.coverage import report
 from linkwork.importers.description import WORLD, Imported, JointDescription, LinkDescription, Motion
 from linkwork.importers.frames import Frame, from_rpy
-from linkwork.importers.robot_file import RobotFile, Texts, coupling, direction, set_inertia
+from linkwork.importers.robot_file import RobotFile, Texts, coupling, direction, rings, set_inertia
 from linkwork.importers.urdf_coverage import URDF
 from linkwork.importers.visuals import GRAY, Visuals, capsule, hex_of, numbers
 from linkwork.importers.xml_text import Node, Reader
@@ -72,7 +72,7 @@ def import_urdf(
     with lines; moving links without inertia. ModelError: coordinates of joints that do not exist. FileError:
     `search_path` leads nowhere.
     """
-    reader = Reader(path, "robot")
+    reader = Reader(path, "robot", blank="wrong")
     robot = _Robot(reader, folders(search_path, "search_path"), options)
     reader.finish()
     name = reader.root.attributes.get("name", "")
@@ -248,7 +248,7 @@ class _Robot(RobotFile):
                     node, f"joint '{name}' child", f"link '{WORLD}' is the ground: nothing carries it"
                 )
             parent_of.setdefault(joint.child, joint.parent)
-        ring = _in_rings(parent_of)
+        ring = {link for links in rings(parent_of) for link in links}
         for name, joint in joints.items():
             if joint.child in ring and parent_of[joint.child] == joint.parent:
                 self._reader.add(
@@ -269,23 +269,6 @@ def _colors(root: Node) -> Iterator[tuple[str, str]]:
 def _color(node: Node) -> str:
     """ModelError: no four numbers."""
     return hex_of(numbers(node.attributes.get("rgba"), 4, "color"))
-
-
-def _in_rings(parent_of: Mapping[str, str]) -> set[str]:
-    """Links that are their own ancestors. Every link is passed once."""
-    passed: set[str] = set()
-    rings: set[str] = set()
-    for start in parent_of:
-        way: dict[str, None] = {}
-        link = start
-        while link in parent_of and link not in passed:
-            passed.add(link)
-            way[link] = None
-            link = parent_of[link]
-        if link in way:
-            passed_in_order = list(way)
-            rings.update(passed_in_order[passed_in_order.index(link) :])
-    return rings
 
 
 def _planar(normal: Floats) -> tuple[Motion, ...]:

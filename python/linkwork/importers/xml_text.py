@@ -6,7 +6,7 @@ import math
 import os
 import re
 from collections.abc import Iterator, Sequence
-from typing import Any, NoReturn
+from typing import Any, Literal, NoReturn
 from xml.parsers import expat
 
 from linkwork.arguments import path as path_of
@@ -72,8 +72,17 @@ def finite(text: str, count: int) -> list[float] | None:
 class Reader:
     """One XML file and the faults in it."""
 
-    def __init__(self, path: str | os.PathLike[str], root_tag: str | None) -> None:
-        """FileError: it cannot be read. ModelFileError: no XML, or another root than one of this tag."""
+    def __init__(
+        self,
+        path: str | os.PathLike[str],
+        root_tag: str | None,
+        blank: Literal["missing", "wrong"] = "missing",
+    ) -> None:
+        """`blank`: what numbers of which there is nothing but blanks are.
+
+        FileError: it cannot be read. ModelFileError: no XML, or another root than one of this tag.
+        """
+        self._blank_is_wrong = blank == "wrong"
         self.path = str(path_of(path, f"<{root_tag}> file" if root_tag else "XML file"))
         self.faults = Faults()
         self.root = self._parse()
@@ -96,7 +105,7 @@ class Reader:
         self, node: Node, text: str | None, count: int, field: str, default: Sequence[float] | None = None
     ) -> list[float]:
         """`count` finite numbers; a fault and zeros where there are others."""
-        if text is None or not text.strip():
+        if text is None or not (text.strip() or self._blank_is_wrong):
             if default is None:
                 self.add(node, field, "is missing")
             return list(default or [0.0] * count)
