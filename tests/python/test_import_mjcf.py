@@ -190,6 +190,32 @@ def test_a_file_is_read_after_one_that_mujoco_could_not_read(tmp_path: Path) -> 
     assert lw.import_mjcf(written(tmp_path, body)).model.body_count == 1
 
 
+def test_a_warning_of_mujoco_comes_after_a_file_that_it_could_not_read(tmp_path: Path) -> None:
+    """Its state in the same thread is damaged then: it waited for ever before it warned."""
+    body = f'<body name="a"><joint type="hinge" {{}}/>{INERTIAL}</body>'
+    for _ in range(2):
+        with pytest.raises(lw.ModelFileError, match="MuJoCo: Caught an unknown exception"):
+            lw.import_mjcf(
+                written(tmp_path, body.format(""), '<equality><connect body1="a" anchor=" "/></equality>')
+            )
+        with pytest.raises(lw.ModelFileError, match="nan is not finite"):
+            lw.import_mjcf(written(tmp_path, body.format('damping="nan"')))
+
+
+def test_other_encodings_than_utf_8_are_refused(tmp_path: Path) -> None:
+    body = f'<body name="b\u00e9"><joint name="x"/>{INERTIAL}</body>'
+    head = '<?xml version="1.0" encoding="ISO-8859-1"?>\n'
+    path = tmp_path / "model.xml"
+    path.write_bytes(f"{head}<mujoco><worldbody>{body}</worldbody></mujoco>".encode("latin-1"))
+    with pytest.raises(lw.ModelFileError, match=":1: is in ISO-8859-1, which is not taken: save it in UTF-8"):
+        lw.import_mjcf(path)
+    (tmp_path / "part.xml").write_bytes(f"{head}<mujocoinclude>{body}</mujocoinclude>".encode("latin-1"))
+    with pytest.raises(lw.ModelFileError, match="a file that it includes is not in UTF-8"):
+        lw.import_mjcf(written(tmp_path, '<include file="part.xml"/>'))
+    path.write_text(f"{head}<mujoco><worldbody>{body.replace(chr(233), 'e')}</worldbody></mujoco>")
+    assert lw.import_mjcf(path).model.body_count == 1  # what is in ASCII is in UTF-8
+
+
 def test_doctype_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "model.xml"
     path.write_text('<!DOCTYPE mujoco [<!ENTITY a "b">]>\n<mujoco/>')

@@ -6,6 +6,7 @@ import os
 import re
 import warnings
 from collections.abc import Iterator, Mapping
+from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any, Unpack
 
 import numpy as np
@@ -39,6 +40,9 @@ if TYPE_CHECKING:
 
 __all__ = ["import_mjcf"]
 
+#: What MuJoCo reads, whatever a file says.
+ENCODINGS = ("utf-8", "utf8", "us-ascii", "ascii")
+
 #: Anchors [m] that are one point, and sines of the angle between axes that are one, by rounding.
 SAME_POINT, PARALLEL = 1e-12, 1e-9
 
@@ -66,10 +70,14 @@ def import_mjcf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imp
     package.
     """
     check_options(options)
-    reader = Reader(path, "mujoco")  # well-formed, without DOCTYPE
-    model, said = _compiled(path)
+    reader = Reader(path, "mujoco", encodings=ENCODINGS)  # well-formed, without DOCTYPE
     lines = dict(_lines(reader.root))
-    description = _MujocoModel(os.fspath(path), model, lines, options).description()
+    try:
+        model, said = _compiled(path)
+        description = _MujocoModel(os.fspath(path), model, lines, options).description()
+    except UnicodeDecodeError:
+        text = "a file that it includes is not in UTF-8: save it in that"
+        raise ModelFileError(path, [Fault(1, "", text)]) from None
     _report(reader, description)
     reader.finish()
     for text in dict.fromkeys(said):
@@ -100,7 +108,8 @@ def _report(reader: Reader, description: Description) -> None:
 def _compiled(path: str | os.PathLike[str]) -> tuple[mujoco.MjModel, list[str]]:
     """With the warnings, which MuJoCo would print, and write to a file in the current folder.
 
-    By way of its specification: MjModel.from_xml_path goes on for ever after a file that it could not read.
+    In a thread of its own: after some files that MuJoCo could not read, its next warning in the same thread
+    never returns.
     """
     mujoco = optional_package("mujoco", "mjcf", f"'{os.fspath(path)}': MJCF", LinkworkError)
     said: list[str] = []
@@ -109,7 +118,9 @@ def _compiled(path: str | os.PathLike[str]) -> tuple[mujoco.MjModel, list[str]]:
     try:
         with warnings.catch_warnings(record=True) as raised:
             warnings.simplefilter("always")
-            model = mujoco.MjSpec.from_file(os.fspath(path)).compile()
+            with ThreadPoolExecutor(1) as thread:
+                spec = thread.submit(lambda: mujoco.MjSpec.from_file(os.fspath(path)).compile())
+            model = spec.result()
         return model, said + [str(it.message) for it in raised]
     except (ValueError, RuntimeError, mujoco.FatalError) as error:
         found = re.search(r"line (\d+)", str(error))

@@ -77,12 +77,14 @@ class Reader:
         path: str | os.PathLike[str],
         root_tag: str | None,
         blank: Literal["missing", "wrong"] = "missing",
+        encodings: Sequence[str] = (),
     ) -> None:
         """`blank`: what numbers of which there is nothing but blanks are.
+        `encodings`: in small letters, those that are taken of a file that is not in ASCII; without them all.
 
         FileError: it cannot be read. ModelFileError: no XML, or another root than one of this tag.
         """
-        self._blank_is_wrong = blank == "wrong"
+        self._blank_is_wrong, self._encodings = blank == "wrong", encodings
         self.path = str(path_of(path, f"<{root_tag}> file" if root_tag else "XML file"))
         self.faults = Faults()
         self.root = self._parse()
@@ -144,6 +146,8 @@ class Reader:
         parser.StartDoctypeDeclHandler = lambda *_: self._refuse(
             parser.CurrentLineNumber, "DOCTYPE is not taken: it can make the file mean anything"
         )
+        if self._encodings and not found.isascii():
+            parser.XmlDeclHandler = lambda _, encoding, __: self._check_encoding(encoding)
         try:
             parser.Parse(found, True)
         except expat.ExpatError as error:
@@ -153,6 +157,12 @@ class Reader:
         except (ValueError, LookupError) as error:  # an encoding that is not there
             self._refuse(1, f"is no XML: {error}")
         return builder.root  # type: ignore[return-value]
+
+    def _check_encoding(self, encoding: str | None) -> None:
+        if encoding is not None and encoding.lower() not in self._encodings:
+            self._refuse(
+                1, f"is in {encoding[:60]}, which is not taken: save it in {self._encodings[0].upper()}"
+            )
 
     def _refuse(self, line: int, message: str) -> NoReturn:
         raise ModelFileError(self.path, [Fault(line, "", message)])
