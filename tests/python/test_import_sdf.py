@@ -425,6 +425,21 @@ def test_a_stop_of_a_joint_the_other_way_round_carries_its_parent(tmp_path: Path
     assert str(note) == f"joint 'up': limits -1 to 1 rad are stops of {stiffness:.3g} N m/rad"
 
 
+def test_a_stop_of_a_joint_that_closes_a_loop_knows_where_it_starts(tmp_path: Path) -> None:
+    """A parallelogram: what its cranks turn by, their pins on the coupler turn back."""
+    limit = "<limit><lower>-0.2</lower><upper>0.2</upper></limit>"
+    text = (
+        *(link("a"), link("b", "0 1 0 0 0 0"), link("c", "2 0 0 0 0 0")),
+        joint("left", "revolute", "world", "a", axis("0 0 1")),
+        joint("right", "revolute", "world", "c", axis("0 0 1")),
+        joint("closing", "revolute", "a", "b", axis("0 0 1", limit)),
+        joint("coupler", "revolute", "c", "b", "<pose>2 0 0 0 0 0</pose>" + axis("0 0 1")),
+    )
+    start = {"left": 0.5, "right": 0.5, "coupler": -0.5}
+    notes = loaded(tmp_path, "".join(text), limits="stops", coordinates=start).notes
+    assert [str(note).partition("; ")[2] for note in notes] == ["it starts 0.3 beyond: give `coordinates`"]
+
+
 def test_the_angles_of_a_universal_joint_are_those_of_the_file(tmp_path: Path) -> None:
     text = link("a") + joint("u", "universal", "world", "a", axis("1 0 0") + axis("0 1 0", tag="axis2"))
     model = loaded(tmp_path, text, coordinates={"u": (0.4, -0.2)}).model

@@ -74,7 +74,7 @@ class Options(TypedDict, total=False):
     shapes: bool
     #: angle [rad]: axes of joints that are parallel or perpendicular to within it, at coordinates zero, are
     #: made exactly so. Files round angles (1.57), and a planar loop whose axes are not parallel is locked.
-    #: None: only in closed loops, to within 2e-3; 0: as in the file
+    #: None: only in closed loops, to within 2e-3; 0: as in the file; at most 0.785
     align_axes: float | None
     #: joints that follow others (mimic, gearboxes, joint equalities) do so by couplers; False: they are free
     couple: bool
