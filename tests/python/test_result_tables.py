@@ -152,3 +152,13 @@ def test_commands_write_pictures_movies_and_tables_of_a_file(
     assert code == 1 and "run.csv" in error and "--force" in error
     assert words(capsys, "export", "run.h5", "--csv", "--quantity", "work", "--force")[0] == 0
     assert Path("run.csv").read_text() == result.to_csv(quantities=["work"])
+
+
+def test_violations_have_the_units_of_their_levels() -> None:
+    """Equations are of lengths or of directions, and so are their rates."""
+    result = lw.simulate(lw.mechanisms.pendulum(), t_end=0.01, step=1e-3, progress=False)
+    assert [*result.to_frame(quantities=["violation"]).columns] == [
+        "violation.position [m or 1]",
+        "violation.velocity [m/s or 1/s]",
+        "violation.acceleration [m/s2 or 1/s2]",
+    ]

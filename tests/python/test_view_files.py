@@ -8,6 +8,7 @@ import re
 import zlib
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import imageio_ffmpeg
 import linkwork as lw
@@ -60,6 +61,78 @@ def test_quantized_series_are_within_half_a_step() -> None:
     np.testing.assert_array_equal(found[:, 3], 7)
 
 
+def singles(found: dict[str, Any], block: str, name: str) -> np.ndarray:
+    """As the page does it: channel by channel (c, k)."""
+    where = found["arrays"][name]
+    raw = zlib.decompress(base64.b64decode(block))
+    planes = np.frombuffer(raw, np.uint8, int(np.prod(where["shape"])), where["offset"])
+    patterns = (planes.reshape(where["shape"]).astype(np.uint32) << np.arange(0, 32, 8)[:, None, None]).sum(0)
+    return np.cumsum(patterns, axis=1, dtype=np.uint32).view(np.float32)
+
+
+def test_series_keep_seven_digits_of_every_number_and_what_is_not_finite() -> None:
+    rng = np.random.default_rng(0)
+    values = rng.standard_normal((200, 5)).cumsum(axis=0) * [1e-9, 1, 1e9, 0, 1] + [0, 5, 0, 7, -3]
+    values[50] = [1e30, -1e30, 1e38, np.nan, -np.inf]
+    pack = Pack()
+    pack.add_singles("x", values)
+    found = singles({"arrays": pack.directory}, pack.text(), "x").T
+    np.testing.assert_array_equal(found, values.astype(np.float32))
+
+
+def test_poses_that_are_not_finite_are_refused() -> None:
+    with pytest.raises(OptionError, match="poses that are not finite"):
+        Pack().add_quantized("q", np.array([[1.0], [np.nan]]))
+
+
+def test_a_knock_leaves_the_other_numbers_of_its_curve_as_they_are() -> None:
+    """A ball hangs at rest, m g = 9.81 N in its pin, and gets a blow of 43 kN."""
+    model = lw.Model()
+    ball = model.body("ball", mass=1.0, inertia=(0.01, 0.01, 0.01), position=(0, 0, -0.5))
+    model.spherical("ground", ball, at=(0, 0, 0), name="pin")
+    blow = lw.functions.expression("1e5*exp(-((t-1)/0.002)**2)*sin((t-1)/0.002)")
+    model.force(ball, force=(0, 0, blow), at=(0, 0, -0.5))
+    result = lw.simulate(model, t_end=1.1, step=1e-3, progress=False, on_inaccurate="pass")
+    assert np.abs(result.reaction("pin").force).max() > 2e4
+    found, block, _ = document(result, "")
+    np.testing.assert_allclose(singles(found, block, "force")[2, :100], 9.81, rtol=1e-6)
+
+
+def test_energy_error_of_a_run_that_goes_on_begins_with_zero() -> None:
+    """Its work was counted from the start of the run before."""
+    model = lw.Model()
+    rod = model.body("rod", mass=1.0, inertia=(1e-3, 0.1, 0.1), position=(0.5, 0, 0))
+    model.revolute("ground", rod, at=(0, 0, 0), axis=(0, 1, 0), name="pin")
+    model.rotational_spring_damper("ground", rod, at=(0, 0, 0), axis=(0, 1, 0), stiffness=0.0, damping=0.5)
+    first = lw.simulate(model, t_end=0.5, step=1e-3, progress=False)
+    onward = lw.simulate(model, t_end=1.0, step=1e-3, start=first.snapshot(), progress=False)
+    assert onward.work[0] < -0.1
+    for streamed in (False, True):
+        found, block, _ = document(onward, "", streamed=streamed)
+        where = found["arrays"]["energy"]
+        raw = zlib.decompress(base64.b64decode(block))
+        energies = np.frombuffer(raw, np.float32, int(np.prod(where["shape"])), where["offset"])
+        error = energies.reshape(where["shape"])[4]
+        np.testing.assert_allclose(error, onward.energy_error, atol=1e-12)
+
+
+def test_runs_of_different_mechanisms_are_told_of(four_bar: lw.Result, adaptive: lw.Result) -> None:
+    with pytest.warns(
+        lw.LinkworkWarning, match="different mechanisms, 'four_bar' and 'spatial_slider_crank'"
+    ):
+        four_bar.view(other=adaptive)
+
+
+def test_events_beyond_those_that_are_marked_are_counted() -> None:
+    model = lw.Model()
+    model.body("ball", mass=1.0, inertia=(1, 1, 1))
+    sign = lw.Event(lambda t, state: float(np.sin(2 * np.pi * 110 * t)), "passes zero")
+    result = lw.simulate(model, t_end=1.0, step=2e-3, rtol=1e-6, events=[sign], progress=False)
+    found = document(result, "")[0]
+    assert len(result.events) > 201
+    assert (len(found["events"]), found["unmarked"]) == (200, len(result.events) - 200)
+
+
 def test_poses_are_sent_without_jumps_of_sign() -> None:
     """A body that turns twice: its Euler parameters pass through all signs, and stay continuous."""
     model = lw.Model(gravity=(0, 0, 0))
@@ -87,8 +160,9 @@ def test_frames_are_thinned_to_the_limit_and_keep_first_and_last(four_bar: lw.Re
     t = np.frombuffer(raw, np.float64, shown, where["offset"])
     assert (t[0], t[-1]) == (four_bar.t[0], four_bar.t[-1])
     assert np.isin(t, four_bar.t).all()
-    quantized = [it for name, it in found["arrays"].items() if f"{name}.step" in found["arrays"]]
-    assert sum(2 * int(np.prod(it["shape"])) for it in quantized) <= limit
+    sizes = {"u1": 1, "u2": 2}
+    series = [it for it in found["arrays"].values() if it["shape"][-1] == shown and it["type"] in sizes]
+    assert sum(sizes[it["type"]] * int(np.prod(it["shape"])) for it in series) <= limit
 
 
 def test_what_moves_most_is_kept_where_not_all_fits() -> None:

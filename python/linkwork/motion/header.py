@@ -175,11 +175,14 @@ def frame_shapes(bodies: int, joints: int, rows: int, history: int = 0) -> dict[
     }
 
 
+#: Units of violations of the constraints, of their rates, and of the rates of these.
+VIOLATION_UNITS = ("m or 1", "m/s or 1/s", "m/s2 or 1/s2")
+
 #: Units of the recorded fields and of the model's arrays, as attributes in a result file.
 UNITS = {
     "t": "s", "q": "m, then 1", "v": "m/s, then rad/s", "vdot": "m/s2, then rad/s2",
     "lambda": "N or N m, by the equation", "kinetic": "J", "potential": "J", "work": "J",
-    "violation": "m or 1, with 1/s and 1/s2", "history": "rad, m/s or m, by the variable",
+    "violation": ", ".join(VIOLATION_UNITS), "history": "rad, m/s or m, by the variable",
     "reaction_force": "N", "reaction_torque": "N m",
     "gravity": "m/s2", "mass": "kg", "inertia": "kg m2", "q0": "m, then 1", "v0": "m/s, then rad/s",
     "joint_origin": "m", "force_origin": "m", "breaks": "s",

@@ -21,6 +21,7 @@ __all__ = [
     "Resume",
     "SingularPose",
     "Snapshot",
+    "energy_error",
     "rotate",
 ]
 
@@ -198,3 +199,8 @@ def rotate(p: Floats, u: Floats) -> Floats:
     e0, e = p[..., :1], p[..., 1:]
     turned: Floats = u + 2 * np.cross(e, np.cross(e, u) + e0 * u)
     return turned
+
+
+def energy_error(energy: Floats, work: Floats) -> Floats:
+    """Energy that the method made or lost (k,) [J]; `work` may have been counted since a run before this."""
+    return energy - energy[:1] - (work - work[:1])

@@ -32,6 +32,7 @@ from linkwork.motion.records import (
     Reaction,
     SingularPose,
     Snapshot,
+    energy_error,
     rotate,
 )
 
@@ -526,8 +527,7 @@ class Result:
     @property
     def energy_error(self) -> Floats:
         """Energy that the method made or lost (k,) [J]: change of the energy, less the work."""
-        energy = self.energy
-        return energy - energy[:1] - (self.work - self.work[:1])
+        return energy_error(self.energy, self.work)
 
     @property
     def violation(self) -> Floats:

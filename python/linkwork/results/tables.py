@@ -20,6 +20,7 @@ from linkwork.arrays import Floats
 from linkwork.errors import OptionError
 from linkwork.modeling.coordinates import known_coordinates
 from linkwork.modeling.handles import Named
+from linkwork.motion.header import VIOLATION_UNITS
 from linkwork.replacement import replacing
 
 if TYPE_CHECKING:
@@ -68,7 +69,7 @@ QUANTITIES: dict[str, Quantity] = {
     "energy_error": Quantity(
         "run", (), "J", "energy that the method made or lost", lambda it: it.energy_error),
     "violation": Quantity(
-        "run", ("position", "velocity", "acceleration"), "m or 1, with 1/s and 1/s2",
+        "run", ("position", "velocity", "acceleration"), ", ".join(VIOLATION_UNITS),
         "largest violation of the constraints", lambda it: it.violation),
 }  # fmt: skip
 
@@ -128,7 +129,7 @@ def columns(result: Result, choice: Choice) -> Iterator[Column]:
         it = QUANTITIES[name]
         values, parts = it.values(result), [f".{component}" for component in it.components] or [""]
         if it.of == "run":
-            units = ("m or 1", "1/s", "1/s2") if name == "violation" else (it.unit,)
+            units = VIOLATION_UNITS if name == "violation" else (it.unit,)
             for k, part in enumerate(parts):
                 yield Column(name + part, units[k], values.reshape(len(result), -1)[:, k])
             continue

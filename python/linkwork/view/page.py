@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from linkwork.arguments import check_suffix, is_number
-from linkwork.errors import OptionError
+from linkwork.errors import OptionError, warn
 from linkwork.replacement import replacing
 from linkwork.view.run import LIMIT, Document, document
 
@@ -83,19 +83,36 @@ def view(results: Sequence[Result], labels: Sequence[str] = (), limit: float = L
     limit   of the frames of all runs in the page, before they are deflated [bytes]; frames beyond are left
             out evenly, and the page says so
 
-    OptionError: the limit is too small for two frames.
+    OptionError: the limit is too small for two frames. LinkworkWarning: runs of different mechanisms.
     """
     if not is_number(limit):
         raise OptionError(f"limit {limit!r:.80} is not a finite number of bytes", code="limit")
     each = limit / len(results)
+    _compare(results)
     return _page([document(result, label, each) for result, label in _labelled(results, labels)])
 
 
 def streamed_page(results: Sequence[Result], labels: Sequence[str] = ()) -> tuple[Page, list[int]]:
     """The same for a server, which gives out so many pieces of poses of each run. See `stream_piece`."""
     each = LIMIT / len(results)
+    _compare(results)
     documents = [document(result, label, each, streamed=True) for result, label in _labelled(results, labels)]
     return _page(documents), [it.facts["pieces"]["count"] for it in documents]
+
+
+def _compare(results: Sequence[Result]) -> None:
+    """LinkworkWarning: bodies and joints of the one are not those of the other."""
+    first, *others = results
+    for other in others:
+        for what in ("body_names", "joint_names"):
+            if list(getattr(first, what)) != list(getattr(other, what)):
+                one, two = (it.manifest.get("model") or "model" for it in (first, other))
+                return warn(
+                    f"the two runs are of different mechanisms, '{one}' and '{two}': their "
+                    f"{'bodies' if what == 'body_names' else 'joints'} are not the same; lines of both are "
+                    "plotted only of what has one name"
+                )
+    return None
 
 
 def _labelled(results: Sequence[Result], labels: Sequence[str]) -> Iterator[tuple[Result, str]]:

@@ -17,6 +17,7 @@ from linkwork.errors import LinkworkWarning, OptionError
 from linkwork.modeling.coordinates import known_coordinates
 from linkwork.modeling.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
 from linkwork.motion.header import Header
+from linkwork.motion.records import energy_error
 from linkwork.motion.summary import method
 from linkwork.motion.violations import joint_kinds, violations
 from linkwork.view.appearance import Scene, Solid, Span, scene
@@ -40,11 +41,18 @@ LIMIT = 16e6
 #: More frames than a screen can show apart are left out.
 MOST_FRAMES = 2000
 
+#: Events that are marked in the time line; of more the page says how many are not.
+MOST_EVENTS = 200
+
 #: Joints of which the coordinates can be plotted; where poses are in pieces, as each is read by itself.
 COORDINATES, FEW_COORDINATES = 100, 20
 
 #: Share of the limit that poses may take; the rest is for what can be plotted, of so many bodies at least.
 POSES, FOLLOWED = 0.6, 6
+
+#: Bytes of a frame: the pose of a body; what can be plotted of a body, rates (6 numbers of 4 bytes each) and
+#: theirs; of a joint, force and torque, two violations (of 2 bytes), and two coordinates with their rates.
+POSE_BYTES, BODY_BYTES, JOINT_BYTES = 7 * 2, 12 * 4, 6 * 4 + 2 * 2 + 4 * 4
 
 #: Where a server gives the poses out: bodies and joints that can be plotted of a result that is larger than
 #: that, which is not read as a whole [bytes].
@@ -65,7 +73,7 @@ class Choice:
     def streamed(cls, result: Result, limit: float) -> Choice:
         """All frames, whose poses a server gives out; within `limit` [bytes] what can be plotted."""
         count, n, joints = len(result), result.header.body_count, result.header.joint_count
-        share = min(1.0, limit / max(1, count * ((24 + 14) * n + 24 * joints)))
+        share = min(1.0, limit / max(1, count * ((BODY_BYTES + POSE_BYTES) * n + JOINT_BYTES * joints)))
         bodies, loaded = max(int(share * n), min(FOLLOWED, n)), int(share * joints)
         if 8.0 * count * (19 * n + 6 * joints) > WHOLE_READ:
             bodies, loaded = min(bodies, FEW_FOLLOWED), min(loaded, FEW_FOLLOWED)
@@ -74,19 +82,19 @@ class Choice:
 
     @classmethod
     def of(cls, result: Result, limit: float) -> Choice:
-        """Within `limit` [bytes], two bytes a number. OptionError: not even two frames fit."""
+        """Within `limit` [bytes]. OptionError: not even two frames fit."""
         count, n, joints = len(result), result.header.body_count, result.header.joint_count
-        if 2 * 14 * n > limit:
+        if 2 * POSE_BYTES * n > limit:
             raise OptionError(
                 f"limit {limit:.3g} bytes is too small for two frames of {n} bodies: give {56 * n} or more",
                 code="limit",
             )
         every = every_frame(result, limit)
         frames = -(-count // every) + 1
-        left = limit - 14 * n * frames
+        left = limit - POSE_BYTES * n * frames
         pieces = in_pieces(frames, n)
-        tracks, least = (14, min(FOLLOWED, n)) if pieces else (0, 0)
-        share = min(1.0, left / max(1, frames * ((24 + tracks) * n + 24 * joints)))
+        tracks, least = (POSE_BYTES, min(FOLLOWED, n)) if pieces else (0, 0)
+        share = min(1.0, left / max(1, frames * ((BODY_BYTES + tracks) * n + JOINT_BYTES * joints)))
         bodies = max(int(share * n), least)
         loaded = _most(_load(result), int(share * joints))
         return cls(every, _most(_travel(result), bodies), loaded, FEW_COORDINATES if pieces else COORDINATES)
@@ -94,7 +102,7 @@ class Choice:
 
 def every_frame(result: Result, limit: float) -> int:
     """A page of `limit` [bytes] has every so manyth frame."""
-    poses = POSES * limit / max(14 * result.header.body_count, 1)
+    poses = POSES * limit / max(POSE_BYTES * result.header.body_count, 1)
     most = min(MOST_FRAMES, max(2, int(poses)))
     return max(1, -(-(len(result) - 1) // (most - 1)))
 
@@ -109,7 +117,7 @@ class Document(NamedTuple):
 
 def document(
     result: Result, label: str, limit: float = LIMIT, *, streamed: bool = False
-) -> Document:  # Long: 34 lines are the facts.
+) -> Document:  # Long: 35 lines are the facts.
     """What goes into a page of a result; `streamed`: a server gives the poses of all frames out.
 
     OptionError: a result without frames, a limit that is too small.
@@ -144,8 +152,9 @@ def document(
         "forces": {"names": list(header.force_names), "kinds": list(header.force_kinds)},
         "solids": _add_solids(pack, drawn.solids),
         "spans": _add_spans(pack, drawn.spans),
-        "events": [{"t": it.t, "name": it.name} for it in result.events][:200]
+        "events": [{"t": it.t, "name": it.name} for it in result.events[:MOST_EVENTS]]
         + [{"t": it.t, "name": "singular pose"} for it in result.singular_poses],
+        "unmarked": max(0, len(result.events) - MOST_EVENTS),
         "arrays": pack.directory,
         "pieces": _piece_facts(result, len(pieces), streamed),
     }
@@ -196,17 +205,16 @@ def _thinned_of(result: Result, name: str, places: NDArray[np.intp], every: int)
 
 
 def _add_frames(pack: Pack, result: Result, choice: Choice) -> tuple[list[str], float]:
-    """Times, poses, series; what is not an energy or violation quantized. See `add_poses`."""
+    """Times, poses, and the series that can be plotted. See `add_poses`."""
     every = choice.every
     pack.add("t", _thinned(result, "t", every), "f8")
     poses = _add_poses(pack, result, choice)
-    for name, field in (("v", "v"), ("vdot", "vdot")):
-        pack.add_quantized(name, _thinned_of(result, field, choice.bodies, every))
+    for name in ("v", "vdot"):
+        pack.add_singles(name, _thinned_of(result, name, choice.bodies, every))
     for part in ("force", "torque"):
-        pack.add_quantized(part, _thinned_of(result, f"reaction_{part}", choice.joints, every))
+        pack.add_singles(part, _thinned_of(result, f"reaction_{part}", choice.joints, every))
     kinetic, potential, work = (_thinned(result, name, every) for name in ("kinetic", "potential", "work"))
-    energy = kinetic + potential
-    scalars = (kinetic, potential, energy, work, energy - energy[:1] - work)
+    scalars = (kinetic, potential, kinetic + potential, work, energy_error(kinetic + potential, work))
     pack.add("energy", np.stack(scalars), "f4")
     pack.add("violation", _thinned(result, "violation", every).T, "f4")
     for name, values in zip(("gap", "askew"), joint_violations(result, choice), strict=True):
@@ -243,7 +251,7 @@ def _add_coordinates(pack: Pack, result: Result, choice: Choice) -> list[str]:
         series[::every] if (len(result) - 1) % every == 0 else np.concatenate([series[::every], series[-1:]])
     )
     for place, what in enumerate(("coordinate", "rate")):
-        pack.add_quantized(what, thinned[..., place])
+        pack.add_singles(what, thinned[..., place])
     return names
 
 

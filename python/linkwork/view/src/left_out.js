@@ -9,6 +9,7 @@ export function leftOut(run, world, overlay) {
   const plotted = [[run.bodies.plotted.length, n, "bodies"], [run.joints.plotted.length, joints, "joints"]].filter(([some, all]) => some < all);
   if (plotted.length && !run.still) found.push(`plots of ${plotted.map(([some, all, what]) => `${some} of ${all} ${what}`).join(", ")}`);
   if (run.coordinates.length && run.coordinates.length < joints && run.joints.plotted.length > run.coordinates.length) found.push(`coordinates of ${run.coordinates.length} joints`);
+  if (run.unmarked) found.push(`marks of all events but the last ${run.unmarked}`);
   const seen = world.figures[0].seen;
   if (seen && seen.lines + seen.smaller + seen.outside > 0) found.push(`drawn: ${said(seen)}`);
   if (world.crowded && world.shown.paths && !run.still) found.push(`paths of ${Math.min(PATHS, n)} bodies`);

@@ -289,10 +289,11 @@ function layout(runs) {
   const second = two
     ? `<div class="runs"><span><i></i>${escaped(run.label || SECOND.played)}</span><span><i class="second"></i>${escaped(runs[1].label || SECOND.overlaid)}</span></div>`
     : "";
+  const models = two && runs[1].model !== run.model ? `${run.model} and ${runs[1].model}` : run.model;
   const gaps = GAP.colors.join(", ");
   return `
 <header class="top">
-  <div class="title"><h1>${escaped(run.model.replaceAll("_", " "))}</h1><p>${escaped(counts)}${run.method ? ` · ${escaped(run.method)}` : ""}${run.finished || run.still ? "" : ' · <em>not finished</em>'}</p></div>
+  <div class="title"><h1>${escaped(models.replaceAll("_", " "))}</h1><p>${escaped(counts)}${run.method ? ` · ${escaped(run.method)}` : ""}${run.finished || run.still ? "" : ' · <em>not finished</em>'}</p></div>
   ${second}
   <div class="tools">
     <select class="view" aria-label="view" title="Look from (F: show everything)"><option value="" hidden>View</option><option value="fit">everything</option><option value="picked">what is picked</option>${VIEWS.map(([name, label]) => `<option value="${name}">${label}</option>`).join("")}</select>

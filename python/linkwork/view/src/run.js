@@ -73,7 +73,7 @@ export class Run {
   get askew() { return this.once("askew"); }
 
   once(name) {
-    if (!this.taken.has(name)) this.taken.set(name, this.series(name));
+    if (!this.taken.has(name)) this.taken.set(name, this.arrays[`${name}.step`] ? this.series(name) : this.singles(name));
     return this.taken.get(name);
   }
 
@@ -116,6 +116,22 @@ export class Run {
       }
     }
     return values;
+  }
+
+  /** An array of single precision, stored by planes of bytes in differences of patterns, as numbers frame by frame. */
+  singles(name) {
+    const [planes, channels, frames] = this.arrays[name].shape;
+    const bytes = this.array(name);
+    const size = channels * frames;
+    const patterns = new Uint32Array(size);
+    for (let c = 0; c < channels; c++) {
+      let whole = 0;
+      for (let k = 0; k < frames; k++) {
+        for (let plane = 0; plane < planes; plane++) whole += bytes[plane * size + c * frames + k] * 256 ** plane;
+        patterns[k * channels + c] = whole >>>= 0;
+      }
+    }
+    return new Float32Array(patterns.buffer);
   }
 
   /** The last frame at or before the time. */
@@ -191,7 +207,7 @@ export class Run {
     const found = [
       { id: "energy", label: "Energy", unit: "J", series: energies.map((name, i) => [name, this.row(this.energy, i)]) },
       { id: "energy error", label: "Energy error", unit: "J", log: true, series: [["|error|", this.row(this.energy, 4)]] },
-      { id: "violation", label: "Violation of constraints", unit: "m or 1; 1/s; 1/s²", log: true,
+      { id: "violation", label: "Violation of constraints", unit: "m or 1; m/s or 1/s; m/s² or 1/s²", log: true,
         series: levels.map((name, i) => [name, this.row(this.violation, i)]) },
     ];
     const xyz = ["x", "y", "z"];
