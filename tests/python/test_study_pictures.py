@@ -210,3 +210,32 @@ def test_too_few_cases_and_parameters_that_move_together_are_refused() -> None:
 def test_a_picture_of_no_known_format_is_refused_before_it_is_drawn(study: lw.Study, tmp_path: Path) -> None:
     with pytest.raises(lw.FileError, match="no format 'xyz'"):
         study.plot("scatter", tmp_path / "study.xyz")
+
+
+def moving_together(parameters: list[str]) -> tuple[lw.Study, Any]:
+    """The load 3 mass + length of cases whose length goes down as the mass goes up, nearly."""
+    aside = np.random.default_rng(1).normal(size=40)
+    rows = [{"mass": 1.0 + 0.01 * k, "length": 2.0 - 0.02 * k + 0.05 * aside[k]} for k in range(40)]
+
+    def load(result: lw.Result) -> float:
+        return 3.0 * float(result.header.mass[0]) + 2.0 * float(result.q[0, 0, 0])
+
+    study = lw.sweep(rod, rows, {"load": load}, **RUN)
+    return study, study.plot("tornado", parameters=parameters)
+
+
+@pytest.mark.parametrize("name", ["mass", "length"])
+def test_a_tornado_of_one_parameter_holds_the_others(name: str) -> None:
+    study, figure = moving_together([name])
+    (ax,) = figure.axes
+    low, high = np.percentile(study.parameters[name], [5, 95])
+    slope = {"mass": 3.0, "length": 1.0}[name]
+    assert [text.get_text() for text in ax.get_yticklabels()] == [name]
+    assert ax.patches[0].get_width() == pytest.approx(slope * (high - low), rel=1e-9)
+
+
+def test_a_surface_over_chosen_parameters_counts_all_others() -> None:
+    parameters = {"rod.mass": [1.0, 2.0, 3.0], "gravity[0]": [0.0, 1.0], "gravity[2]": [-9.81, -1.62]}
+    study = lw.sweep(rod(), parameters, {"load": weight}, **RUN)
+    figure = study.plot("surface", parameters=["rod.mass", "gravity[0]"])
+    assert "in which 1 other parameter varies" in figure.get_suptitle()

@@ -1106,3 +1106,20 @@ def test_names_that_netcdf_does_not_take_are_told(tmp_path: Path) -> None:
     except lw.FileError as error:  # of SciPy, where no other package is there
         assert "not of Latin letters" in str(error) and not list(tmp_path.iterdir())
     study.to_csv(tmp_path / "cases.csv")
+
+
+def test_parts_of_functions_have_the_units_of_their_arguments() -> None:
+    model = rod()
+    motion = lw.functions.harmonic(0.1, 2.0, offset=0.1).integral()  # a sum
+    model.drive("pin", position=motion, name="motor")
+    ramp = lw.functions.polynomial(1.0, 2.0)
+    ends = ((0, 0, 1), (1, 0, 0))
+    model.spring_damper("ground", "rod", at=ends, stiffness=ramp, damping=0.0, name="strut")
+    model.nonlinear_spring_damper("ground", "rod", at=ends, spring=ramp, damper=0.0, name="curved")
+    expected = {
+        "motor.angle.sum[0].harmonic.amplitude": "rad", "motor.angle.sum[0].harmonic.frequency": "rad/s",
+        "motor.angle.sum[0].harmonic.phase": "rad", "strut.stiffness.polynomial[0]": "N/m",
+        "strut.stiffness.polynomial[1]": "", "curved.spring.polynomial[1]": "",
+        "strut.attachment.origin[0][2]": "m", "rod.inertia[0]": "kg m2",
+    }  # fmt: skip
+    assert Changed.of(model, list(expected)).units(list(expected)) == expected

@@ -35,8 +35,8 @@ NO_BANDS = "plot 'bands': no output is an array over time: give one without .max
 #: Numbers are the same within this, relative to the largest. And bins of a histogram.
 SAME, MOST_BINS = 1e-12, 60
 
-#: Intervals between the ticks of an axis, and bars that a tornado has room for.
-TICKS, FEWEST_BARS = 5, 4
+#: Intervals between the ticks of an axis, and bars that a tornado has room for, and has at most.
+TICKS, FEWEST_BARS, BARS = 5, 4, 12
 
 
 @dataclass(frozen=True)
@@ -301,7 +301,7 @@ def _surface(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
         ax.set_xlabel(x.drawn, fontsize=8)
         ax.set_ylabel(y.drawn, fontsize=8)
         ax.tick_params(labelsize=7)
-    count = len(over) - 2 + len(_words(study))
+    count = len(_moving(_columns(study, study.parameters, list(study.parameters)))) - 2 + len(_words(study))
     others = (
         f", in which {counted(count, 'other parameter')} {'varies' if count == 1 else 'vary'}"
         if count
@@ -319,12 +319,18 @@ def _at_points(x: Floats, y: Floats, values: Floats) -> tuple[Floats, Floats]:
 
 
 def _tornado(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
-    """What each parameter does to each output, the strongest on top."""
+    """What each parameter does to each output while the others stay, the strongest on top.
+
+    Parameters that are not drawn are in the fit, too, or what they do would be told of those that are.
+    """
     found = _needed(_moving(_columns(study, study.outputs, outputs)), "outputs")
-    moved = _needed(_moving(_columns(study, study.parameters, parameters)), "parameters")
+    drawn = _needed(_moving(_columns(study, study.parameters, parameters)), "parameters")
+    moved = _moving(_columns(study, study.parameters, list(study.parameters)))
+    names = {it.name for it in drawn}
     figure, axes = _panels(min(len(found), PANELS))
     for ax, column in zip(axes, found, strict=False):
-        bars = sorted(_swings(moved, column), key=lambda it: abs(it.change))[-12:]
+        swung = [it for it in _swings(moved, column) if it.parameter in names]
+        bars = sorted(swung, key=lambda it: abs(it.change))[-BARS:]
         for place, bar in enumerate(bars):
             ax.barh(place, bar.change, color=COLORS[0] if bar.change >= 0 else COLORS[1])
         ax.axvline(0.0, color="black", lw=0.8)
@@ -337,7 +343,8 @@ def _tornado(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
         ax.set_title(told + _missing(study, column), fontsize=8)
         ax.tick_params(labelsize=7)
         ax.spines[["top", "right"]].set_visible(False)
-    what = f"parameters from their {LOW:g}th to their {HIGH:g}th percentile"
+    few = f"the {BARS} strongest of {len(drawn)} " if len(drawn) > BARS else ""
+    what = f"{few}parameters from their {LOW:g}th to their {HIGH:g}th percentile"
     figure.suptitle(_title(study, what, len(axes), len(found)), fontsize=10)
     return figure
 

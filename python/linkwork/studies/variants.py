@@ -37,6 +37,16 @@ UNITS = {
     "gravity": "m/s2", "at": "m", "orientation": "1",
 }  # fmt: skip
 
+#: Parts of fields with a unit of their own; arguments of functions of time with that of the function.
+PART_UNITS = {
+    ("origin",): "m", ("frame",): "1", ("harmonic", "frequency"): "rad/s", ("harmonic", "phase"): "rad",
+    ("cycloidal", "start"): "s", ("cycloidal", "duration"): "s", ("piecewise_polynomial", "breaks"): "s",
+}  # fmt: skip
+OF_VALUE = {("harmonic", "amplitude"), ("harmonic", "offset"), ("cycloidal", "rise")}
+
+#: Rows of coefficients of ascending powers: the first is a value of the function.
+COEFFICIENTS = {("polynomial",), ("piecewise_polynomial", "coefficients")}
+
 #: A field, and what is in it.
 FIELD = re.compile(r"(\w+)((?:\[\d+\]|\.\w+)*)\Z")
 STEP = re.compile(r"\[(\d+)\]|\.(\w+)")
@@ -300,7 +310,25 @@ def _address(name: str, record: Record) -> _Address:
             code="parameters",
         )
     inside = tuple(int(index) if index else word for index, word in STEP.findall(found[2]))
-    return _Address(name, where, found[1], inside, fields[found[1]])
+    curve = inside and _is_characteristic(record, where, found[1])
+    return _Address(name, where, found[1], inside, "" if curve else _unit(fields[found[1]], inside))
+
+
+def _unit(unit: str, inside: tuple[str | int, ...]) -> str:
+    """Of a part of a field that has this unit; of further coefficients none is told."""
+    while inside[:1] == ("sum",):
+        inside = inside[2:]
+    words = tuple(step for step in inside if isinstance(step, str))
+    value = not words or words in OF_VALUE or (words in COEFFICIENTS and inside[-1] == 0)
+    return unit if value else PART_UNITS.get(words, "")
+
+
+def _is_characteristic(record: Record, where: tuple[Any, ...], field: str) -> bool:
+    """Whether a field is a function of a coordinate, of which parts have units of their own."""
+    if not where or where[0] == "bodies":
+        return False
+    parameters = KINDS[ROLES[where[0]]][record[where[0]][where[1]]["kind"]].parameters
+    return field in parameters and parameters[field].takes == "characteristic"
 
 
 def _object(name: str, record: Record) -> tuple[tuple[str, int], str]:
