@@ -365,6 +365,64 @@ def test_a_report_of_fixed_steps_has_no_picture_of_their_size() -> None:
     assert ["Step size" in page for page in pages] == [False, True]
 
 
+@pytest.fixture(scope="module")
+def chain() -> lw.Result:
+    return lw.simulate(lw.mechanisms.chain(bodies=21), t_end=0.1, step=1e-2, progress=False)
+
+
+@pytest.mark.parametrize(
+    "kind", ["positions", "velocities", "accelerations", "phase", "reactions", "overview"]
+)
+def test_all_that_is_chosen_is_drawn_each_in_its_color(chain: lw.Result, kind: str) -> None:
+    what = "joints" if kind == "reactions" else "bodies"
+    names = list(chain.joint_names if what == "joints" else chain.body_names)[:20]
+    figure = chain.plot(kind=kind, **{what: names})
+    ax = figure.axes[2 if kind == "overview" else 0]
+    named = [line for line in ax.lines if not str(line.get_label()).startswith("_")]
+    assert {str(line.get_label()).partition("  ")[0] for line in named} == set(names)
+    assert len({line.get_color() for line in named}) == 20
+
+
+@pytest.mark.parametrize("kind", ["positions", "velocities"])
+def test_a_chosen_body_at_rest_is_drawn(kind: str) -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("still", mass=1.0, inertia=(1, 1, 1))
+    model.body("flying", mass=1.0, inertia=(1, 1, 1), velocity=(1, 0, 0))
+    result = lw.simulate(model, t_end=0.1, step=1e-2, progress=False)
+    (ax, *_) = result.plot(kind=kind, bodies=["still", "flying"]).axes
+    assert [line.get_label() for line in ax.lines] == ["still  x", "flying  x"]
+
+
+def test_an_overview_shows_the_bodies_and_joints_that_are_chosen(adaptive: lw.Result) -> None:
+    axes = adaptive.plot(bodies=["crank"], joints=["guide"]).axes
+    labels = [{str(line.get_label()).partition("  ")[0] for line in ax.lines} for ax in axes]
+    assert [labels[k] for k in (2, 4, 5)] == [{"crank"}, {"guide"}, {"guide"}]
+
+
+@pytest.mark.parametrize(
+    ("choice", "message"),
+    [
+        ({"kind": "reactions", "bodies": [0]}, "'reactions' shows no bodies by themselves: 'overview', "),
+        ({"kind": "velocities", "joints": [0]}, "'velocities' shows no joints by themselves"),
+        ({"kind": "energy", "joints": [0]}, "'energy' shows no joints"),
+        ({"kind": "phase", "joints": [0], "bodies": [0]}, "bodies or joints: choose one of them"),
+        ({"kind": "positions", "bodies": range(21)}, "21 bodies are chosen, of which 20"),
+    ],
+)
+def test_choices_that_a_picture_cannot_show_are_refused(
+    chain: lw.Result, choice: dict[str, Any], message: str
+) -> None:
+    with pytest.raises(OptionError, match=message):
+        chain.plot(**choice)
+
+
+def test_a_joint_without_a_coordinate_is_refused_also_beside_others(adaptive: lw.Result) -> None:
+    kinds = dict(zip(adaptive.joint_names, adaptive.header.joint_kinds, strict=True))
+    (ball,) = (name for name, kind in kinds.items() if kind == "spherical")
+    with pytest.raises(OptionError, match=f"joint '{ball}' turns about or slides along no single axis"):
+        adaptive.plot(kind="coordinates", joints=["guide", ball])
+
+
 # --- movies ---
 
 

@@ -9,8 +9,10 @@ from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 
 from linkwork.arguments import path as path_of
@@ -25,6 +27,10 @@ if TYPE_CHECKING:
 #: The most lines of one kind in one picture.
 BODIES, JOINTS = 3, 4
 
+#: So many chosen bodies or joints can be told apart in a picture; and rows of a legend that it has room for,
+#: and the height of each of the others [in].
+MOST, LEGEND_ROWS, ROW_HEIGHT = 20, 3, 0.19
+
 #: Pixels of an inch in a notebook.
 DPI = 80
 
@@ -37,24 +43,23 @@ LINES = ("-", "-", "-", (0, (5, 3)), "-")
 COORDINATES = (("x", "-"), ("y", "--"), ("z", ":"))
 
 
-def plot(result: Result, path: str | os.PathLike[str] | None = None) -> Figure:
+def plot(result: Result, bodies: Sequence[int] = (), joints: Sequence[int] = ()) -> Figure:
     """Energies, energy error, violation, positions and reactions of one run.
 
     Of many bodies the three that move the most are shown, of many joints the four with the largest forces or
-    torques: the legends say so. FileError: `path` cannot be written.
+    torques: the legends say so. Or those that are chosen.
     """
     figure = new_figure(10.5, 9.0)
     axes = figure.subplots(3, 2, sharex=True)
     plot_energies(axes[0, 0], result)
     plot_energy_error(axes[0, 1], result)
-    plot_positions(axes[1, 0], result)
+    plot_positions(axes[1, 0], result, bodies)
     plot_violation(axes[1, 1], result)
-    plot_reactions(axes[2, 0], result, "force", "N")
-    plot_reactions(axes[2, 1], result, "torque", "N m")
+    plot_reactions(axes[2, 0], result, "force", "N", joints)
+    plot_reactions(axes[2, 1], result, "torque", "N m", joints)
     for ax in axes[-1]:
         ax.set_xlabel("time [s]")
-    figure.suptitle(title_of(result), fontsize=11)
-    return written(figure, path)
+    return figure
 
 
 def plot_methods(
@@ -95,7 +100,7 @@ def _draw_motion(ax: Any, result: Result, poses: int = 8) -> None:
     shown = np.linspace(0, len(result) - 1, poses + 1).astype(int)[:-1]
     for order, k in enumerate(shown[::-1]):
         alpha = 1.0 if k == 0 else 0.15 + 0.25 * order / poses
-        for body, color in enumerate(_cycle(len(result.body_names))):
+        for body, color in enumerate(colors(len(result.body_names))):
             own = np.concatenate(
                 [points[k, result.header.joint_bodies[:, side] == body, side] for side in (0, 1)]
             )
@@ -144,15 +149,21 @@ def plot_positions(ax: Axes, result: Result, bodies: Sequence[int] | None = None
     style(ax, "center of mass [m]")
     chosen = bodies or largest_places(travel_of(result), BODIES)
     positions = {result.body_names[i]: result.body(i).position for i in chosen}
-    most = max((np.ptp(p, axis=0).max() for p in positions.values() if len(p)), default=0.0)
-    for color, (name, position) in zip(COLORS, positions.items(), strict=False):
-        for axis, (coordinate, line) in enumerate(COORDINATES):
-            if len(position) and np.ptp(position[:, axis]) >= 0.02 * most:
-                label = literal(f"{name}  {coordinate}")
-                ax.plot(result.t, position[:, axis], color=color, ls=line, label=label)
-                plot_band(ax, result, position[:, axis], color, partial(_position_error, result, name, axis))
+    most = max((np.ptp(p, axis=0).max() for p in positions.values()), default=0.0)
+    for color, (name, position) in zip(colors(len(positions)), positions.items(), strict=True):
+        for axis in telling(np.ptp(position, axis=0), 0.02 * most, bool(bodies)):
+            coordinate, line = COORDINATES[axis]
+            label = literal(f"{name}  {coordinate}")
+            ax.plot(result.t, position[:, axis], color=color, ls=line, label=label)
+            plot_band(ax, result, position[:, axis], color, partial(_position_error, result, name, axis))
     which = "" if bodies else share(len(chosen), len(result.body_names), "bodies, those that move most")
     legend(ax, which)
+
+
+def telling(sizes: Floats, least: float, always: bool) -> list[int]:
+    """Components that are not small (3,); or, of what was chosen, the largest."""
+    found = np.flatnonzero(sizes >= least).tolist()
+    return found or [int(np.argmax(sizes))] * always
 
 
 def plot_reactions(
@@ -164,7 +175,7 @@ def plot_reactions(
     largest = np.linalg.norm(getattr(sample, part), axis=-1).max(axis=0, initial=0.0)
     rounding = 1e-9 * max(np.abs(sample.force).max(initial=0.0), np.abs(sample.torque).max(initial=0.0))
     chosen = joints or [j for j in largest_places(largest, JOINTS) if largest[j] > rounding]
-    for color, j in zip(COLORS, chosen, strict=False):
+    for color, j in zip(colors(len(chosen)), chosen, strict=True):
         magnitude = np.linalg.norm(getattr(result.reaction(j), part), axis=-1)
         doubt = "" if result.unique_reactions[j] else " (not unique)"
         line = "--" if doubt else "-"
@@ -262,7 +273,7 @@ def style(ax: Axes, quantity: str) -> None:
 
 
 def legend(ax: Axes, title: str = "") -> None:
-    """Above the axes, where it hides nothing."""
+    """Above the axes, where it hides nothing; the figure becomes higher by what a long one takes."""
     labels = ax.get_legend_handles_labels()[1]
     if labels:
         columns = max(1, min(4, 72 // (max(map(len, labels)) + 6)))
@@ -271,10 +282,16 @@ def legend(ax: Axes, title: str = "") -> None:
             frameon=False, fontsize=8, title_fontsize=8, alignment="left", columnspacing=1.5,
         )  # fmt: skip
         box.set_in_layout(True)
+        more = -(-len(labels) // columns) - LEGEND_ROWS
+        if more > 0 and isinstance(ax.figure, Figure):
+            ax.figure.set_figheight(ax.figure.get_figheight() + more * ROW_HEIGHT)
 
 
-def _cycle(count: int) -> list[str]:
-    return [COLORS[i % len(COLORS)] for i in range(count)]
+def colors(count: int) -> list[str]:
+    """So many, each another: of COLORS as far as they go, else along a rainbow."""
+    if count <= len(COLORS):
+        return list(COLORS[:count])
+    return [to_hex(color) for color in colormaps["turbo"](np.linspace(0.02, 0.98, count))]
 
 
 def new_figure(width: float, height: float) -> Figure:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING
@@ -44,7 +44,11 @@ def plot(
     bodies: Sequence[Named] = (),
     joints: Sequence[Named] = (),
 ) -> Figure:
-    """One figure of a kind in KINDS. OptionError: no such kind. ModelError: no such body or joint."""
+    """One figure of a kind in KINDS.
+
+    OptionError: no such kind, or it does not show what is chosen, or too much is. ModelError: no such body or
+    joint.
+    """
     one_of(kind, KINDS, "plot kind")
     for what, names in (("bodies", bodies), ("joints", joints)):
         if not isinstance(names, Iterable) or isinstance(names, str):
@@ -52,11 +56,26 @@ def plot(
     if not len(result):
         raise OptionError("the result has no frames: there is nothing to plot", code="empty")
     chosen = Chosen([result.index("body", it) for it in bodies], [result.index("joint", it) for it in joints])
-    if kind == "overview":
-        return figures.plot(result, path)
+    _check_choice(kind, chosen)
     figure = KINDS[kind](result, chosen)
     figure.suptitle(figures.title_of(result), fontsize=11)
     return figures.written(figure, path)
+
+
+def _check_choice(kind: str, chosen: Chosen) -> None:
+    """OptionError: a picture of this kind does not show them, or not so many."""
+    for what, count in (("bodies", len(chosen.bodies)), ("joints", len(chosen.joints))):
+        if count and what not in SHOWN[kind]:
+            kinds = ", ".join(f"'{name}'" for name, shown in SHOWN.items() if what in shown)
+            raise OptionError(f"plot '{kind}' shows no {what} by themselves: {kinds} do", code="choice")
+        if count > figures.MOST:
+            raise OptionError(
+                f"plot '{kind}': {count} {what} are chosen, of which {figures.MOST} could be told apart in "
+                "one picture: choose fewer, or draw several",
+                code="choice",
+            )
+    if chosen.bodies and chosen.joints and kind in EITHER:
+        raise OptionError(f"plot '{kind}' shows bodies or joints: choose one of them", code="choice")
 
 
 def _energy(result: Result, chosen: Chosen) -> Figure:
@@ -98,13 +117,13 @@ def _of_bodies(result: Result, chosen: Chosen, *quantities: tuple[str, str]) -> 
         figures.style(ax, f"{quantity.replace('_', ' ')}{', body axes' if rotates else ''} [{unit}]")
         values = {result.body_names[i]: getattr(result.body(i), quantity) for i in bodies}
         most = max((np.abs(value).max(initial=0.0) for value in values.values()), default=0.0)
-        for color, (name, value) in zip(COLORS, values.items(), strict=False):
-            for axis, (component, line) in enumerate(figures.COORDINATES):
-                if np.abs(value[:, axis]).max(initial=0.0) > 1e-3 * most:
-                    label = figures.literal(f"{name}  {component}")
-                    ax.plot(result.t, value[:, axis], color=color, ls=line, label=label)
-                    error = partial(_body_error, result, name, quantity, axis)
-                    figures.plot_band(ax, result, value[:, axis], color, error)
+        for color, (name, value) in zip(figures.colors(len(values)), values.items(), strict=True):
+            for axis in figures.telling(np.abs(value).max(axis=0), 1e-3 * most, bool(chosen.bodies)):
+                component, line = figures.COORDINATES[axis]
+                label = figures.literal(f"{name}  {component}")
+                ax.plot(result.t, value[:, axis], color=color, ls=line, label=label)
+                error = partial(_body_error, result, name, quantity, axis)
+                figures.plot_band(ax, result, value[:, axis], color, error)
         figures.legend(ax, which)
     return figure
 
@@ -123,20 +142,24 @@ def _reactions(result: Result, chosen: Chosen) -> Figure:
 
 def _coordinates(result: Result, chosen: Chosen) -> Figure:
     """Angles and displacements of joints; where there are none, or bodies were chosen, their positions."""
-    motions = _motions(result, chosen)
+    motions = [] if chosen.bodies else _motions(result, chosen)
     shown = [which for which in UNITS if any(motion.which == which for motion in motions)]
-    if chosen.bodies or not shown:
+    if not shown:
         figure, (ax,) = _over_time(1)
         figures.plot_positions(ax, result, chosen.bodies)
         return figure
     figure, axes = _over_time(len(shown))
     for ax, which in zip(axes, shown, strict=True):
         figures.style(ax, f"{which} [{UNITS[which][0]}]")
-        for color, motion in zip(COLORS, (it for it in motions if it.which == which), strict=False):
+        for color, motion in _colored([it for it in motions if it.which == which]):
             ax.plot(result.t, motion.value, color=color, label=figures.literal(motion.name))
             figures.plot_band(ax, result, motion.value, color, partial(_coordinate_error, result, motion))
         figures.legend(ax, _share(result, motions, chosen))
     return figure
+
+
+def _colored(motions: Sequence[_Motion]) -> Iterator[tuple[str, _Motion]]:
+    return zip(figures.colors(len(motions)), motions, strict=True)
 
 
 def _coordinate_error(result: Result, motion: _Motion) -> Floats:
@@ -155,7 +178,7 @@ def _phase(result: Result, chosen: Chosen) -> Figure:
         unit, rate_unit = UNITS[which]
         figures.style(ax, f"rate [{rate_unit}]")
         ax.set_xlabel(f"{which} [{unit}]")
-        for color, motion in zip(COLORS, (it for it in motions if it.which == which), strict=False):
+        for color, motion in _colored([it for it in motions if it.which == which]):
             _orbit(ax, motion.value, motion.rate, color, motion.name)
         figures.legend(ax, _share(result, motions, chosen))
     return figure
@@ -167,7 +190,7 @@ def _phase_of_bodies(result: Result, chosen: Chosen) -> Figure:
     for axis, ax in enumerate(figure.subplots(1, 3)):
         figures.style(ax, "velocity [m/s]")
         ax.set_xlabel(f"{'xyz'[axis]} [m]")
-        for color, body in zip(COLORS, bodies, strict=False):
+        for color, body in zip(figures.colors(len(bodies)), bodies, strict=True):
             motion = result.body(body)
             _orbit(ax, motion.position[:, axis], motion.velocity[:, axis], color, motion.name)
         figures.legend(ax)
@@ -194,7 +217,7 @@ def _step(result: Result, chosen: Chosen) -> Figure:
 
 
 KINDS: dict[str, Callable[[Result, Chosen], Figure]] = {
-    "overview": lambda result, chosen: figures.plot(result),
+    "overview": lambda result, chosen: figures.plot(result, chosen.bodies, chosen.joints),
     "energy": _energy,
     "violation": _violation,
     "positions": _positions,
@@ -205,6 +228,14 @@ KINDS: dict[str, Callable[[Result, Chosen], Figure]] = {
     "phase": _phase,
     "step": _step,
 }
+
+#: What of a choice each kind shows, and the kinds that show either bodies or joints.
+SHOWN: dict[str, tuple[str, ...]] = {
+    "overview": ("bodies", "joints"), "energy": (), "violation": (), "positions": ("bodies",),
+    "velocities": ("bodies",), "accelerations": ("bodies",), "coordinates": ("bodies", "joints"),
+    "reactions": ("joints",), "phase": ("bodies", "joints"), "step": (),
+}  # fmt: skip
+EITHER = ("coordinates", "phase")
 
 
 @dataclass(frozen=True)
@@ -222,8 +253,8 @@ def _motions(result: Result, chosen: Chosen) -> list[_Motion]:
     kinds = result.header.joint_kinds
     free = [j for j, kind in enumerate(kinds) if known_coordinates(kind)]
     joints = chosen.joints or free[:JOINTS]
-    if chosen.joints and not set(joints) & set(free):
-        names = ", ".join(f"'{result.joint_names[j]}'" for j in joints)
+    if without := [j for j in chosen.joints if j not in free]:
+        names = ", ".join(f"'{result.joint_names[j]}'" for j in without)
         raise OptionError(
             f"joint {names} turns about or slides along no single axis: choose another joint, or bodies",
             code="no_coordinate",

@@ -684,8 +684,8 @@ class Result:
         bodies  by name, index or handle; without, those that move most
         joints  likewise; without, those with the largest reactions, or the first with a coordinate
 
-        Reactions that do not follow from the motion are dashed and marked. OptionError: no such kind.
-        ModelError: no such body or joint. FileError: `path` cannot be written.
+        Reactions that do not follow from the motion are dashed and marked. OptionError: no such kind, or it
+        does not show what is chosen, or more than 20 of it. ModelError: no such body or joint. FileError: `path` cannot be written.
         """
         from linkwork.plots import kinds
 
