@@ -154,6 +154,16 @@ def test_commands_write_pictures_movies_and_tables_of_a_file(
     assert Path("run.csv").read_text() == result.to_csv(quantities=["work"])
 
 
+def test_columns_are_counted_whatever_they_are_called(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    model = lw.Model()
+    model.body("rod, the left", mass=1.0, inertia=(1, 1, 1))
+    lw.simulate(model, t_end=0.01, step=1e-3, progress=False).save(tmp_path / "run.h5")
+    _, said, _ = words(capsys, "export", str(tmp_path / "run.h5"), "--quantity", "position")
+    assert "3 columns" in said
+
+
 def test_violations_have_the_units_of_their_levels() -> None:
     """Equations are of lengths or of directions, and so are their rates."""
     result = lw.simulate(lw.mechanisms.pendulum(), t_end=0.01, step=1e-3, progress=False)

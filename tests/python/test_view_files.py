@@ -453,3 +453,22 @@ def test_movie_is_an_mp4_of_that_length(adaptive: lw.Result, tmp_path: Path) -> 
     adaptive.movie(tmp_path / "m.mp4", seconds=1.0, frames_per_second=10, size=(320, 200))
     frames, seconds = imageio_ffmpeg.count_frames_and_secs(str(tmp_path / "m.mp4"))
     assert (frames, seconds) == (10, pytest.approx(1.0))
+
+
+@pytest.mark.parametrize("rate", [12, 30, 50])
+def test_a_gif_plays_as_fast_as_asked(adaptive: lw.Result, tmp_path: Path, rate: int) -> None:
+    """Its pictures last whole hundredths of a second; together they last what was asked."""
+    adaptive.movie(tmp_path / "m.gif", seconds=1.0, frames_per_second=rate, size=(64, 48))
+    with Image.open(tmp_path / "m.gif") as film:
+        durations = []
+        for k in range(film.n_frames):
+            film.seek(k)
+            durations.append(film.info["duration"])
+    assert sum(durations) == 1000
+
+
+def test_a_gif_of_more_frames_per_second_than_browsers_show_is_refused(
+    adaptive: lw.Result, tmp_path: Path
+) -> None:
+    with pytest.raises(OptionError, match=r"a \.gif shows at most 50 frames per second, not 60"):
+        adaptive.movie(tmp_path / "m.gif", frames_per_second=60)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+import io
 from pathlib import Path
 from typing import Any
 
@@ -67,11 +69,16 @@ def plot(file: str, kind: str, output: str | None, bodies: tuple[str, ...], join
 @click.argument("file", type=click.Path())
 @click.option("--output", "-o", type=click.Path(), metavar="MOVIE",
               help="A .mp4 or .gif; without it run.mp4 beside run.h5.")  # fmt: skip
-@click.option("--seconds", type=float, metavar="S", help="That it lasts; without, as long as the motion.")
+@click.option(
+    "--seconds",
+    type=float,
+    metavar="S",
+    help="That it lasts; without, as long as the motion, but between 2 and 20.",
+)
 @click.option("--size", type=(int, int), default=(960, 640), show_default=True, metavar="W H",
               help="Width and height in pixels, even numbers.")  # fmt: skip
 @click.option("--frames-per-second", type=int, default=25, show_default=True, metavar="N",
-              help="Of the movie, whatever was recorded.")  # fmt: skip
+              help="Of the movie, whatever was recorded; of a .gif at most 50.")  # fmt: skip
 def movie(file: str, output: str | None, **options: Any) -> None:
     """Film the motion in a result file; no display is needed.
 
@@ -112,6 +119,7 @@ def export(file: str, target: str | None, **chosen: tuple[str, ...]) -> None:
 
     target = target or str(Path(file).with_suffix(".csv"))
     out.check_writable(target, "table")
-    text = lw.Result.load(file).to_csv(target, **chosen, overwrite=base.may_replace())
-    rows, columns = text.count("\n") - 1, text.partition("\n")[0].count(",")
-    out.print_pairs([("table", f"{target} ({rows} frames, {columns} columns)")])
+    result = lw.Result.load(file)
+    text = result.to_csv(target, **chosen, overwrite=base.may_replace())
+    columns = len(next(csv.reader(io.StringIO(text)))) - 1  # beside the time
+    out.print_pairs([("table", f"{target} ({len(result)} frames, {columns} columns)")])

@@ -685,7 +685,8 @@ class Result:
         joints  likewise; without, those with the largest reactions, or the first with a coordinate
 
         Reactions that do not follow from the motion are dashed and marked. OptionError: no such kind, or it
-        does not show what is chosen, or more than 20 of it. ModelError: no such body or joint. FileError: `path` cannot be written.
+        does not show what is chosen, or more than 20 of it. ModelError: no such body or joint. FileError:
+        `path` cannot be written.
         """
         from linkwork.plots import kinds
 
@@ -717,7 +718,8 @@ class Result:
         size     width and height [pixels], even
 
         .mp4 needs imageio-ffmpeg: pip install 'linkwork[movie]'. FileError: another format, or `path` cannot
-        be written. OptionError: there are no frames, or too much to paint.
+        be written. OptionError: there are no frames, too much to paint, or more than 50 frames per second of
+        a .gif.
         """
         from linkwork.view import movie
 

@@ -38,6 +38,9 @@ THINNEST, THINNEST_OF_MANY = 1 / 300, 1 / 110
 #: Of a movie: hours of it.
 MOST_PICTURES = 1_000_000
 
+#: Pictures of a .gif last whole hundredths of a second, and browsers show what lasts one for ten.
+GIF_TICK, GIF_RATE = 10, 50  # [ms], [1/s]
+
 Pixels = NDArray[np.uint8]
 
 
@@ -64,9 +67,15 @@ def movie(
             f"give positive times, even sizes of 32 pixels or more, and less than {MOST_PICTURES} pictures",
             code="movie",
         )
+    writes_gif = file.suffix.lower() == ".gif"
+    if writes_gif and frames_per_second > GIF_RATE:
+        raise OptionError(
+            f"movie '{path}': a .gif shows at most {GIF_RATE} frames per second, not {frames_per_second:g}",
+            code="movie",
+        )
     times = result.t[0] + duration * np.linspace(0, 1, max(2, round(lasts * frames_per_second)))
     pictures = Painter(result, size).pictures(times)
-    write = _write_gif if file.suffix.lower() == ".gif" else _write_mp4
+    write = _write_gif if writes_gif else _write_mp4
     with replacing(file, "movie") as beside:
         beside.touch()  # what cannot be written is told before the work
         write(beside, pictures, frames_per_second, size)
@@ -83,9 +92,9 @@ def _write_gif(file: Path, pictures: Iterator[Pixels], rate: int, size: tuple[in
     from PIL import Image
 
     images = [Image.fromarray(picture).quantize(96) for picture in pictures]
-    images[0].save(
-        file, format="GIF", save_all=True, append_images=images[1:], duration=round(1000 / rate), loop=0
-    )
+    ends = np.round(np.arange(len(images) + 1) * (1000 / GIF_TICK / rate))
+    lasting = [GIF_TICK * int(ticks) for ticks in np.diff(ends)]
+    images[0].save(file, format="GIF", save_all=True, append_images=images[1:], duration=lasting, loop=0)
 
 
 def _write_mp4(file: Path, pictures: Iterator[Pixels], rate: int, size: tuple[int, int]) -> None:
