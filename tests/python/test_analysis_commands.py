@@ -79,3 +79,45 @@ def test_kinematics_without_drivers_says_what_is_missing(capsys: pytest.CaptureF
 def test_tables_are_printed(command: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert run([command, "chain", "--bodies", "2"], debug=False) == 0
     assert "stable equilibrium" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(("t_end", "step", "frames"), [(1.1, 0.1, 12), (0.3, 0.1, 4), (0.25, 0.1, 4)])
+def test_frames_of_kinematics_are_never_farther_apart_than_asked(
+    t_end: float, step: float, frames: int, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = driven_pendulum(tmp_path / "driven.yaml")
+    words = ["kinematics", str(path), "--t-end", str(t_end), "--step", str(step), "--json"]
+    assert run(words, debug=False) == 0
+    printed = capsys.readouterr()
+    assert json.loads(printed.out)["frames"] == frames
+    assert ("frames are 0.0833333 s apart" in printed.err) == (t_end == 0.25)
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (
+            ["kinematics", "FILE", "--t-end", "0.1", "--step", "1"],
+            "step 1 s is longer than the run, from 0 to 0.1 s",
+        ),
+        (
+            ["kinematics", "FILE", "--step", "1e-300"],
+            "step 1e-300 s: up to 1 s these are more than 1000000 frames",
+        ),
+        (["kinematics", "FILE", "--step", "nan"], "nan must be a finite number, positive"),
+        (["kinematics", "FILE", "--t-end", "inf"], "inf must be a finite number, positive"),
+        (["compare", "FILE", "--error", "nan"], "nan must be a finite number, positive"),
+        (["view", "FILE", "--html", "page.html", "--limit", "nan"], "nan must be a finite number, positive"),
+        (["run", "FILE", "--violation-limit", "position=1e-9,position=1"], "gives one level two limits"),
+    ],
+)
+def test_numbers_that_cannot_be_are_refused(
+    words: list[str], message: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:  # fmt: skip
+    monkeypatch.chdir(tmp_path)
+    path = driven_pendulum(tmp_path / "driven.yaml")
+    assert run([str(path) if word == "FILE" else word for word in words], debug=False) != 0
+    said = capsys.readouterr().err
+    assert message in said and "unexpected" not in said
+    assert not (tmp_path / "page.html").exists()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +14,9 @@ from linkwork.cli import output as out
 
 if TYPE_CHECKING:
     from linkwork.mechanisms import Mechanism
+
+#: Frames of a prescribed motion; times are the same within this, relative.
+MOST_FRAMES, SAME_TIME = 1_000_000, 1e-9
 
 #: The most modes, bodies and joints listed for people; JSON has all.
 SHOWN = 20
@@ -102,11 +106,11 @@ def kinematics_and_show(
     for what, path in (("result", output), ("picture", plot)):
         if path is not None:
             out.check_writable(path, what)
-    count = max(1, round(t_end / step))
+    times = _times(t_end, step)
     model = mechanism.function(**parameters)
     for joint, speed in drive:
         model.drive(joint, velocity=speed, name=f"drive of {joint}")
-    needed = _prescribed(model, np.linspace(0, t_end, count + 1))
+    needed = _prescribed(model, times)
     motion = needed.motion
     if output:
         motion.save(output, overwrite=True)
@@ -134,6 +138,26 @@ def kinematics_and_show(
         title="Drives",
         left=2,
     )  # fmt: skip
+
+
+def _times(t_end: float, step: float) -> Floats:
+    """From 0 to `t_end`, equally far apart, at most a step. OptionError: less than a step, or too many."""
+    steps = t_end / step * (1 - SAME_TIME)
+    if step * (1 - SAME_TIME) > t_end:
+        raise lw.OptionError(
+            f"step {step:g} s is longer than the run, from 0 to {t_end:g} s: give a step of {t_end:g} s or "
+            "less",
+            code="step",
+        )
+    if steps > MOST_FRAMES:
+        raise lw.OptionError(
+            f"step {step:g} s: up to {t_end:g} s these are more than {MOST_FRAMES} frames: give a longer one",
+            code="step",
+        )
+    count = math.ceil(steps)
+    if abs(count * step - t_end) > SAME_TIME * t_end:
+        out.note(f"frames are {t_end / count:g} s apart: steps of {step:g} s would not end at {t_end:g} s")
+    return np.linspace(0, t_end, count + 1)
 
 
 def _prescribed(model: lw.Model, times: Floats) -> lw.InverseDynamics:

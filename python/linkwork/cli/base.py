@@ -1,7 +1,8 @@
-"""Commands whose errors name the nearest valid choice."""
+"""Commands whose errors name the nearest valid choice, and numbers that can be."""
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import click
@@ -20,6 +21,21 @@ def replace_files(force: bool) -> None:
 def may_replace() -> bool:
     """Whether `--force` was given."""
     return _force[0]
+
+
+class Positive(click.ParamType):  # type: ignore[type-arg]  # generic in newer versions only
+    """A finite number above zero."""
+
+    name = "number"
+
+    def convert(self, value: Any, param: click.Parameter | None, context: click.Context | None) -> float:
+        try:
+            number = float(value)
+        except ValueError:
+            self.fail(f"'{value}' is no number", param, context)
+        if not (math.isfinite(number) and number > 0):
+            self.fail(f"{value} must be a finite number, positive", param, context)
+        return number
 
 
 class Group(click.Group):

@@ -6,7 +6,7 @@ from typing import Any
 
 import click
 
-from linkwork.cli import shells
+from linkwork.cli import base, shells
 
 
 class Words(click.ParamType):  # type: ignore[type-arg]  # generic in newer versions only
@@ -58,7 +58,7 @@ def options() -> list[click.Option]:
         *(click.Option(["--" + name.replace("_", "-"), name], type=kind, help=text,
                        shell_complete=shells.names_of(name.removesuffix("s")))
           for name, kind, text in _OPTIONS),
-        click.Option(["--error"], type=click.FloatRange(0, min_open=True), default=1e-3, show_default=True,
+        click.Option(["--error"], type=base.Positive(), default=1e-3, show_default=True,
                      help="State error for which a method is recommended; 1 is the size of the motion."),
         click.Option(["--html"], type=click.Path(), metavar="FILE",
                      help="Write a page with table and pictures."),

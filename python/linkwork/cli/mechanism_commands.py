@@ -89,7 +89,7 @@ def kinematics_command(name: str, mechanism: Mechanism) -> click.Command:
 
         kinematics_and_show(name, mechanism, **_split(values, mechanism))
 
-    positive = click.FloatRange(0, min_open=True)
+    positive = base.Positive()
     options = [
         *_parameter_options(mechanism),
         click.Option(["--drive"], type=Speed(), multiple=True,

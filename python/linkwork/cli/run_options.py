@@ -24,10 +24,13 @@ class _Limits(click.ParamType):  # type: ignore[type-arg]  # generic in newer ve
         try:
             if "=" not in str(value):
                 return float(value)
-            pairs = (word.partition("=") for word in value.split(","))
-            return {level.strip(): float(limit) for level, _, limit in pairs}
+            pairs = [word.partition("=") for word in value.split(",")]
+            limits = {level.strip(): float(limit) for level, _, limit in pairs}
         except ValueError:
             self.fail(f"'{value}' is no limit; write 1e-8, or position=1e-8,velocity=1e-6", param, context)
+        if len(limits) < len(pairs):
+            self.fail(f"'{value}' gives one level two limits: give one of them", param, context)
+        return limits
 
 
 def _arguments() -> Iterator[click.Option]:

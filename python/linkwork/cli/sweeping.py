@@ -22,7 +22,7 @@ __all__ = ["sweep"]
 @click.option("--processes", type=click.IntRange(1), metavar="N", help="Local processes; one a processor.")
 @click.option(
     "--case-seconds",
-    type=click.FloatRange(0, min_open=True),
+    type=base.Positive(),
     metavar="S",
     help="Wall time that a case may take by itself [s]; one that takes longer counts as failed.",
 )

@@ -34,7 +34,7 @@ LIMIT = 16.0
 )
 @click.option("--with", "other", type=click.Path(), metavar="FILE", help="A second run, laid over the first.")
 @click.option(
-    "--limit", type=click.FloatRange(min=0, min_open=True), metavar="MB",
+    "--limit", type=base.Positive(), metavar="MB",
     help=f"Most recorded data in the page; frames beyond are left out evenly.  [default: {LIMIT:g}]",
 )  # fmt: skip
 @click.option("--serve", is_flag=True, help="Show all frames, by a server on this machine that ctrl-C ends.")
