@@ -412,3 +412,15 @@ def test_progress_is_silent_when_standard_error_is_not_a_terminal() -> None:
     done = linkwork("run", "spatial_slider_crank", "--t-end", "600", "--step", "1e-3",
                     "--on-inaccurate", "pass")  # fmt: skip
     assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_names_that_standard_output_has_no_letters_for_are_written_in_numbers(tmp_path: Path) -> None:
+    model = Model(name="Stab \u0142")
+    model.body("\u00fc", mass=1.0, inertia=(1, 1, 1))
+    model.save(tmp_path / "model.yaml")
+    words = [*COMMAND, "run", "model.yaml", "--t-end", "0.1", "--step", "0.01"]
+    done = subprocess.run(
+        words, capture_output=True, cwd=tmp_path, env={**os.environ, "PYTHONIOENCODING": "ascii"}, timeout=120
+    )
+    assert done.returncode == 0, done.stderr
+    assert b"Stab \\u0142" in done.stdout

@@ -235,3 +235,35 @@ def test_integrals_that_would_cancel_are_refused() -> None:
 def test_tables_beyond_all_numbers_are_refused(t: list[float], values: list[float]) -> None:
     with pytest.raises(lw.ModelError, match="table: the slope between"):
         lw.functions.table(t, values)
+
+
+@pytest.mark.parametrize(
+    ("text", "exact"),
+    [("6 * sqrt(t)", 24 / 15), ("t**1.5", 4 / 35), ("acos(1 - t)", None), ("0.1 * t * t**0.5", 0.4 / 35)],
+)
+def test_a_force_may_begin_with_an_infinite_derivative(text: str, exact: float | None) -> None:
+    """A mass of 1 kg is pushed by t^a: it goes t^(a + 2) / ((a + 1) (a + 2))."""
+    model = lw.Model(gravity=(0, 0, 0))
+    ball = model.body("ball", mass=1.0, inertia=(1, 1, 1))
+    model.force(ball, force=(functions.expression(text), 0, 0), at=(0, 0, 0))
+    result = lw.simulate(model, t_end=1.0, rtol=1e-9, progress=False)
+    if exact is None:  # the force twice integrated, substituting t = 1 - cos(u)
+        u = np.linspace(0.0, np.pi / 2, 100_001)
+        exact = float(np.trapezoid(np.cos(u) * u * np.sin(u), u))
+    assert result.position[-1, 0, 0] == pytest.approx(exact, rel=1e-7)
+
+
+@pytest.mark.parametrize(("text", "which"), [("sqrt(t)", "first"), ("t**1.5", "second")])
+def test_a_driver_with_an_infinite_derivative_is_refused_with_the_reason(text: str, which: str) -> None:
+    model = lw.mechanisms.four_bar()
+    why = f"{which} derivative at t = 0 s is not finite, with which it enters"
+    with pytest.raises(lw.ModelError, match=why):
+        model.drive("pin 0", position=functions.expression(text))
+    with pytest.raises(lw.ModelError, match=why):
+        model.coupler([("pin 0", 1.0)], offset=functions.expression(text))
+
+
+@pytest.mark.parametrize("text", ["log(t)", "1/t", "t**-0.5", "sqrt(t - 1)", "asin(t + 2)"])
+def test_an_expression_without_a_value_at_the_start_is_refused(text: str) -> None:
+    with pytest.raises(lw.ModelError, match="value at t = 0: nan is not finite"):
+        functions.expression(text)

@@ -37,6 +37,7 @@ def main(arguments: Sequence[str] | None = None) -> None:
     Anywhere on the line, `--debug` lets exceptions through, and `--force` replaces files that are there.
     """
     streams.replace_closed()
+    streams.escape_letters()
     if shells.VARIABLE in os.environ:
         sys.exit(shells.complete(linkwork))
     words = list(sys.argv[1:] if arguments is None else arguments)

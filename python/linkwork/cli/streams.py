@@ -1,13 +1,14 @@
-"""Standard output and error: closed (`>&-`), full, or with nobody who reads."""
+"""Standard output and error: closed (`>&-`), full, of few letters, or with nobody who reads."""
 
 from __future__ import annotations
 
 import errno
+import io
 import os
 import sys
 from contextlib import suppress
 
-__all__ = ["error_of_output", "flush", "print_no_more", "replace_closed", "say"]
+__all__ = ["error_of_output", "escape_letters", "flush", "print_no_more", "replace_closed", "say"]
 
 #: Why standard output takes no more; other errors of the system are not its.
 TAKES_NO_MORE = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.EBADF)
@@ -25,6 +26,12 @@ def replace_closed() -> None:
         sys.stdout = os.fdopen(1, "w", encoding="utf-8", closefd=False)
     if sys.stderr is None:
         sys.stderr = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115: as long as the process
+
+
+def escape_letters() -> None:
+    """Letters that standard output has no bytes for are written as \\u0141."""
+    if isinstance(sys.stdout, io.TextIOWrapper) and sys.stdout.errors == "strict":
+        sys.stdout.reconfigure(errors="backslashreplace")
 
 
 def error_of_output(error: Exception) -> bool:

@@ -16,7 +16,7 @@ LONGEST = 2000
 
 @dataclass(frozen=True)
 class Jet:
-    """f, df/dt and d2f/dt2 at one time."""
+    """f, df/dt and d2f/dt2 at one time; derivatives are NaN where there are none, as of sqrt(t) at 0."""
 
     f: float
     df: float = 0.0
@@ -42,21 +42,36 @@ class Jet:
         )
 
     def __truediv__(self, other: Jet) -> Jet:
-        return self * other.apply(1 / other.f, -1 / other.f**2, 2 / other.f**3)
+        return self * other.apply(1 / other.f, _over(-1, other.f**2), _over(2, other.f**3))
 
     def __pow__(self, other: Jet) -> Jet:
         if self.f < 0 and other.f != round(other.f):
             raise ValueError("a root of a negative number")
         if other.df == other.ddf == 0:
             n = other.f
-            first = n * self.f ** (n - 1) if n else 0.0
-            second = n * (n - 1) * self.f ** (n - 2) if n not in (0, 1) else 0.0
+            first = n * _power(self.f, n - 1) if n else 0.0
+            second = n * (n - 1) * _power(self.f, n - 2) if n not in (0, 1) else 0.0
             return self.apply(self.f**n, first, second)
+        if self.f <= 0:
+            return Jet(self.f**other.f, math.nan, math.nan)
         return _exp(other * _log(self))
 
     def apply(self, g: float, dg: float, ddg: float) -> Jet:
         """g(f) for a function g with these derivatives at f."""
-        return Jet(g, dg * self.df, ddg * self.df**2 + dg * self.ddf)
+        return Jet(g, dg * self.df, ddg * _power(self.df, 2) + dg * self.ddf)
+
+
+def _over(a: float, b: float) -> float:
+    """Of a derivative that may not be: NaN."""
+    return a / b if b else math.nan
+
+
+def _power(x: float, n: float) -> float:
+    """Of a derivative that may not be: NaN."""
+    try:
+        return float(x**n)
+    except ArithmeticError:
+        return math.nan
 
 
 def _exp(x: Jet) -> Jet:
@@ -65,12 +80,12 @@ def _exp(x: Jet) -> Jet:
 
 
 def _log(x: Jet) -> Jet:
-    return x.apply(math.log(x.f), 1 / x.f, -1 / x.f**2)
+    return x.apply(math.log(x.f), 1 / x.f, _over(-1, x.f**2))
 
 
 def _sqrt(x: Jet) -> Jet:
     root = math.sqrt(x.f)
-    return x.apply(root, 0.5 / root, -0.25 / root**3)
+    return x.apply(root, _over(0.5, root), _over(-0.25, root**3))
 
 
 def _sin(x: Jet) -> Jet:
@@ -91,12 +106,12 @@ def _tanh(x: Jet) -> Jet:
 
 
 def _asin(x: Jet) -> Jet:
-    slope = 1 / math.sqrt(1 - x.f**2)
+    slope = _over(1, math.sqrt(1 - x.f**2))
     return x.apply(math.asin(x.f), slope, x.f * slope**3)
 
 
 def _acos(x: Jet) -> Jet:
-    slope = -1 / math.sqrt(1 - x.f**2)
+    slope = _over(-1, math.sqrt(1 - x.f**2))
     return x.apply(math.acos(x.f), slope, x.f * slope**3)
 
 
@@ -107,6 +122,8 @@ def _atan(x: Jet) -> Jet:
 
 def _atan2(y: Jet, x: Jet) -> Jet:
     """The angle of (x, y): its derivatives are those of atan(y / x), or of -atan(x / y) beside the y axis."""
+    if x.f == y.f == 0:
+        return Jet(math.atan2(y.f, x.f), math.nan, math.nan)
     along = _atan(y / x) if abs(x.f) > abs(y.f) else -_atan(x / y)
     return Jet(math.atan2(y.f, x.f), along.df, along.ddf)
 
@@ -142,7 +159,7 @@ class Formula:
             raise self._refuse("is not a formula") from error
 
     def derivative(self, t: float, order: int) -> float:
-        """Of order 0, 1 or 2 at t [s]; NaN where it has no value."""
+        """Of order 0, 1 or 2 at t [s]; NaN where there is none of this order."""
         try:
             jet = self._part(Jet(t, 1.0))
         except (ArithmeticError, ValueError):

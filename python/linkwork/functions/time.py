@@ -21,7 +21,8 @@ from linkwork.fingerprints import law
 __all__ = [
     "Broken", "Callback", "Cycloidal", "Expression", "Harmonic", "Polynomial", "Sum", "Table",
     "TimeFunction", "TimeFunctionLike", "as_time_function", "broken", "check_breaks", "constant",
-    "cycloidal", "expression", "harmonic", "piecewise_polynomial", "polynomial", "table", "with_breaks",
+    "cycloidal", "expression", "harmonic", "infinite_derivative", "piecewise_polynomial",
+    "polynomial", "table", "with_breaks",
 ]  # fmt: skip
 
 #: Of a harmonic, below which an integral has no digits left in the first seconds [rad/s].
@@ -347,15 +348,14 @@ def expression(text: str) -> TimeFunction:
     exp, log, sqrt, tanh. Where it is not smooth, as
     sqrt((t - 1)**2) at 1 s, say so by `with_breaks`: it is not known in advance. It runs in Python: what
     `polynomial`, `harmonic`, `cycloidal` and `table` can say is much faster by them.
-    ModelError: anything else, or no finite value at t = 0.
+    Where a derivative is not finite, as of sqrt(t) at 0 s, it may still be
+    a force. ModelError: anything else, or no finite value at t = 0.
 
         model.drive("motor pin", position=lw.functions.expression("0.3 * sin(2*pi*t)**2"))
     """
     from linkwork.functions.expressions import Formula
 
-    formula = Formula(text)
-    for order in range(3):
-        _finite(formula.derivative(0.0, order), f"expression '{text}': derivative {order} at t = 0")
+    _finite(Formula(text).derivative(0.0, 0), f"expression '{text}': value at t = 0")
     return Expression(text)
 
 
@@ -433,6 +433,16 @@ def as_time_function(x: TimeFunctionLike, what: str) -> float | TimeFunction:
             _check_derivatives(*x, what, STARTS)
         return Callback(*x, what=what)  # type: ignore[misc]
     return _finite(x, what)
+
+
+def infinite_derivative(function: TimeFunction) -> str:
+    """In words, of a function that enters with its derivatives, one that is not finite at the start."""
+    first, last = function.span
+    start = min(max(0.0, first), last)
+    for name, value in zip(("first", "second"), function.evaluate(start)[1:], strict=True):
+        if not math.isfinite(value):
+            return f"its {name} derivative at t = {start:g} s is not finite, with which it enters"
+    return ""
 
 
 def _at_zero(function: Callable[[float], Any], what: str) -> Any:

@@ -13,7 +13,7 @@ from linkwork import _core
 from linkwork.arguments import UNREADABLE, one_of
 from linkwork.arrays import Floats, Indices
 from linkwork.errors import OptionError, about, nearest
-from linkwork.functions import TimeFunction, as_time_function
+from linkwork.functions import TimeFunction, as_time_function, infinite_derivative
 from linkwork.modeling.placement import PLACEMENTS, Attachment, Poses, Subject, attach
 
 Role = Literal["joint", "force"]
@@ -171,6 +171,8 @@ def _parameter(subject: Subject, info: _core.ParameterInfo, given: Any, place: A
     if info.takes == "differentiable" and not parameter.has_derivatives:
         remedy = "a tuple of functions (f, df, ddf), or one of linkwork.functions such as table(t, values)"
         subject.refuse(0, f"{what} enters with its time derivatives: give {remedy}", "derivatives", what)
+    if info.takes == "differentiable" and (why := infinite_derivative(parameter)):
+        subject.refuse(0, f"{what}: {why}", "derivatives", what)
     return parameter
 
 

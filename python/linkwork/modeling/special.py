@@ -14,7 +14,7 @@ from linkwork import _core, rotation
 from linkwork.arguments import UNREADABLE, is_one_of, is_text
 from linkwork.arrays import Floats, VectorLike
 from linkwork.errors import ModelError
-from linkwork.functions import TimeFunction, TimeFunctionLike, as_time_function, broken
+from linkwork.functions import TimeFunction, TimeFunctionLike, as_time_function, broken, infinite_derivative
 from linkwork.modeling.coordinates import coordinate_of
 from linkwork.modeling.handles import BodyLike, Joint
 from linkwork.modeling.placement import Frames, Subject
@@ -152,6 +152,8 @@ class SpecialJointMethods:
         constant, signal = 0.0, -1
         if not isinstance(function, TimeFunction):
             constant = function
+        elif why := infinite_derivative(function) if function.has_derivatives else "":
+            raise ModelError(f"{who}: offset: {why}", code="derivatives", subject=who, field="offset")
         elif function.has_derivatives:
             signal = model._core.add_signal(function.compiled())
             model._functions[signal] = function
