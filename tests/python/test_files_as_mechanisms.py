@@ -94,3 +94,41 @@ def test_robots_run_and_say_what_is_left_out(
     with pytest.warns(lw.LinkworkWarning) if told["notes"] else nullcontext():
         assert run(["run", str(ROBOTS / name), "--t-end", "0.01", "--step", "1e-3"], debug=False) == 0
     assert lw.Model.load(target).body_count == told["bodies"]
+
+
+GAINS = {"stabilization": "baumgarte", "baumgarte_alpha": 5.0, "baumgarte_beta": 5.0}
+SOFT = {"formulation": "penalty", "penalty": 1e7}
+
+
+@pytest.mark.parametrize(
+    ("recommended", "given", "taken"),
+    [
+        (GAINS, "--stabilization none", {"stabilization": "none", "step": 1e-3}),
+        (GAINS, "--integrator phem56", {"integrator": "phem56", "stabilization": "projection"}),
+        (GAINS, "--baumgarte-alpha 7", {"baumgarte_alpha": 7.0, "baumgarte_beta": 5.0}),
+        (SOFT, "--formulation standard", {"formulation": "standard"}),
+        (SOFT, "--penalty-scale 1e5", {"penalty_scale": 1e5, "penalty": None}),
+        ({"integrator": "rk4"}, "--rtol 1e-6", {"integrator": "dopri5", "rtol": 1e-6, "step": None}),
+        ({"rtol": 1e-6}, "--integrator rk4", {"integrator": "rk4", "step": 1e-3}),
+    ],
+)  # fmt: skip
+def test_what_is_given_takes_the_place_of_what_a_file_recommends(
+    recommended: dict[str, object], given: str, taken: dict[str, object], tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:  # fmt: skip
+    path = tmp_path / "model.yaml"
+    lw.mechanisms.four_bar().save(path, simulation={"t_end": 0.01, "step": 1e-3, **recommended})
+    assert run(["run", str(path), *given.split(), "--json"], debug=False) == 0
+    options = json.loads(capsys.readouterr().out)["manifest"]["options"]
+    assert {name: options.get(name) for name in taken} == taken
+
+
+def test_a_report_chooses_what_nothing_says_as_a_run_does(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "model.json"
+    lw.mechanisms.four_bar().save(path)
+    words = ["report", str(path), "--t-end", "0.1", "-o", str(tmp_path / "page.html")]
+    assert run(words, debug=False) == 0
+    assert "--rtol" in capsys.readouterr().err
+    assert (tmp_path / "page.html").exists()

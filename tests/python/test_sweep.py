@@ -1123,3 +1123,17 @@ def test_parts_of_functions_have_the_units_of_their_arguments() -> None:
         "strut.attachment.origin[0][2]": "m", "rod.inertia[0]": "kg m2",
     }  # fmt: skip
     assert Changed.of(model, list(expected)).units(list(expected)) == expected
+
+
+def test_a_study_without_a_finished_case_is_an_error_in_json_too(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    rod().save(tmp_path / "rod.yaml")
+    (tmp_path / "study.yaml").write_text(
+        "linkwork_study: 1\nmodel: rod.yaml\nt_end: 0.02\nsimulation: {step: 0.01}\n"
+        "parameters: {rod.mass: [-1.0, -2.0]}\noutputs: final\n"
+    )
+    assert run(["sweep", str(tmp_path / "study.yaml"), "--processes", "1", "--json"], debug=False) == 1
+    found = json.loads(capsys.readouterr().out)
+    assert found["failed"] == 2 and found["error"]["exit_code"] == 1
+    assert found["error"]["message"].startswith("no case has finished, 2 failed: ")

@@ -39,13 +39,13 @@ def report(subject: str, output: str, t_end: float | None, step: float | None) -
 
 def _result(subject: str, options: dict[str, float | None]) -> lw.Result:
     """Read, or simulated. UsageError: neither a mechanism nor a file, or options that a file cannot take."""
+    from linkwork.cli.running import settings_of
+
     given = {name: value for name, value in options.items() if value is not None}
     if subject in lw.mechanisms.MECHANISMS or lw.mechanisms.is_model_file(subject):
         mechanism = lw.mechanisms.named(subject)
-        settings = {**mechanism.settings, **given}
-        if "t_end" not in settings:
-            raise click.UsageError(f"'{subject}' does not say when the run ends: give --t-end")
-        return lw.simulate(mechanism.function(), **settings)
+        model = mechanism.function()
+        return lw.simulate(model, **settings_of(mechanism, given, model))
     if not Path(subject).exists():
         raise click.UsageError(
             f"'{subject}' is no file and no mechanism{nearest(subject, lw.mechanisms.MECHANISMS)}"

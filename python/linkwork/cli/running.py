@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from linkwork.cli import output as out
 from linkwork.cli.base import may_replace
 from linkwork.errors import OptionError, counted
+from linkwork.integrators import METHODS, EmbeddedPair
 from linkwork.motion.records import Snapshot
 from linkwork.results.result import Result
 from linkwork.running.time_scale import TOLERANCE, usual_end
@@ -36,7 +37,7 @@ def simulate_and_show(
         out.check_writable(plot, "picture")
         figures.check_format(plot)
     model = mechanism.function(**parameters)
-    settings = _settings(mechanism, options, model)
+    settings = settings_of(mechanism, options, model)
     if "start" in settings:
         settings["start"] = _last_state(settings["start"], model, settings["t_end"])
     try:
@@ -64,14 +65,15 @@ def _kept(output: str | None, result: Result | None) -> str:
     return f"; '{output}' has {counted(len(result), 'frame')} up to t = {result.t[-1]:g} s"
 
 
-def _settings(mechanism: Mechanism, options: Mapping[str, Any], model: Model) -> dict[str, Any]:
+def settings_of(mechanism: Mechanism, options: Mapping[str, Any], model: Model) -> dict[str, Any]:
     """The options that were given, over the recommended; what neither says is chosen, and that is told."""
     settings = {**mechanism.settings_beside(options), **options}
     chosen = []
     if "t_end" not in settings:
         settings["t_end"], why = usual_end(model)
         chosen.append(f"--t-end {settings['t_end']:g} ({why})")
-    if not settings.keys() & {"step", "rtol", "atol"}:
+    follows = "integrator" not in settings or isinstance(METHODS.get(settings["integrator"]), EmbeddedPair)
+    if follows and not settings.keys() & {"step", "rtol", "atol"}:
         settings["rtol"] = TOLERANCE
         chosen.append(f"--rtol {TOLERANCE:g}")
     if chosen:

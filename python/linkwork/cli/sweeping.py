@@ -79,16 +79,17 @@ def sweep(file: str, shard: str | None, gather: bool, processes: int | None, cas
         _print(study)
         files = [("output", output or ""), ("picture", picture or ""), ("page", page or "")]
         out.print_pairs([("directory", str(given["directory"])), *files])
-    _say_if_none(study)
-
-
-def _say_if_none(study: Study) -> None:
-    """Exit code 1 where all cases of a study have failed, other than a shard's."""
-    failed = int((study.status == "failed").sum())
-    if failed == len(study):
-        first = study.errors[min(study.errors)]["message"]
-        streams.say("error", f"no case has finished, {failed} failed: {first}")
+    if message := _failure(study):
+        streams.say("error", message)
         raise click.exceptions.Exit(1)
+
+
+def _failure(study: Study) -> str:
+    """In words, where all cases of a study have failed, other than a shard's."""
+    failed = int((study.status == "failed").sum())
+    if failed < len(study):
+        return ""
+    return f"no case has finished, {failed} failed: {study.errors[min(study.errors)]['message']}"
 
 
 def _shard(text: str) -> tuple[int, int]:
@@ -103,8 +104,10 @@ def _counts(study: Study) -> dict[str, int]:
 
 
 def _document(study: Study, given: dict[str, Any], output: str | None) -> dict[str, Any]:
-    table = study.to_table()
+    table, message = study.to_table(), _failure(study)
+    error = {"type": "Error", "code": "failed", "message": message, "exit_code": 1}
     return {
+        **({"error": error} if message else {}),
         "cases": len(study), **_counts(study), "directory": str(given["directory"]), "output": output,
         "table": {name: table[name] for name in table.dtype.names or ()},
         "errors": {str(number): dict(error) for number, error in study.errors.items()},

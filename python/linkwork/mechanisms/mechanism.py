@@ -12,6 +12,7 @@ import numpy as np
 
 from linkwork import memory
 from linkwork.errors import ModelError
+from linkwork.mechanisms.recommended import beside
 from linkwork.modeling.model import Model
 
 __all__ = ["Mechanism", "Parameter", "Size", "at_least"]
@@ -60,9 +61,8 @@ class Mechanism:
         object.__setattr__(self, "settings", settings)
 
     def settings_beside(self, given: Mapping[str, Any]) -> dict[str, Any]:
-        """The settings; a recommended step is no limit for steps that follow `given` tolerances."""
-        adaptive = "rtol" in given or "atol" in given
-        return {name: value for name, value in self.settings.items() if not (adaptive and name == "step")}
+        """The settings that have a meaning beside those that are given."""
+        return beside(self.settings, given)
 
     @property
     def name(self) -> str:
