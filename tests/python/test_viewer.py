@@ -504,3 +504,19 @@ def test_screenshot_is_a_picture_of_the_scene(
     left, top, right, bottom = canvas(tab)
     assert seen.shape[:2] == (bottom - top, right - left)
     center_of(seen, 0)
+
+
+def test_events_that_have_no_mark_are_counted_and_models_named(tab: chromium.Page, tmp_path: Path) -> None:
+    model = lw.Model(name="ticking")
+    model.body("ball", mass=1.0, inertia=(1, 1, 1))
+    sign = lw.Event(lambda t, state: float(np.sin(2 * np.pi * 110 * t)), "passes zero")
+    result = lw.simulate(model, t_end=1.0, step=2e-3, rtol=1e-6, events=[sign], progress=False)
+    other = lw.simulate(lw.mechanisms.pendulum(), t_end=0.1, step=1e-3, progress=False)
+    with pytest.warns(lw.LinkworkWarning, match="different mechanisms"):
+        page = result.view(other=other)
+    opened(tab, page, tmp_path)
+    tab.screenshot()
+    said = tab.evaluate("document.querySelector('.left-out').textContent")
+    assert f"marks of all events but the last {len(result.events) - 200}" in said
+    assert tab.evaluate("document.querySelector('h1').textContent") == "ticking and pendulum"
+    assert tab.complaints == []
