@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 from fractions import Fraction
 
@@ -10,7 +11,15 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork.arrays import Floats
-from linkwork.integrators import METHODS, AdamsBashforth, AdamsBashforthMoulton, ButcherTableau, EmbeddedPair
+from linkwork.integrators import (
+    METHODS,
+    AdamsBashforth,
+    AdamsBashforthMoulton,
+    ButcherTableau,
+    EmbeddedPair,
+    HalfExplicit,
+    Integrator,
+)
 
 RUNGE_KUTTA = [method for method in METHODS.values() if isinstance(method, ButcherTableau)]
 PAIRS = [method for method in METHODS.values() if isinstance(method, EmbeddedPair)]
@@ -176,6 +185,57 @@ def test_whatever_is_far_too_stiff_grows(name: str) -> None:
 @pytest.mark.parametrize("name", LIMITS)
 def test_the_growth_of_a_violation_passes_one_at_the_known_gain(name: str) -> None:
     below, above = (METHODS[name].growth(gain * LIMITS[name], gain * LIMITS[name]) for gain in (0.98, 1.02))
+    assert below < 1 < above, (below, above)
+
+
+#: All but the half-explicit ones, which have no gains.
+WITH_GAINS = [method for method in METHODS.values() if not isinstance(method, HalfExplicit)]
+
+
+def off_its_joint() -> lw.Model:
+    model = lw.Model(gravity=(0, 0, 0))
+    bob = model.body("bob", mass=1.0, inertia=(0.01, 0.01, 0.01), position=(1 + 1e-4, 0, 0))
+    model.distance("ground", bob, at=((0, 0, 0), (1 + 1e-4, 0, 0)), length=1.0)
+    return model
+
+
+@pytest.mark.filterwarnings("ignore:.*initial poses do not satisfy")
+@pytest.mark.parametrize("method", WITH_GAINS, ids=lambda method: method.name)
+def test_under_held_gains_a_violation_decays_as_its_map_says(method: Integrator) -> None:
+    gains = {"baumgarte_alpha": 40.0, "baumgarte_beta": 20.0}
+    run = lw.simulate(
+        off_its_joint(), 0.6, 0.01, method, assemble=False, record_every=1, on_inaccurate="pass", **gains
+    )
+    early, late = run.violation[[20, 60], 0]
+    assert method.sampled_growth(0.4, 0.2) == pytest.approx((late / early) ** (1 / 40), rel=1e-3)
+
+
+@pytest.mark.parametrize("method", WITH_GAINS, ids=lambda method: method.name)
+def test_held_gains_with_which_a_violation_grows_are_refused(method: Integrator) -> None:
+    for gain in (0.5, 0.9, 1.1, 1.9, 2.1, 1e5, 1e300):
+        gains = {"baumgarte_alpha": gain / 1e-3, "baumgarte_beta": gain / 1e-3}
+        if method.sampled_growth(min(gain, 1e6), min(gain, 1e6)) < 1:
+            assert (
+                len(lw.simulate(lw.mechanisms.pendulum(), 0.01, 1e-3, method, on_inaccurate="pass", **gains))
+                == 11
+            )
+            continue
+        message = f"{gain / 1e-3:g} 1/s are unstable with integrator '{method.name}' and step 0.001 s"
+        with pytest.raises(lw.OptionError, match=re.escape(message)) as caught:
+            lw.simulate(lw.mechanisms.pendulum(), 0.01, 1e-3, method, on_inaccurate="pass", **gains)
+        assert caught.value.code == "unstable_gains"
+        assert "leave both out" in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("name", "limit"),
+    [("euler", 2.0), ("rk4", 1.0), ("ab4", 1.0), ("semi_implicit_euler", 2 * (math.sqrt(2) - 1))],
+)
+def test_the_growth_under_held_gains_passes_one_at_the_gain_that_their_map_says(
+    name: str, limit: float
+) -> None:
+    """K has the eigenvalue -1 where 4 - 4 a + (1 - 2 s) b^2 = 0."""
+    below, above = (METHODS[name].sampled_growth(gain, gain) for gain in (0.98 * limit, 1.02 * limit))
     assert below < 1 < above, (below, above)
 
 

@@ -33,6 +33,10 @@ class AdamsBashforth:
         """As `ButcherTableau.growth`: the largest root of zeta^k - zeta^(k-1) - z sum_j b_j zeta^(k-1-j)."""
         return _largest_root([-z * np.array(self.predictor) for z in damped_roots(alpha_h, beta_h)])
 
+    def sampled_growth(self, alpha_h: float, beta_h: float) -> float:
+        """As `ButcherTableau.sampled_growth`."""
+        return _added_growth(alpha_h, beta_h)
+
 
 @dataclass(frozen=True)
 class AdamsBashforthMoulton:
@@ -57,6 +61,10 @@ class AdamsBashforthMoulton:
         """As `ButcherTableau.growth`, with the predicted value inserted into the corrector."""
         return _largest_root([self._past(z) for z in damped_roots(alpha_h, beta_h)])
 
+    def sampled_growth(self, alpha_h: float, beta_h: float) -> float:
+        """As `ButcherTableau.sampled_growth`."""
+        return _added_growth(alpha_h, beta_h)
+
     def _past(self, z: complex) -> np.ndarray[tuple[int], np.dtype[np.complex128]]:
         """-a_j in y_next = y + sum_j a_j y_{n-j} for f = z y / h."""
         predicted = z * np.array(self.predictor, complex)
@@ -65,6 +73,14 @@ class AdamsBashforthMoulton:
         past[: len(predicted)] = self.corrector[0] * predicted
         past[: len(self.corrector) - 1] += self.corrector[1:]
         return -z * past
+
+
+def _added_growth(alpha_h: float, beta_h: float) -> float:
+    """A step adds -2 alpha h Phi_dot to Phi_dot and -(beta h)^2 Phi to Phi, and Phi_dot to Phi with weights.
+
+    That is triangular: 1 - 2 alpha h and 1 - (beta h)^2 are its eigenvalues, beside zeros.
+    """
+    return max(abs(1 - 2 * alpha_h), abs(1 - beta_h**2))
 
 
 def _largest_root(past: Sequence[np.ndarray[tuple[int], np.dtype[np.complex128]]]) -> float:

@@ -14,6 +14,15 @@ def damped_roots(alpha_h: float, beta_h: float) -> NDArray[np.complex128]:
     return np.array([-alpha_h + root, -alpha_h - root])
 
 
+def held_growth(alpha_h: float, beta_h: float, s: float) -> float:
+    """By which a violation grows under u = -2 alpha Phi_dot - beta^2 Phi held over a step; s = sum b_i c_i.
+
+    The spectral radius of K of docs/theory/stabilization.md. By its trace and determinant its eigenvalues are
+    1 - x +- sqrt(x^2 - (beta h)^2) with x = alpha h + s (beta h)^2 / 2.
+    """
+    return float(np.max(np.abs(1 + damped_roots(alpha_h + 0.5 * s * beta_h**2, beta_h))))
+
+
 def stability(A: Floats, b: Floats, z: complex) -> complex:
     """R(z) = 1 + z b^T (1 - z A)^-1 1 of an explicit method, stage by stage.
 

@@ -10,7 +10,7 @@ import numpy as np
 from linkwork import _core
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError
-from linkwork.integrators.growth import damped_roots, stability
+from linkwork.integrators.growth import damped_roots, held_growth, stability
 
 
 @dataclass(frozen=True)
@@ -59,3 +59,7 @@ class ButcherTableau:
         """
         A, b = self.matrix, np.array(self.b)
         return float(np.max(np.abs([stability(A, b, z) for z in damped_roots(alpha_h, beta_h)])))
+
+    def sampled_growth(self, alpha_h: float, beta_h: float) -> float:
+        """The same where the term of Phi_dot and Phi is computed once a step and held."""
+        return held_growth(alpha_h, beta_h, float(np.array(self.b) @ self.matrix.sum(axis=1)))

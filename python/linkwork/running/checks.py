@@ -59,6 +59,12 @@ LISTED = 5
 #: Gains times step above which continuous Baumgarte stabilization lowers the order of the integrator.
 ACCURATE_GAIN = 0.1
 
+#: What to do where gains are unstable, of the stabilizations that have gains.
+INSTEAD = {
+    "baumgarte": "use smaller gains, a smaller step, or stabilization 'sampled_baumgarte'",
+    "sampled_baumgarte": "leave both out, and a violation is gone after two steps, or use a smaller step",
+}
+
 #: A violation may grow so much in a step, by rounding of what tells its growth.
 STABLE = 1e-9
 
@@ -330,21 +336,23 @@ def warn_of_contradiction(statistics: Mapping[str, Any]) -> None:
 def check_gains(method: Integrator, dynamics: _core.Dynamics, step: float) -> None:
     """OptionError: Baumgarte gains that the integrator cannot follow; LinkworkWarning: order lost."""
     options = dynamics.options
-    alpha, beta = options.baumgarte_alpha, options.baumgarte_beta
-    if options.stabilization != "baumgarte" or alpha is None or beta is None:
+    alpha, beta, kind = options.baumgarte_alpha, options.baumgarte_beta, options.stabilization
+    if kind not in INSTEAD or alpha is None or beta is None:
         return
     if isinstance(method, HalfExplicit):  # refuses these gains itself
         return
     gains = f"baumgarte_alpha {alpha:g} 1/s and baumgarte_beta {beta:g} 1/s"
-    growth = method.growth(alpha * step, beta * step)
+    sampled = kind == "sampled_baumgarte"
+    grown = method.sampled_growth if sampled else method.growth
+    growth = grown(min(alpha * step, stiffness.BEYOND), min(beta * step, stiffness.BEYOND))
     if growth > 1 + STABLE:
+        factor = f"1 + {growth - 1:.2g}" if growth < 1.01 else f"{growth:.3g}"
         raise OptionError(
             f"{gains} are unstable with integrator '{method.name}' and step {step:g} s: a violation grows "
-            f"by the factor {growth:.3g} in each step; use smaller gains, a smaller step, or stabilization "
-            "'sampled_baumgarte'",
+            f"by the factor {factor} in each step; {INSTEAD[kind]}",
             code="unstable_gains",
         )
-    if max(alpha, beta) * step > ACCURATE_GAIN and method.order > 1:
+    if not sampled and max(alpha, beta) * step > ACCURATE_GAIN and method.order > 1:
         lost = f"integrator '{method.name}' loses its order {method.order}"
         warn(f"{gains} are above {ACCURATE_GAIN:g} / step: {lost}")
 
