@@ -442,3 +442,28 @@ def test_a_tree_of_points_is_the_same_in_every_process() -> None:
         ).stdout.split()  # fmt: skip
     ]
     assert len(found) == 4 and len(set(found)) == 1
+
+
+def test_numbers_of_numpy_that_python_has_not_are_told_apart_to_the_last_bit() -> None:
+    wide = np.longdouble(1) / 3
+    records = [np.array([(1, 2)], [(one, int), (other, int)]) for one, other in ("xy", "yx")]
+    different = [
+        *(1 / 3, wide, -wide, np.nextafter(wide, 1), np.clongdouble(wide), np.clongdouble(1j) / 3, [wide]),
+        *(np.datetime64(1, "ns"), np.datetime64(1, "us"), np.timedelta64(1, "ns"), np.timedelta64(1, "s"), 1),
+        *(np.array([1, 2], "m8[s]"), np.array([1, 2], "m8[h]"), np.array([1, 2]), np.timedelta64("NaT")),
+        *(records[0], records[1], records[0][0], records[1][0]),
+    ]
+    assert len({digest(value) for value in different}) == len(different)
+    assert digest(wide) == digest(np.longdouble(1) / 3) != digest(np.array([wide]))
+
+
+def test_a_force_that_reads_a_long_double_runs_and_counts() -> None:
+    def pushed(force: np.longdouble) -> lw.Model:
+        model = lw.Model(gravity=(0, 0, 0))
+        body = model.body("b", mass=1.0, inertia=(0.02, 0.03, 0.04))
+        model.user_force(lambda t, q, v: [float(force), 0, 0, 0, 0, 0], body)
+        return model
+
+    two = pushed(np.longdouble(2))
+    assert lw.simulate(two, 0.1, 0.01).velocity[-1, 0, 0] == pytest.approx(0.2)
+    assert two.hash() == pushed(np.longdouble(2)).hash() != pushed(np.longdouble(3)).hash()

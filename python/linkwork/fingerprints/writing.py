@@ -112,7 +112,7 @@ class _Writer:
             return _short(repr(value))
         if not beside(value):
             if isinstance(value, np.generic | np.ndarray):
-                value = value.tolist()
+                value = _told(value)
             if isinstance(value, float):
                 return float(value).hex()
             if value is None or isinstance(value, bool | bytes | str) or value is Ellipsis:
@@ -135,6 +135,20 @@ class _Writer:
             parts.sort()
         kind = "list" if isinstance(value, list | tuple) else type(value).__name__
         return f"{kind}({','.join(parts)})" if parts else ADDRESS.sub("", f"{kind} {value!r}")
+
+
+def _told(value: Any) -> Any:
+    """What NumPy holds, as numbers of Python; beside its type where these do not say all of it."""
+    if value.dtype.names:
+        return ["fields", *((name, value[name]) for name in value.dtype.names)]
+    if value.dtype.kind in "mM":  # in some units they are objects of Python, in others counts without unit
+        return [value.dtype.str, value.astype(np.int64)]
+    told = value.tolist()
+    if not isinstance(told, np.generic):
+        return told
+    if not isinstance(told, np.longdouble | np.clongdouble):
+        return [told.dtype.str, repr(told)]
+    return [told.dtype.str, *(np.format_float_scientific(part) for part in (told.real, told.imag))]
 
 
 def _parts(value: Any) -> list[Any]:
