@@ -1,5 +1,4 @@
 #include <array>
-#include <cstring>
 #include <utility>
 #include <variant>
 
@@ -269,7 +268,7 @@ class PythonForce final : public UserForce {
   Doubles numbers(const py::object& given, double t) const {
     if (!given.is_none()) {
       const py::array found = py::array::ensure(given);
-      if (found && std::strchr("biufO", found.dtype().kind()))  // complex numbers would lose a part
+      if (is_real(found))
         if (Doubles out = Doubles::ensure(found)) return out;
       PyErr_Clear();
     }

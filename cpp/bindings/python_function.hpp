@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdio>
+#include <cstring>
 #include <memory>
 #include <string>
 #include <utility>
@@ -23,6 +24,9 @@ inline std::string shown(const py::handle& value) {
   return text.size() <= longest ? text : text.substr(0, longest) + "...";
 }
 
+/// Real numbers, or objects that may be such: of complex ones a part would be lost, and of times their unit.
+inline bool is_real(const py::array& found) { return found && std::strchr("biufO", found.dtype().kind()); }
+
 /// A Python function of numbers that returns a number; `what` it is for, in messages.
 class PythonFunction {
  public:
@@ -33,10 +37,11 @@ class PythonFunction {
   double operator()(double t, Numbers... rest) const {
     const py::gil_scoped_acquire gil;
     const py::object given = (*function_)(t, rest...);
-    if (PyFloat_CheckExact(given.ptr())) return PyFloat_AS_DOUBLE(given.ptr());
-    const bool number = !PyUnicode_Check(given.ptr()) && !PyBytes_Check(given.ptr());
-    const double value = number ? PyFloat_AsDouble(given.ptr()) : -1.0;
-    if (number && !PyErr_Occurred()) return value;
+    if (PyFloat_Check(given.ptr())) return PyFloat_AS_DOUBLE(given.ptr());  // numpy.float64 is one
+    if (is_real(py::array::ensure(given))) {
+      const double value = PyFloat_AsDouble(given.ptr());
+      if (!PyErr_Occurred()) return value;
+    }
     PyErr_Clear();
     throw ModelError("not_a_number", what_ + ": returned " + shown(given) + at_time(t) + ", not a number");
   }

@@ -23,7 +23,7 @@ from linkwork.errors import FileError, LinkworkError, ModelError, OptionError, a
 __all__ = [
     "UNREADABLE", "array", "check_new", "check_suffix", "folders", "is_iterable",
     "is_number", "is_one_of", "is_text", "number",
-    "one_of", "optional_package", "path", "refuse_dash", "whole",
+    "one_of", "optional_package", "path", "reals", "refuse_dash", "whole",
 ]  # fmt: skip
 
 #: A shape (size,) of an array; None stands for any length.
@@ -48,18 +48,28 @@ UNREADABLE = (TypeError, ValueError, OverflowError)
 
 
 def array(given: Any, what: str, error: type[LinkworkError] = OptionError) -> Floats:
-    """As numbers, in any shape. `error`: it is not made of real numbers."""
+    """As numbers, in any shape; NaN where they are masked. `error`: it is not made of real numbers."""
     try:
-        if np.iscomplexobj(given):
-            raise TypeError("complex")
-        return np.asarray(given, dtype=float)
+        return reals(given, texts=True)
     except UNREADABLE as cause:
         raise error(f"{what} {given!r:.80} is not made of numbers", code="not_a_number") from cause
+
+
+def reals(given: Any, texts: bool = False) -> Floats:
+    """The same, texts that are numbers only where they count. UNREADABLE: it is not made of real numbers."""
+    masked = isinstance(given, np.ma.MaskedArray)
+    found = given if masked else np.asarray(given)
+    if given is None or found.dtype.kind not in ("biufOSU" if texts else "biufO"):
+        raise TypeError("complex numbers would lose a part, and times of NumPy their unit")
+    numbers: Floats = found.astype(float, copy=False)
+    return np.ma.filled(numbers, np.nan) if masked else numbers
 
 
 def is_number(given: Any) -> bool:
     """Whether it is one finite real number; text is none."""
     if isinstance(given, str | bytes) or not (isinstance(given, int) or hasattr(given, "__float__")):
+        return False
+    if not isinstance(given, int | float) and np.iscomplexobj(given):
         return False
     try:
         return math.isfinite(given)

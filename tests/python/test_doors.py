@@ -190,7 +190,17 @@ def test_what_a_result_does_not_have_is_refused(ask: Callable[[lw.Result], Any])
 # --- functions of the user's own ----------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("given", ["much", None, (1.0, 2.0), "1.5", ..., b"1", [1.0]], ids=repr)
+#: From which numbers could be made, with a part or a unit lost.
+NOT_REAL = [
+    np.complex128(1 + 2j),
+    np.complex64(1),
+    np.array(1j),
+    np.timedelta64(1, "s"),
+    np.datetime64(1, "s"),
+]
+
+
+@pytest.mark.parametrize("given", ["much", None, (1.0, 2.0), "1.5", ..., b"1", [1.0], *NOT_REAL], ids=repr)
 def test_a_function_of_time_that_returns_no_number_is_named(given: Any) -> None:
     model = mechanisms.rod_pendulum()
     model.force("rod", force=(lambda t: given if t > 0 else 1.0, 0, 0), name="push")
@@ -201,15 +211,35 @@ def test_a_function_of_time_that_returns_no_number_is_named(given: Any) -> None:
 
 
 @pytest.mark.parametrize(
-    "given", ["much", None, 3.0, np.zeros(6), np.zeros((2, 6)), [[1], [2, 3]], [["a"] * 6]]
+    "given",
+    ["much", None, 3.0, np.zeros(6), np.zeros((2, 6)), [[1], [2, 3]], [["a"] * 6], [["1"] * 6]]
+    + [np.full(shape, it) for it in NOT_REAL for shape in (6, (1, 6))],
 )
 @pytest.mark.parametrize("bodies", [None, ["rod"], "rod"])
 def test_a_user_force_that_returns_no_forces_is_named(given: Any, bodies: Any) -> None:
     if bodies == "rod" and isinstance(given, np.ndarray) and given.shape == (6,):
-        return  # what one body takes
+        given = np.full(6, 1j) if given.dtype.kind == "f" else given  # floats are what one body takes
     model = mechanisms.rod_pendulum()
     model.user_force(lambda t, q, v: given, bodies, name="wind")
     with pytest.raises(lw.ModelError, match="user force 'wind'"):
+        lw.simulate(model, 0.1, 1e-2, progress=False)
+
+
+@pytest.mark.parametrize("given", [np.complex128(1 + 2j), np.complex64(1), np.timedelta64(1, "s")])
+def test_a_joint_force_is_a_real_number(given: Any) -> None:
+    for law in (given, lambda t, x, rate: given):
+        model = lw.Model()
+        body = model.body("body", mass=1.0, inertia=(1, 1, 1))
+        model.translational("ground", body, at=(0, 0, 0), axis=(1, 0, 0), name="slide")
+        with pytest.raises(lw.ModelError, match="joint force 'joint force 1'.*not a.* number"):
+            model.joint_force("slide", law)
+            lw.simulate(model, 0.1, 1e-2, progress=False)
+
+
+def test_masked_forces_on_a_body_are_none() -> None:
+    model = mechanisms.rod_pendulum()
+    model.user_force(lambda t, q, v: np.ma.array(v, mask=np.arange(6) > 3), "rod", name="wind")
+    with pytest.raises(lw.NotFiniteError, match="force 'wind'"):
         lw.simulate(model, 0.1, 1e-2, progress=False)
 
 
@@ -299,6 +329,18 @@ def test_beside_its_dead_center_it_can() -> None:
 FOUR_BAR = mechanisms.four_bar()
 
 NO_ARGUMENTS: dict[str, Callable[[], object]] = {
+    "a complex stiffness": lambda: lw.mechanisms.rod_pendulum().rotational_spring_damper(
+        "ground", "rod", at=(0, 0, 0), axis=(0, 1, 0), stiffness=np.complex128(1 + 1j)
+    ),
+    "a complex place": lambda: lw.mechanisms.rod_pendulum().spherical(
+        "ground", "rod", at=(np.complex128(1j), 0, 0)
+    ),
+    "a complex step": lambda: run(step=np.complex128(1e-2 + 1j)),  # type: ignore[arg-type]
+    "a complex constant": lambda: lw.functions.constant(np.complex128(1j)),  # type: ignore[arg-type]
+    "complex breaks": lambda: lw.functions.with_breaks(lambda t: 0.0, [np.complex128(1j)]),
+    "a place in milliseconds": lambda: lw.Model().body(
+        mass=1.0, inertia=(1, 1, 1), position=np.ones(3, "m8[ms]")
+    ),
     "assemble, no bodies": lambda: lw.assemble(lw.Model()),
     "linearize, near is text": lambda: lw.linearize(FOUR_BAR, near="x"),  # type: ignore[arg-type]
     "linearize, start is text": lambda: lw.linearize(FOUR_BAR, start="x"),  # type: ignore[arg-type]

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork.accuracy.verdict import Verdict
+from linkwork.arguments import UNREADABLE, reals
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.modeling.model import Model
@@ -229,8 +230,8 @@ def _check_functions(
 
 def _output(name: str, value: ArrayLike, changed: str, at: float) -> Floats:
     try:
-        array = np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
+        array = reals(value)
+    except UNREADABLE:
         raise ModelError(
             f"sensitivity: output '{name}' is {value!r:.80}, not numbers", code="not_a_number"
         ) from None

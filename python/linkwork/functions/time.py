@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork import _core
-from linkwork.arguments import UNREADABLE, array, number
+from linkwork.arguments import UNREADABLE, array, number, reals
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError
 from linkwork.fingerprints import law
@@ -266,8 +266,8 @@ def with_breaks(function: TimeFunctionLike, breaks: ArrayLike) -> TimeFunction:
 def check_breaks(breaks: ArrayLike, who: str) -> tuple[float, ...]:
     """Times [s], ascending. ModelError: they are no finite numbers."""
     try:
-        times = np.unique(np.asarray(breaks, dtype=float))
-    except (TypeError, ValueError, OverflowError) as error:
+        times = np.unique(reals(breaks, texts=True))
+    except UNREADABLE as error:
         raise ModelError(
             f"{who}: breaks {breaks!r:.80} are not times [s]", code="breaks", subject=who, field="breaks"
         ) from error
@@ -470,7 +470,7 @@ def _check_derivatives(f: Any, df: Any, ddf: Any, what: str, starts: Iterable[fl
 
 def _finite(x: Any, what: str) -> float:
     try:
-        value = float(x)
+        value = float(reals(x, texts=True))
     except UNREADABLE as error:
         choices = "a number, a function of time, or a tuple of functions (f, df, ddf)"
         raise ModelError(f"{what}: {x!r:.80} is not {choices}", code="not_a_number") from error

@@ -10,7 +10,7 @@ from typing import Any, Literal
 import numpy as np
 
 from linkwork import _core
-from linkwork.arguments import UNREADABLE, one_of
+from linkwork.arguments import UNREADABLE, one_of, reals
 from linkwork.arrays import Floats, Indices
 from linkwork.errors import OptionError, about, nearest
 from linkwork.functions import TimeFunction, as_time_function, infinite_derivative
@@ -161,7 +161,7 @@ def _parameter(subject: Subject, info: _core.ParameterInfo, given: Any, place: A
     if subject.group and not isinstance(given, TimeFunction) and not callable(given):
         try:
             if np.shape(given) == (subject.count,):
-                return np.asarray(given, dtype=float)
+                return reals(given, texts=True)
         except UNREADABLE:
             subject.refuse(0, f"{what} {given!r:.80} is not made of numbers", "not_a_number", what)
     with about(what, subject.who(0)):

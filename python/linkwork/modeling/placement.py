@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import rotation
-from linkwork.arguments import UNREADABLE
+from linkwork.arguments import UNREADABLE, reals
 from linkwork.arrays import Floats, Indices, pieces
 from linkwork.errors import ModelError
 
@@ -75,8 +75,8 @@ class Subject:
     def array(self, value: Any, size: int, what: str) -> Floats:
         """`value` as (k, size): the same for all, or one for each element; finite."""
         try:
-            given = np.asarray(value, dtype=float)
-        except (TypeError, ValueError, OverflowError):
+            given = reals(value, texts=True)
+        except UNREADABLE:
             self.refuse(0, f"{what} {value!r:.80} is not made of numbers", "not_a_number", what)
         total = self.count if self.total is None else self.total
         if given.shape not in ((size,), (total, size)):
@@ -85,7 +85,7 @@ class Subject:
         own = given if given.ndim == 1 else given[self.first : self.first + self.count]
         array = np.broadcast_to(own, (self.count, size))
         self.check(
-            np.isfinite(array).all(axis=1),
+            np.asarray(np.isfinite(array).all(axis=1)),
             lambda k: f"{what} {text(array[k])} is not finite",
             "not_finite",
             what,
@@ -381,7 +381,7 @@ def _as_arrays(value: Any, count: int) -> Any:
         return tuple(_as_arrays(part, count) for part in value)
     if isinstance(value, list | tuple) and len(value) == count:
         try:
-            return np.asarray(value, dtype=float)
+            return reals(value, texts=True)
         except UNREADABLE:
             return value
     return value

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork import _core, rotation
-from linkwork.arguments import UNREADABLE, is_one_of, is_text
+from linkwork.arguments import UNREADABLE, is_one_of, is_text, reals
 from linkwork.arrays import Floats, VectorLike
 from linkwork.errors import ModelError
 from linkwork.functions import TimeFunction, TimeFunctionLike, as_time_function, broken, infinite_derivative
@@ -215,7 +215,7 @@ class SpecialJointMethods:
 
 def _points(points: VectorLike, subject: Subject) -> Floats:
     try:
-        array = np.array(points, dtype=float)
+        array = np.array(reals(points, texts=True))
     except UNREADABLE:
         subject.refuse(0, "points are not made of numbers", "not_a_number")
     if array.ndim != 2 or array.shape[1] != 3:

@@ -170,7 +170,7 @@ def _on_bodies(
         out = np.zeros_like(v)
         returned = function(t, q[..., chosen, :], v[..., chosen, :])
         try:
-            force = np.asarray(returned, dtype=float)
+            force = arguments.reals(returned)
         except arguments.UNREADABLE as error:
             why = f"returned {returned!r:.80} at t = {np.ravel(t)[0]:g} s, not an array of numbers"
             raise ModelError(f"user force '{name}': {why}", code="not_a_number") from error

@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from linkwork.arguments import reals
 from linkwork.arrays import Floats
 from linkwork.functions import Broken, Callback, Expression, Sum, TimeFunction
 from linkwork.modeling.model import Model
@@ -81,7 +82,7 @@ def _far(function: TimeFunction, times: Floats) -> list[float]:
     order = np.argsort((GOLDEN * np.arange(len(times))) % 1.0)  # as far as the time goes, all over the run
     try:
         for place in order:
-            values.append(float(value(float(times[place]))))
+            values.append(float(reals(value(float(times[place])))))
             if len(values) % 16 == 0 and time.thread_time() > ends:
                 break
     except Exception:  # the run will say so
