@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 import re
 from collections.abc import Iterator
 from fractions import Fraction
+from typing import Any
 
 import linkwork as lw
 import numpy as np
@@ -247,6 +249,53 @@ def test_an_unknown_name_is_answered_with_the_nearest() -> None:
 def test_a_tableau_of_unequal_sizes_is_refused_by_name() -> None:
     with pytest.raises(lw.OptionError, match="'mine'"):
         ButcherTableau(name="mine", order=2, reference="", A=((), (1,)), b=(0.5, 0.5), c=(0,))
+
+
+#: Changes of a field, and what the error says.
+NO_DATA: list[tuple[str, dict[str, Any], str]] = [
+    *(
+        ("heun", {"order": it}, f"'heun': order {it!r} is not a whole")
+        for it in (2.5, "2", None, 0, -3, True)
+    ),
+    ("heun", {"order": 10**12}, "order 1000000000000 is above 2"),
+    ("heun", {"order": 3}, "order 3 is above 2, the highest"),
+    ("heun", {"name": None}, "name None is no text"),
+    ("heun", {"b": (0, 1j)}, "'heun': 1j in b is not a finite number"),
+    ("heun", {"b": None}, "'heun': b None is no list"),
+    ("heun", {"b": "01"}, "'heun': b '01' is no list"),
+    ("heun", {"c": (0, math.inf)}, "inf in c"),
+    ("heun", {"A": ((), ("x",))}, r"'x' in A\[1\] is not"),
+    ("heun", {"A": ((), 1.0)}, r"A\[1\] 1.0 is no list"),
+    ("bs32", {"interpolant": ((1, 2), (0,), (0,), (0,))}, "rows of interpolant have not all 2 numbers"),
+    ("bs32", {"error": (0, 1j, 0, 0)}, "1j in error is"),
+    ("bs32", {"second_error": None}, "second_error None is no list"),
+    ("bs32", {"error_order": 1.5}, "error_order 1.5 is not"),
+    ("bs32", {"dense_order": 4}, "dense_order 4 is above 3"),
+    ("hem4", {"order": "2"}, "'hem4': order '2' is not"),
+    ("hem4", {"A_bar": None}, "A_bar None is no list"),
+    ("hem4", {"explicit_first_stage": 1}, "explicit_first_stage 1 is not True or False"),
+    ("ab2", {"predictor": (1, "x")}, "'x' in predictor"),
+    ("ab2", {"order": 3}, "order 3 is above 2"),
+    ("ab2", {"starter": "heun"}, "starter 'heun' is no ButcherTableau"),
+    ("abm4", {"corrector": ()}, "corrector is empty"),
+]
+
+
+@pytest.mark.parametrize(("name", "change", "message"), NO_DATA)
+def test_what_is_no_data_of_a_method_is_refused_where_it_is_given(
+    name: str, change: dict[str, Any], message: str
+) -> None:
+    with pytest.raises(lw.OptionError, match=message):
+        dataclasses.replace(METHODS[name], **change)
+
+
+def test_coefficients_may_be_fractions_and_arrays() -> None:
+    half = Fraction(1, 2)
+    exact = dataclasses.replace(METHODS["heun"], b=(half, half), c=np.array([0.0, 1.0]), A=[[], [1]])
+    runs = [
+        lw.simulate(lw.mechanisms.rod_pendulum(), 0.1, 1e-3, integrator=method) for method in ("heun", exact)
+    ]
+    assert np.array_equal(runs[0].q, runs[1].q)
 
 
 def test_a_tableau_of_the_users_own_runs() -> None:

@@ -8,19 +8,27 @@ from dataclasses import dataclass
 import numpy as np
 
 from linkwork import _core
+from linkwork.errors import OptionError
+from linkwork.integrators.data import check_name, check_numbers, check_order
 from linkwork.integrators.growth import damped_roots
 from linkwork.integrators.runge_kutta import ButcherTableau
 
 
 @dataclass(frozen=True)
 class AdamsBashforth:
-    """Explicit: y_next = y + h sum_j predictor_j f_{n-j}, the newest f first."""
+    """Explicit: y_next = y + h sum_j predictor_j f_{n-j}, the newest f first.
+
+    OptionError: what is no number or no starter, an order that so many steps cannot have.
+    """
 
     name: str
     order: int
     reference: str
     predictor: Sequence[float]
     starter: ButcherTableau
+
+    def __post_init__(self) -> None:
+        _check(self, predictor=self.predictor)
 
     def compiled(self) -> _core.Multistep:
         """The same method in the compiled module."""
@@ -43,6 +51,8 @@ class AdamsBashforthMoulton:
     """Predict, evaluate, correct, evaluate (PECE):
 
     p = y + h sum_j predictor_j f_{n-j},   y_next = y + h (corrector_0 f(p) + sum_j corrector_{j+1} f_{n-j})
+
+    OptionError: as for `AdamsBashforth`.
     """
 
     name: str
@@ -51,6 +61,9 @@ class AdamsBashforthMoulton:
     predictor: Sequence[float]
     corrector: Sequence[float]
     starter: ButcherTableau
+
+    def __post_init__(self) -> None:
+        _check(self, predictor=self.predictor, corrector=self.corrector)
 
     def compiled(self) -> _core.Multistep:
         """The same method in the compiled module."""
@@ -73,6 +86,19 @@ class AdamsBashforthMoulton:
         past[: len(predicted)] = self.corrector[0] * predicted
         past[: len(self.corrector) - 1] += self.corrector[1:]
         return -z * past
+
+
+def _check(method: AdamsBashforth | AdamsBashforthMoulton, **coefficients: Sequence[float]) -> None:
+    check_name(method.name)
+    check_numbers(method.name, **coefficients)
+    check_order(method.name, max(map(len, coefficients.values())), order=method.order)
+    if not isinstance(method.starter, ButcherTableau):
+        raise OptionError(
+            f"integrator '{method.name}': starter {method.starter!r:.80} is no ButcherTableau", code="tableau"
+        )
+    for field, given in coefficients.items():
+        if not len(given):
+            raise OptionError(f"integrator '{method.name}': {field} is empty", code="tableau")
 
 
 def _added_growth(alpha_h: float, beta_h: float) -> float:

@@ -10,6 +10,7 @@ import numpy as np
 from linkwork import _core
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError
+from linkwork.integrators.data import check_numbers, check_order, check_rows
 from linkwork.integrators.runge_kutta import ButcherTableau
 
 
@@ -24,7 +25,7 @@ class EmbeddedPair(ButcherTableau):
     interpolant   a row for each stage: y(t + theta h) = y + h sum_i (sum_k interpolant_ik theta^(k+1)) k_i
     dense_order   of the interpolant
 
-    At a fixed step only the method itself is used. OptionError: sizes that do not fit.
+    At a fixed step only the method itself is used. OptionError: as for a `ButcherTableau`.
     """
 
     error_order: int
@@ -37,6 +38,8 @@ class EmbeddedPair(ButcherTableau):
 
     def __post_init__(self) -> None:
         super().__post_init__()
+        check_numbers(self.name, error=self.error, second_error=self.second_error, extra_c=self.extra_c)
+        check_rows(self.name, interpolant=self.interpolant, extra_A=self.extra_A)
         stages, extra = len(self.b), len(self.extra_c)
         sizes = [len(row) for row in self.extra_A] == [stages + 1 + i for i in range(extra)]
         if not sizes or len(self.error) != stages + 1 or len(self.interpolant) != stages + 1 + extra:
@@ -45,6 +48,14 @@ class EmbeddedPair(ButcherTableau):
                 f"{stages + 1 + extra} rows, and row i of extra_A {stages + 1} + i numbers",
                 code="tableau",
             )
+        columns = len(self.interpolant[0])
+        if any(len(row) != columns for row in self.interpolant):
+            raise OptionError(
+                f"integrator '{self.name}': the rows of interpolant have not all {columns} numbers",
+                code="tableau",
+            )
+        check_order(self.name, stages + 1, error_order=self.error_order)
+        check_order(self.name, columns, dense_order=self.dense_order)
 
     @property
     def extra_matrix(self) -> Floats:

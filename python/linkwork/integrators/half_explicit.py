@@ -10,6 +10,7 @@ import numpy as np
 from linkwork import _core
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError
+from linkwork.integrators.data import check_name, check_order, check_rows
 from linkwork.integrators.growth import damped_roots, stability
 
 
@@ -22,7 +23,7 @@ class HalfExplicit:
     V_dot_i and the multipliers of stage i follow from the equations of motion at Y_i and the velocity
     constraints at Z_i; y_next = Z_s. `A` holds the strictly lower triangle, row i with i numbers; row i of
     `A_bar` has i + 1. With `explicit_first_stage` the first stage takes D v_dot = gamma, and row 0 of A_bar
-    is empty. OptionError: sizes that do not fit.
+    is empty. OptionError: as for a `ButcherTableau`.
     """
 
     name: str
@@ -33,6 +34,11 @@ class HalfExplicit:
     explicit_first_stage: bool = False
 
     def __post_init__(self) -> None:
+        check_name(self.name)
+        check_rows(self.name, A=self.A, A_bar=self.A_bar)
+        if not isinstance(self.explicit_first_stage, bool):
+            given = f"explicit_first_stage {self.explicit_first_stage!r:.80}"
+            raise OptionError(f"integrator '{self.name}': {given} is not True or False", code="tableau")
         lengths = [len(row) for row in self.A], [len(row) for row in self.A_bar]
         stages = list(range(len(self.A)))
         expected = [i + 1 if i or not self.explicit_first_stage else 0 for i in stages]
@@ -41,6 +47,7 @@ class HalfExplicit:
                 f"integrator '{self.name}': A and A_bar need as many rows, with i and i + 1 numbers in row i",
                 code="tableau",
             )
+        check_order(self.name, len(stages), order=self.order)
 
     @property
     def matrices(self) -> tuple[Floats, Floats]:

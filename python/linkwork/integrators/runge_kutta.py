@@ -10,6 +10,7 @@ import numpy as np
 from linkwork import _core
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError
+from linkwork.integrators.data import check_name, check_numbers, check_order, check_rows
 from linkwork.integrators.growth import damped_roots, held_growth, stability
 
 
@@ -19,7 +20,8 @@ class ButcherTableau:
 
     Y_i = y + h sum_j A_ij f(t + c_j h, Y_j),   y_next = y + h sum_i b_i f(t + c_i h, Y_i)
 
-    `A` holds the strictly lower triangle, row i with i numbers. OptionError: sizes that do not fit.
+    `A` holds the strictly lower triangle, row i with i numbers. OptionError: sizes that do not fit, what is
+    no number, an order that so many stages cannot have.
     """
 
     name: str
@@ -30,6 +32,9 @@ class ButcherTableau:
     c: Sequence[float]
 
     def __post_init__(self) -> None:
+        check_name(self.name)
+        check_numbers(self.name, b=self.b, c=self.c)
+        check_rows(self.name, A=self.A)
         stages = len(self.b)
         if len(self.c) != stages or [len(row) for row in self.A] != list(range(stages)) or not stages:
             raise OptionError(
@@ -37,6 +42,7 @@ class ButcherTableau:
                 "and i numbers in row i of A",
                 code="tableau",
             )
+        check_order(self.name, stages, order=self.order)
 
     @property
     def matrix(self) -> Floats:
@@ -57,9 +63,9 @@ class ButcherTableau:
 
         R(z) = 1 + z b^T (1 - z A)^-1 1, the stability function, at z = h s for s^2 + 2 alpha s + beta^2 = 0.
         """
-        A, b = self.matrix, np.array(self.b)
+        A, b = self.matrix, np.array(self.b, float)
         return float(np.max(np.abs([stability(A, b, z) for z in damped_roots(alpha_h, beta_h)])))
 
     def sampled_growth(self, alpha_h: float, beta_h: float) -> float:
         """The same where the term of Phi_dot and Phi is computed once a step and held."""
-        return held_growth(alpha_h, beta_h, float(np.array(self.b) @ self.matrix.sum(axis=1)))
+        return held_growth(alpha_h, beta_h, float(np.array(self.b, float) @ self.matrix.sum(axis=1)))
