@@ -57,6 +57,24 @@ def test_a_system_is_evaluated_at_moments_only(which: str) -> None:
         system.derivative(0.0, np.nan * system.initial_state())
 
 
+@pytest.mark.parametrize("value", [np.nan, np.inf])
+def test_a_history_goes_on_from_finite_states_only(value: float) -> None:
+    model = mechanisms.rod_pendulum()
+    model.rotational_spring_damper("ground", "rod", at=(0, 0, 0), axis=(0, 1, 0), stiffness=1.0)
+    system = lw.System(model)
+    y = system.initial_state()
+    with pytest.raises(lw.OptionError, match=f"t = {value} is not finite"):
+        system.advance_history(value, y)
+    with pytest.raises(lw.NotFiniteError, match="body 'rod': its state in q and v") as caught:
+        system.advance_history(0.0, np.where(np.arange(13) == 9, value, y))
+    assert caught.value.bodies == ["rod"]
+    with pytest.raises(lw.NotFiniteError, match="history"):
+        system.advance_history(0.0, 0.0 * y)
+    for ask in (system.advance_history, system.derivative):
+        with pytest.raises(lw.OptionError, match="history .* is not finite"):
+            ask(0.0, y, [value])
+
+
 def test_a_pose_by_bodies_and_one_in_a_row_are_the_same() -> None:
     system = lw.System(mechanisms.four_bar())
     core = system.model.compiled()

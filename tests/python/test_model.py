@@ -259,6 +259,26 @@ def test_a_slice_of_a_range_names_the_same_bodies() -> None:
     assert links[1:4:2].indices.tolist() == [1, 3]
 
 
+@pytest.mark.parametrize(
+    "chosen", [[1, 3], (np.int64(1), 3), range(1, 5, 2), np.array([1, 3]), ["link[1]", 3]], ids=repr
+)
+def test_a_list_of_bodies_may_be_of_indices(chosen: Any) -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    model.bodies("link", **BODY, position=np.diag(range(5))[:, :3])
+    assert model.indices(chosen).tolist() == [1, 3]
+    model.user_force(lambda t, q, v: np.eye(6)[:2], chosen)
+    moving = np.abs(lw.simulate(model, 0.1, 0.05).velocity[-1]).max(axis=1) > 0
+    assert moving.tolist() == [False, True, False, True, False]
+
+
+@pytest.mark.parametrize("chosen", [[0, 5], [-2], range(6), [0, True], [0, 1.0], 3], ids=repr)
+def test_what_is_no_index_of_a_body_is_refused(chosen: Any) -> None:
+    model = lw.Model()
+    model.bodies("link", **BODY, position=np.zeros((5, 3)))
+    with pytest.raises(lw.ModelError, match="body index (5|-2) does not exist|is not a body|are no bodies"):
+        model.indices(chosen)
+
+
 #: Placements in space for every kind of joint.
 IN_SPACE = {
     "point": {"at": (1, 2, 3)},

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from linkwork import _core
 from linkwork.arguments import array, number
 from linkwork.arrays import Floats
-from linkwork.errors import OptionError
+from linkwork.errors import NotFiniteError, OptionError
 from linkwork.modeling.model import Model, check_model
 from linkwork.options import LEVELS, TABLE, Options, compile_options
 
@@ -127,14 +127,27 @@ class System:
             system = lw.System(model)
             history = system.advance_history(0.0, system.initial_state())
 
-        OptionError: another number of variables.
+        OptionError: another number of variables, no finite time or history. NotFiniteError: no finite state.
         """
-        state = _numbers(y, "y", 13, self.model.body_count)
-        split = 7 * self.model.body_count
-        advanced: Floats = self._dynamics.advanced_history(
-            _time(t), state[:split], state[split:], _given(history)
-        )
+        n = self.model.body_count
+        time, state = _time(t), _numbers(y, "y", 13, n)
+        if not math.isfinite(time):
+            raise OptionError(f"t = {time:g} is not finite", code="not_finite")
+        q, v = state[: 7 * n], state[7 * n :]
+        self._check_finite(q, v)
+        advanced: Floats = self._dynamics.advanced_history(time, q, v, _given(history))
+        if not np.isfinite(advanced).all():
+            raise NotFiniteError("history: becomes infinite or undefined in this state", code="not_finite")
         return advanced
+
+    def _check_finite(self, q: Floats, v: Floats) -> None:
+        """NotFiniteError: names the first body whose state is not."""
+        finite = np.isfinite(q).reshape(-1, 7).all(axis=1) & np.isfinite(v).reshape(-1, 6).all(axis=1)
+        if not finite.all():
+            body = self.model.compiled().body_name(int(np.argmin(finite)))
+            raise NotFiniteError(
+                f"body '{body}': its state in q and v is not finite", code="not_finite", bodies=[body]
+            )
 
     def derivative(self, t: float, y: ArrayLike, history: ArrayLike | None = None) -> Floats:
         """y_dot (13n,) at t [s], continuous stabilization included; the Euler parameters need not be unit.
@@ -207,4 +220,10 @@ def _numbers(given: ArrayLike, what: str, each: int, bodies: int) -> Floats:
 
 
 def _given(history: ArrayLike | None) -> Floats | None:
-    return None if history is None else np.ravel(array(history, "history"))
+    """OptionError: no finite numbers."""
+    if history is None:
+        return None
+    numbers = np.ravel(array(history, "history"))
+    if not np.isfinite(numbers).all():
+        raise OptionError(f"history {history!r:.80} is not finite", code="not_finite")
+    return numbers

@@ -85,4 +85,12 @@ class Bodies:
         many = [bodies] if isinstance(bodies, Body | str) else bodies
         if not is_iterable(many):
             subject.refuse(0, f"{many!r:.80} are no bodies: give handles or names", "unknown_body")
-        return np.array([self.index(body, subject) for body in many], np.int32)
+        return np.array([self._one_of_many(body, subject) for body in many], np.int32)
+
+    def _one_of_many(self, body: Any, subject: Subject) -> int:
+        """Of a handle or a name; in a list, of an index as well."""
+        if not isinstance(body, int | np.integer) or isinstance(body, bool):
+            return self.index(body, subject)
+        if not -1 <= body < self._core.body_count:
+            subject.refuse(0, f"body index {body} does not exist", "unknown_body")
+        return int(body)

@@ -87,7 +87,7 @@ class Range(Sequence[Handle], Generic[Handle]):
 BodyLike = Body | str
 
 #: Many bodies: a Range, handles, names, or indices (k,) with -1 the ground; one body stands for all.
-BodiesLike = BodyLike | Range[Body] | Sequence[BodyLike] | NDArray[np.integer]
+BodiesLike = BodyLike | Range[Body] | Sequence[BodyLike | int] | NDArray[np.integer]
 
 #: A body or a joint by its name, its index, or the handle that the model gave.
 Named = str | int | Body | Joint
