@@ -229,6 +229,25 @@ def test_held_gains_with_which_a_violation_grows_are_refused(method: Integrator)
         assert "leave both out" in str(caught.value)
 
 
+def midpoint(system: lw.System, t: float, y: Floats, h: float) -> Floats:
+    return y + h * system.derivative(t + h / 2, y + h / 2 * system.derivative(t, y))
+
+
+@pytest.mark.filterwarnings("ignore:.*initial poses do not satisfy")
+def test_gains_with_integrators_of_ones_own_have_the_map_of_multistep_methods() -> None:
+    gains = {"baumgarte_alpha": 40.0, "baumgarte_beta": 20.0}
+    choices: dict[str, Any] = {"assemble": False, "record_every": 1, "on_inaccurate": "pass"}
+    run = lw.simulate(off_its_joint(), 0.6, 0.01, midpoint, **choices, **gains)
+    early, late = run.violation[[20, 60], 0]
+    assert (late / early) ** (1 / 40) == pytest.approx(METHODS["ab2"].sampled_growth(0.4, 0.2), rel=1e-6)
+    for gains in ({"baumgarte_alpha": 101.0, "baumgarte_beta": 20.0},
+                  {"baumgarte_alpha": 40.0, "baumgarte_beta": 142.0}):  # fmt: skip
+        with pytest.raises(
+            lw.OptionError, match="unstable with integrator <function midpoint.*leave both out"
+        ):
+            lw.simulate(off_its_joint(), 0.6, 0.01, midpoint, **choices, **gains)
+
+
 @pytest.mark.parametrize(
     ("name", "limit"),
     [("euler", 2.0), ("rk4", 1.0), ("ab4", 1.0), ("semi_implicit_euler", 2 * (math.sqrt(2) - 1))],

@@ -10,7 +10,7 @@ import numpy as np
 from linkwork import _core
 from linkwork.errors import OptionError
 from linkwork.integrators.data import check_name, check_numbers, check_order
-from linkwork.integrators.growth import damped_roots
+from linkwork.integrators.growth import added_growth, damped_roots
 from linkwork.integrators.runge_kutta import ButcherTableau
 
 
@@ -43,7 +43,7 @@ class AdamsBashforth:
 
     def sampled_growth(self, alpha_h: float, beta_h: float) -> float:
         """As `ButcherTableau.sampled_growth`."""
-        return _added_growth(alpha_h, beta_h)
+        return added_growth(alpha_h, beta_h)
 
 
 @dataclass(frozen=True)
@@ -76,7 +76,7 @@ class AdamsBashforthMoulton:
 
     def sampled_growth(self, alpha_h: float, beta_h: float) -> float:
         """As `ButcherTableau.sampled_growth`."""
-        return _added_growth(alpha_h, beta_h)
+        return added_growth(alpha_h, beta_h)
 
     def _past(self, z: complex) -> np.ndarray[tuple[int], np.dtype[np.complex128]]:
         """-a_j in y_next = y + sum_j a_j y_{n-j} for f = z y / h."""
@@ -99,14 +99,6 @@ def _check(method: AdamsBashforth | AdamsBashforthMoulton, **coefficients: Seque
     for field, given in coefficients.items():
         if not len(given):
             raise OptionError(f"integrator '{method.name}': {field} is empty", code="tableau")
-
-
-def _added_growth(alpha_h: float, beta_h: float) -> float:
-    """A step adds -2 alpha h Phi_dot to Phi_dot and -(beta h)^2 Phi to Phi, and Phi_dot to Phi with weights.
-
-    That is triangular: 1 - 2 alpha h and 1 - (beta h)^2 are its eigenvalues, beside zeros.
-    """
-    return max(abs(1 - 2 * alpha_h), abs(1 - beta_h**2))
 
 
 def _largest_root(past: Sequence[np.ndarray[tuple[int], np.dtype[np.complex128]]]) -> float:

@@ -23,6 +23,14 @@ def held_growth(alpha_h: float, beta_h: float, s: float) -> float:
     return float(np.max(np.abs(1 + damped_roots(alpha_h + 0.5 * s * beta_h**2, beta_h))))
 
 
+def added_growth(alpha_h: float, beta_h: float) -> float:
+    """The same where a step adds -2 alpha h Phi_dot to Phi_dot and -(beta h)^2 Phi to Phi by itself.
+
+    That is triangular, as Phi_dot enters Phi alone: 1 - 2 alpha h and 1 - (beta h)^2 are its eigenvalues.
+    """
+    return max(abs(1 - 2 * alpha_h), abs(1 - beta_h**2))
+
+
 def stability(A: Floats, b: Floats, z: complex) -> complex:
     """R(z) = 1 + z b^T (1 - z A)^-1 1 of an explicit method, stage by stage.
 

@@ -17,8 +17,10 @@ from linkwork.equations.system import System
 from linkwork.errors import ModelError, OptionError, warn
 from linkwork.functions import Callback
 from linkwork.integrators import HalfExplicit, Integrator
+from linkwork.integrators.growth import added_growth
 from linkwork.modeling.model import Model, check_model
 from linkwork.motion.records import Snapshot
+from linkwork.running.recording import PythonStep
 
 #: Residuals of the initial state that are more than rounding, relative to the size of what is placed.
 RESIDUAL_TOLERANCE = 1e-9
@@ -333,28 +335,40 @@ def warn_of_contradiction(statistics: Mapping[str, Any]) -> None:
     )
 
 
-def check_gains(method: Integrator, dynamics: _core.Dynamics, step: float) -> None:
-    """OptionError: Baumgarte gains that the integrator cannot follow; LinkworkWarning: order lost."""
+def check_gains(method: Integrator | PythonStep, dynamics: _core.Dynamics, step: float) -> None:
+    """OptionError: Baumgarte gains that the integrator cannot follow; LinkworkWarning: order lost.
+
+    What a function of Python makes of the term of `baumgarte` nobody knows.
+    """
     options = dynamics.options
     alpha, beta, kind = options.baumgarte_alpha, options.baumgarte_beta, options.stabilization
-    if kind not in INSTEAD or alpha is None or beta is None:
+    if alpha is None or beta is None or isinstance(method, HalfExplicit):  # which refuses them itself
         return
-    if isinstance(method, HalfExplicit):  # refuses these gains itself
-        return
-    gains = f"baumgarte_alpha {alpha:g} 1/s and baumgarte_beta {beta:g} 1/s"
-    sampled = kind == "sampled_baumgarte"
-    grown = method.sampled_growth if sampled else method.growth
+    if kind == "sampled_baumgarte":
+        who = f"'{method.name}'" if isinstance(method, Integrator) else f"{method!r:.80}"
+        _check_growth(getattr(method, "sampled_growth", added_growth), alpha, beta, step, who, kind)
+    elif kind == "baumgarte" and isinstance(method, Integrator):
+        _check_growth(method.growth, alpha, beta, step, f"'{method.name}'", kind)
+        if max(alpha, beta) * step > ACCURATE_GAIN and method.order > 1:
+            lost = f"integrator '{method.name}' loses its order {method.order}"
+            warn(f"{_gains(alpha, beta)} are above {ACCURATE_GAIN:g} / step: {lost}")
+
+
+def _check_growth(
+    grown: Callable[[float, float], float], alpha: float, beta: float, step: float, who: str, kind: str
+) -> None:
     growth = grown(min(alpha * step, stiffness.BEYOND), min(beta * step, stiffness.BEYOND))
     if growth > 1 + STABLE:
         factor = f"1 + {growth - 1:.2g}" if growth < 1.01 else f"{growth:.3g}"
         raise OptionError(
-            f"{gains} are unstable with integrator '{method.name}' and step {step:g} s: a violation grows "
-            f"by the factor {factor} in each step; {INSTEAD[kind]}",
+            f"{_gains(alpha, beta)} are unstable with integrator {who} and step {step:g} s: a violation "
+            f"grows by the factor {factor} in each step; {INSTEAD[kind]}",
             code="unstable_gains",
         )
-    if not sampled and max(alpha, beta) * step > ACCURATE_GAIN and method.order > 1:
-        lost = f"integrator '{method.name}' loses its order {method.order}"
-        warn(f"{gains} are above {ACCURATE_GAIN:g} / step: {lost}")
+
+
+def _gains(alpha: float, beta: float) -> str:
+    return f"baumgarte_alpha {alpha:g} 1/s and baumgarte_beta {beta:g} 1/s"
 
 
 def check_stiffness(method: Integrator, system: System, step: float) -> None:

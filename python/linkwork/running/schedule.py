@@ -73,8 +73,8 @@ class Fixed:
 
     def check(self, method: Integrator | PythonStep, system: System) -> None:
         """OptionError: gains or force elements that are too stiff for the integrator at this step."""
+        checks.check_gains(method, system.compiled(), self.step)
         if isinstance(method, Integrator):
-            checks.check_gains(method, system.compiled(), self.step)
             checks.check_stiffness(method, system, self.step)
 
     def run(
