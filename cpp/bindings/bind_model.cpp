@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -267,7 +268,8 @@ class PythonForce final : public UserForce {
 
   Doubles numbers(const py::object& given, double t) const {
     if (!given.is_none()) {
-      const py::array found = py::array::ensure(given);
+      const bool masked = py::hasattr(given, "mask") && py::hasattr(given, "filled");  // what is masked is no number
+      const py::array found = py::array::ensure(masked ? given.attr("astype")("f8").attr("filled")(NAN) : given);
       if (is_real(found))
         if (Doubles out = Doubles::ensure(found)) return out;
       PyErr_Clear();

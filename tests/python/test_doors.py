@@ -254,9 +254,12 @@ def test_a_joint_force_is_a_real_number(given: Any) -> None:
             lw.simulate(model, 0.1, 1e-2, progress=False)
 
 
-def test_masked_forces_on_a_body_are_none() -> None:
+@pytest.mark.parametrize("bodies", ["rod", None])
+def test_masked_forces_on_a_body_are_none(bodies: Any) -> None:
     model = mechanisms.rod_pendulum()
-    model.user_force(lambda t, q, v: np.ma.array(v, mask=np.arange(6) > 3), "rod", name="wind")
+    model.user_force(
+        lambda t, q, v: np.ma.array(v, mask=np.zeros_like(v) + np.arange(6) > 3), bodies, name="wind"
+    )
     with pytest.raises(lw.NotFiniteError, match="force 'wind'"):
         lw.simulate(model, 0.1, 1e-2, progress=False)
 
