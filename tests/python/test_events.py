@@ -480,3 +480,84 @@ def test_changes_of_mechanisms_with_joints_come_once(of: str, change: str, integ
                 hinged_bars(2), 0.5, event(level), rtol=rtol, integrator=integrator, on_inaccurate="pass"
             )
             assert [it.t for it in found.events] == pytest.approx(times, abs=30 * rtol)
+
+
+def spinning() -> lw.Model:
+    model = lw.Model(gravity=(0, 0, 0))
+    rate = 2 * np.pi
+    arm = model.body(
+        "arm",
+        mass=1.0,
+        inertia=(0.1,) * 3,
+        position=(0.3, 0, 0),
+        omega=(0, rate, 0),
+        velocity=(0, 0, -0.3 * rate),
+    )
+    model.revolute("ground", arm, at=(0, 0, 0), axis=(0, 1, 0))
+    return model
+
+
+@pytest.mark.parametrize("change", [None, lambda t, state: None])
+@pytest.mark.parametrize("integrator", ["dopri5", "bs32"])
+def test_functions_that_jump_through_zero_come_every_time(integrator: str, change: Any) -> None:
+    def inside(t: float, state: lw.State) -> float:
+        return 1.0 if state.body("arm").position[0] > 0.1 else -1.0
+
+    def angle(t: float, state: lw.State) -> float:
+        x, _, z = state.body("arm").position
+        return float(np.arctan2(-z, x)) - 0.5
+
+    out = np.arccos(1 / 3) / (2 * np.pi)
+    expected = {
+        inside: [turn + at for turn in range(3) for at in (out, 1 - out)],
+        angle: [turn + at for turn in range(3) for at in (0.5 / (2 * np.pi), 0.5)],
+    }
+    for function, times in expected.items():
+        event = lw.Event(function, change=change)
+        result = run(spinning(), 3.0, event, rtol=1e-8, integrator=integrator, step=0.02)
+        assert [it.t for it in result.events] == pytest.approx(times, abs=1e-5)
+
+
+@pytest.mark.parametrize("start", [0.5, 0.7, 0.913, 1.0, 1.5, 2.0])
+@pytest.mark.parametrize("wall", [False, True])
+def test_what_rests_at_a_barrier_is_not_pushed_through_without_a_word(start: float, wall: bool) -> None:
+    """Also where its function is zero but for roundoff all the time, and another event comes meanwhile."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("ball", mass=1.0, inertia=(0.1,) * 3, position=(0, 0, start), velocity=(1, 0, -1))
+    model.force("ball", force=(0, 0, lambda t: -2.0 if t > 3.0 else 0.0), breaks=[3.0])
+
+    def stop(t: float, state: lw.State) -> None:
+        state.body("ball").velocity[2] = 0.0
+
+    events = [
+        lw.Event(lambda t, state: state.body("ball").position[2], direction=-1, change=stop, name="floor")
+    ]
+    if wall:
+        events.append(clock(2.5, change=lambda t, state: None))
+    with pytest.raises(lw.StepSizeError, match="'floor' comes after ever shorter times"):
+        run(model, 3.5, *events, rtol=1e-8)
+
+
+def test_a_change_that_takes_the_motion_elsewhere_is_no_barrier() -> None:
+    """From x = 1 to x = 2 with its speed reversed: it comes back through x = 1 one second later."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("ball", mass=1.0, inertia=(0.1,) * 3, velocity=(1, 0, 0))
+
+    def turn_back(t: float, state: lw.State) -> None:
+        state.body("ball").position[0] = 2.0
+        state.body("ball").velocity[0] = -1.0
+
+    def beyond(t: float, state: lw.State) -> float:
+        return float(state.body("ball").position[0]) - 1.0
+
+    for direction, times in ((1, [1.0]), (0, [1.0, 2.0, 3.0])):
+        result = run(model, 3.5, lw.Event(beyond, direction=direction, change=turn_back))
+        assert [it.t for it in result.events] == pytest.approx(times)
+
+
+def test_what_touches_zero_does_not_pass_it() -> None:
+    """A second event of the same function, in the other direction: a bounce is no rise through the floor."""
+    for height in np.linspace(0.5, 1.5, 11):
+        lift = lw.Event(lambda t, state: state.body("ball").position[2], direction=1, name="lifts off")
+        result = run(ball(height), 1.2, floor(0.8), lift, rtol=1e-8)
+        assert {it.name for it in result.events} == {"floor"}

@@ -24,7 +24,7 @@ constexpr double smallest = 1e-50;  // of directions: squares of what is smaller
 /// A power of two, so that nothing else changes.
 double scale_of(const VectorXd& direction) {
   const double largest = direction.size() > 0 ? direction.cwiseAbs().maxCoeff() : 0.0;
-  return largest > 0.0 && largest < smallest ? std::ldexp(1.0, -std::ilogb(largest)) : 1.0;
+  return largest > 0.0 && largest < smallest ? std::ldexp(1.0, std::min(-std::ilogb(largest), 1023)) : 1.0;
 }
 
 }  // namespace

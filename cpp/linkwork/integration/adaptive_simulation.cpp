@@ -393,7 +393,7 @@ double AdaptiveSimulation::energy() const {
          dynamics_.evaluation().potential;
 }
 
-/// Of the functions of events that change the state, by what brings y_ back to the constraints.
+/// Of the functions of events, where one changes the state: by what brings y_ back to the constraints.
 void AdaptiveSimulation::find_drift() {
   const auto changes = [this](const EventWatch::Found& it) { return bool(watch_.event(it.event).change); };
   if (std::none_of(stops_.begin(), stops_.end(), changes)) return;
@@ -401,7 +401,7 @@ void AdaptiveSimulation::find_drift() {
   VectorXd y = y_;
   projection().positions(t, y);
   projection().velocities(t, y);
-  for (EventWatch::Found& it : stops_) it.drift = watch_.value(it.event, t_, y);
+  watch_.find_drift(dynamics_.system(), t_, y_, y);
   dynamics_.evaluate(t, y_);
 }
 

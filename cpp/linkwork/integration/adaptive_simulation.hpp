@@ -99,8 +99,8 @@ class AdaptiveSimulation final : public Run {
   double end_of_step(double& h) const;
   bool violates(double h) const;
   /// True where the change ends the run.
-  void find_drift();
   bool apply(const Event& event, Occurrence& occurrence);
+  void find_drift();
   bool near_singular_pose() const;
   void pass_singular_pose(double h, double error);
   void retry(double h);

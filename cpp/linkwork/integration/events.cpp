@@ -22,7 +22,10 @@ constexpr double roundoff = 1e-15;      // likewise
 constexpr double on_constraints = 0.1;  // of what a function changes by in that line: less is what corrections leave
 constexpr double slowest = 1e4;         // times that it was faster before
 constexpr double leaving = 16.0;        // times as long as a time is known: what a barrier has turned back has left
-constexpr double as_drift = 2.0;        // times what brings back to the constraints moved a function before the change
+constexpr double not_straight = 0.25;   // of a change: how far from half of it that of half the way may be
+constexpr double as_resolved = 2.0;     // times what a function changes by in the resolution of its time
+constexpr double beyond = 1.01;         // times a value: what is far from it
+constexpr double as_drift = 2.0;        // times a drift: what may come of it with the change
 constexpr double at_rest = 1e-6;        // of the speed before an event: what those differences resolve
 
 void check(const Event& event) {
@@ -40,7 +43,9 @@ EventWatch::EventWatch(std::vector<Event> events)
       last_theta_(events_.size(), 0.0),
       barrier_t_(events_.size(), -INFINITY),
       left_t_(events_.size(), -INFINITY),
-      zero_(events_.size(), 0.0) {
+      zero_(events_.size(), 0.0),
+      drift_(events_.size(), 0.0),
+      stayed_(events_.size(), 0) {
   for (const Event& event : events_) check(event);
 }
 
@@ -84,41 +89,77 @@ void EventWatch::start_after(const System& system, double t, const VectorXd& y, 
     before << it.before, 0.0;
     const double through = rate(system, it.event, t, before);
     if (through == 0.0) continue;
-    const double found = last_value_[it.event];
-    restart(system, t, before, y, {it.event, 0.0, through > 0.0 ? 1.0 : -1.0, found}, -INFINITY);
+    drift_[it.event] = std::abs(last_value_[it.event]);
+    restart_happened(system, t, before, y, {it.event, 0.0, through > 0.0 ? 1.0 : -1.0});
     fresh_ = true;
+  }
+}
+
+/// Half of the way a smooth function has moved by half of it; one that jumps there has no drift.
+void EventWatch::find_drift(const System& system, double t, const VectorXd& y, const VectorXd& corrected) {
+  VectorXd half = 0.5 * (y + corrected);
+  system.normalize(half.head(system.q_size()));
+  for (std::size_t k = 0; k < events_.size(); ++k) {
+    const double found = value(k, t, y), moved = value(k, t, corrected) - found;
+    const bool smooth = std::abs(value(k, t, half) - found - 0.5 * moved) <= not_straight * std::abs(moved);
+    drift_[k] = smooth ? std::abs(moved) : 0.0;
   }
 }
 
 void EventWatch::restart(const System& system, double t, const VectorXd& before, const VectorXd& y,
                          const std::vector<Found>& happened) {
-  const std::vector<double> last_values = last_value_, last_barriers = barrier_t_;
+  const std::vector<double> last_values = last_value_;
   take_signs(t, y);
   fresh_ = true;
-  std::fill(zero_.begin(), zero_.end(), 0.0);
   for (std::size_t k = 0; k < events_.size(); ++k) {
-    if (t <= left_t_[k]) last_value_[k] = last_values[k];  // another one's barrier
-    else barrier_t_[k] = -INFINITY;
+    const auto is_k = [k](const Found& it) { return it.event == k; };
+    const auto it = std::find_if(happened.begin(), happened.end(), is_k);
+    if (it != happened.end()) restart_happened(system, t, before, y, *it);
+    else restart_other(system, k, t, before, last_values[k]);
   }
-  for (const Found& it : happened) restart(system, t, before, y, it, last_barriers[it.event]);
+  std::fill(drift_.begin(), drift_.end(), 0.0);
 }
 
-void EventWatch::restart(const System& system, double t, const VectorXd& before, const VectorXd& y,
-                         const Found& happened, double barrier_t) {
+/// While it has not left a barrier that stays as it is, whatever another event does.
+void EventWatch::restart_other(const System& system, std::size_t k, double t, const VectorXd& before,
+                               double last_value) {
+  if (t <= left_t_[k] || (zero_[k] > 0.0 && std::abs(last_value_[k]) <= zero_[k])) {
+    last_value_[k] = last_value;
+    return;
+  }
+  barrier_t_[k] = -INFINITY;
+  zero_[k] = 0.0;
+  stayed_[k] = 0;
+  double s = 0.0;
+  const double along = change_along(system, k, t, before, s), located = as_located(system, k, t, before);
+  const double near = std::max({as_drift * drift_[k], on_constraints * std::abs(along), located});
+  if (std::abs(last_value_[k]) <= near && along != 0.0) last_value_[k] = along > 0.0 ? -1.0 : 1.0;
+}
+
+void EventWatch::restart_happened(const System& system, double t, const VectorXd& before, const VectorXd& y,
+                                  const Found& happened) {
   const std::size_t k = happened.event;
-  const double through = happened.side * rate(system, k, t, before), now = happened.side * rate(system, k, t, y);
-  // So soon after a barrier the motion through zero is roundoff, and so may be its direction.
-  const bool held = t - barrier_t <= resolved(k, t);
-  const bool barrier = held || (through > 0.0 && now <= at_rest * through);
+  double s = 0.0;
+  const double along = change_along(system, k, t, before, s);
+  const double through = s > 0.0 ? happened.side * along / s : 0.0, now = happened.side * rate(system, k, t, y);
+  const double found = std::abs(value(k, t, before)), after = last_value_[k];
+  const double located = as_located(system, k, t, before), drift = as_drift * drift_[k];
+  const double near = std::max({drift, on_constraints * std::abs(along), located});
+  const bool jumps = found > near, elsewhere = !jumps && std::abs(after) > near;  // by the change
+  // So soon after a barrier the motion through zero is roundoff, and so may be its direction; what has never left it
+  // and is pushed through does not move yet.
+  const bool held = t - barrier_t_[k] <= resolved(k, t) || (stayed_[k] != 0 && through <= 0.0);
+  const bool barrier = held || (!jumps && !elsewhere && through > 0.0 && now <= at_rest * through);
   barrier_t_[k] = barrier ? t : -INFINITY;
+  stayed_[k] = barrier;
   left_t_[k] = -INFINITY;
   if (barrier) {  // what has become slow takes as much longer
     const double slower = now < -at_rest * through ? std::clamp(through / -now, 1.0, slowest) : 1.0;
     left_t_[k] = t + leaving * slower * resolved(k, t);
   }
-  const double near = as_drift * std::abs(happened.drift);
-  if (std::abs(last_value_[k]) <= near) zero_[k] = near;
-  last_value_[k] = barrier ? -happened.side : 0.0;
+  const double zero = std::max(drift, found <= located ? beyond * found : 0.0);
+  zero_[k] = std::abs(after) <= zero ? zero : 0.0;
+  last_value_[k] = barrier ? -happened.side : elsewhere ? after : 0.0;
 }
 
 /// Change of the function in time by the motion of the bodies, (g(q + s q_dot, v) - g(q, v)) / s. The difference is
@@ -127,6 +168,22 @@ double EventWatch::rate(const System& system, std::size_t index, double t, const
   double s = 0.0;
   const double change = change_along(system, index, t, y, s);
   return s > 0.0 ? change / s : 0.0;
+}
+
+/// What a function may be where it passes zero, by how exactly the time of that is known; of one that jumps nothing.
+double EventWatch::as_located(const System& system, std::size_t index, double t, const VectorXd& y) {
+  const double dt = resolved(index, t);
+  const double whole = change_in_time(system, index, t, y, dt), half = change_in_time(system, index, t, y, 0.5 * dt);
+  return std::abs(half - 0.5 * whole) <= not_straight * std::abs(whole) ? as_resolved * std::abs(whole) : 0.0;
+}
+
+double EventWatch::change_in_time(const System& system, std::size_t index, double t, const VectorXd& y, double dt) {
+  const int nq = system.q_size();
+  VectorXd moved = y, q_dot(nq);
+  system.position_rates(y.head(nq), y.segment(nq, system.v_size()), q_dot);
+  moved.head(nq) += dt * q_dot;
+  system.normalize(moved.head(nq));
+  return value(index, t + dt, moved) - value(index, t, y);
 }
 
 /// That difference, in the time s; s = 0 where nothing moves.
@@ -190,6 +247,7 @@ void EventWatch::scan_piece(const Interpolant& step, const System& system, doubl
     const double now = found == 0.0 && last ? -last_value : found;
     if (std::abs(now) <= zero_[k]) continue;
     zero_[k] = 0.0;
+    if ((last_value < 0.0) == (now < 0.0)) stayed_[k] = 0;
     if ((last_value < 0.0) != (now < 0.0) && last_value != 0.0 && events_[k].direction * now >= 0.0) {
       const double a = std::min(last_theta_[k], from), fa = a == 0.0 ? at(a) : last_value;
       // A sample of zero between the two has no sign, and at the start of a step the interpolant may round otherwise.

@@ -47,11 +47,12 @@ struct Happened {
 /// negative.
 ///
 /// After an event that changed the state the sign is not known either, its function is zero up to roundoff, unless the
-/// change was a barrier: it stopped or turned back the motion through zero. Then the sign is that of the side from
-/// which the motion came, and to be on the other side is the same event again; a bounce too small to be seen is not
-/// lost. Where the event was found the motion is as far off the constraints as tolerances let it be; with the change it
-/// comes back to them, by which the function may move to either side: what is no larger than that counts as zero until
-/// the motion has left it.
+/// change was a barrier, which stopped or turned back the motion through zero, or took it elsewhere. After a barrier the
+/// sign is that of the side from which the motion came, and to be on the other side is the same event again; a bounce
+/// too small to be seen is not lost. Where an event is found the motion is as far off the constraints as tolerances let
+/// it be, and with the change it comes back to them, by which functions may move to either side: what is no larger
+/// than that, their drift, counts as zero until the motion has left it. Other events whose functions are as near to zero
+/// have the sign from which they came.
 ///
 /// Events as little later as the tolerance of their times come with it.
 class EventWatch {
@@ -61,9 +62,8 @@ class EventWatch {
 
   struct Found {
     std::size_t event;
-    double theta;        ///< place in the step, 0 to 1
-    double side;         ///< 1 or -1: the sign after it
-    double drift = 0.0;  ///< value where the motion comes back to the constraints before the change
+    double theta;  ///< place in the step, 0 to 1
+    double side;   ///< 1 or -1: the sign after it
   };
 
   bool empty() const { return events_.empty(); }
@@ -74,25 +74,28 @@ class EventWatch {
   void start(const System& system, double t, const VectorXd& y);
   /// The same where these events have come at t, with states before them, of a motion that goes on there.
   void start_after(const System& system, double t, const VectorXd& y, const std::vector<Happened>& happened);
-  /// The same after events that have changed the state at t from `before` to y.
+  /// By how much functions move from y, where events were found at t, to `corrected`, which satisfies the constraints.
+  void find_drift(const System& system, double t, const VectorXd& y, const VectorXd& corrected);
+  /// The same as `start` after events that have changed the state at t from `before` to y.
   void restart(const System& system, double t, const VectorXd& before, const VectorXd& y,
                const std::vector<Found>& happened);
   /// The events of the step from t to t + h in order of time, none after the first that ends the step but those that
   /// come with it. `last`: of the run, at whose end zero counts as having been passed.
   const std::vector<Found>& scan(const Interpolant& step, const System& system, double t, double h, bool last = false);
 
-  /// Of the function of an event at (t, y).
-  double value(std::size_t index, double t, const VectorXd& y);
-
   /// Between steps.
-  void keep(Archive& archive) { archive(last_value_, fresh_, barrier_t_, left_t_, zero_); }
+  void keep(Archive& archive) { archive(last_value_, fresh_, barrier_t_, left_t_, zero_, stayed_); }
 
  private:
   void take_signs(double t, const VectorXd& y);
+  double value(std::size_t index, double t, const VectorXd& y);
   double change_along(const System& system, std::size_t index, double t, const VectorXd& y, double& s);
   double rate(const System& system, std::size_t index, double t, const VectorXd& y);
-  void restart(const System& system, double t, const VectorXd& before, const VectorXd& y, const Found& happened,
-               double barrier_t);
+  double change_in_time(const System& system, std::size_t index, double t, const VectorXd& y, double dt);
+  double as_located(const System& system, std::size_t index, double t, const VectorXd& y);
+  void restart_happened(const System& system, double t, const VectorXd& before, const VectorXd& y,
+                        const Found& happened);
+  void restart_other(const System& system, std::size_t k, double t, const VectorXd& before, double last_value);
   double resolved(std::size_t index, double t) const;
   bool is_zero(const System& system, std::size_t index, double t, const VectorXd& y);
   bool end_at_stop(std::size_t first, double t, double h);
@@ -105,6 +108,8 @@ class EventWatch {
   std::vector<double> barrier_t_;  ///< when it came, of the last events that ended a step, if the change was a barrier
   std::vector<double> left_t_;     ///< until when what the barrier turned back may still be there
   std::vector<double> zero_;       ///< what is no larger has no sign, until the function has left it
+  std::vector<double> drift_;      ///< of the events that are found now
+  std::vector<char> stayed_;       ///< nothing has left the last barrier
   VectorXd state_, q_and_v_;
 };
 
