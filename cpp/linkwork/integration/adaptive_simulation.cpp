@@ -393,15 +393,16 @@ double AdaptiveSimulation::energy() const {
          dynamics_.evaluation().potential;
 }
 
-/// Of the functions of events, where one changes the state: by what brings y_ back to the constraints.
+/// Of the functions of events, where one changes the state: by what brings it back to the constraints.
 void AdaptiveSimulation::find_drift() {
   const auto changes = [this](const EventWatch::Found& it) { return bool(watch_.event(it.event).change); };
   if (std::none_of(stops_.begin(), stops_.end(), changes)) return;
   const double t = clock();
-  VectorXd y = y_;
+  VectorXd y = y_new_;
+  dynamics_.evaluate(t, y);
   projection().positions(t, y);
   projection().velocities(t, y);
-  watch_.find_drift(dynamics_.system(), t_, y_, y);
+  watch_.find_drift(dynamics_.system(), t_, y_new_, y);
   dynamics_.evaluate(t, y_);
 }
 
