@@ -763,3 +763,65 @@ def test_equal_damped_modes_of_a_large_model_are_all_found(near: float) -> None:
     exact = [1, 1, 2, 2, 3, 3] if near == 0 else [9, 9, 10, 10, 11, 11]
     assert found.frequencies == pytest.approx(exact, rel=1e-6)
     assert found.damping_ratios == pytest.approx(np.full(6, 0.05), rel=1e-6)
+
+
+def tilted_body(seed: int) -> tuple[lw.Model, Floats]:
+    """One in a plane of any direction, and the axis of that."""
+    random = np.random.default_rng(seed)
+    axis = random.standard_normal(3)
+    model = lw.Model(gravity=(0, 0, 0))
+    orientation = lw.rotation.about(random.standard_normal(3), 1.0)
+    position = random.standard_normal(3)
+    model.body("body", mass=1.0, inertia=(0.06,) * 3, position=position, orientation=orientation)
+    model.planar("ground", "body", at=(0, 0, 0), axis=axis)
+    return model, axis / np.linalg.norm(axis)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_forces_of_a_damped_mode_add_up_to_nothing_in_any_direction(seed: int) -> None:
+    model, axis = tilted_body(seed)
+    model.linear_damping("ground", "body", at=(1.0, 2.0, 3.0), damping=1.0, rotational_damping=0.1)
+    model.rotational_spring_damper("ground", "body", at=(0, 0, 0), axis=axis, stiffness=3.0)
+    found = lw.linearize(model)
+    free = np.linalg.svd(found.D.toarray())[2][3:]
+    for s, x in zip(found.eigenvalues, found.shapes.reshape(-1, 6), strict=True):
+        terms = np.array([free @ (A @ x) for A in (s * s * found.M, s * found.C, found.K)])
+        assert np.abs(terms.sum(axis=0)).max() <= 1e-11 * max(np.abs(terms).max(), 1e-3)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_slow_growth_beside_quick_damping_is_not_neutral(seed: int) -> None:
+    """Beside a damper c at the arm d:  (J + m d^2 / (1 + m s / c)) s^2 + c_r s = k."""
+    k, c = 0.01, 1e6
+    model, axis = tilted_body(seed)
+    arm = np.cross(axis, (0.2, 0.5, -0.3))
+    at = model.compiled().q0[:3] + arm
+    model.linear_damping("ground", "body", at=at, damping=c, rotational_damping=0.1)
+    model.rotational_spring_damper("ground", "body", at=(0, 0, 0), axis=axis, stiffness=-k)
+    found = lw.linearize(model)
+    exact = brentq(lambda s: (0.06 + arm @ arm / (1 + s / c)) * s * s + 0.1 * s - k, 0.0, 1.0, xtol=1e-14)
+    assert not found.stable
+    assert found.eigenvalues.real.max() == pytest.approx(exact, rel=1e-7)
+
+
+def test_slow_modes_beside_quick_damping_keep_their_digits() -> None:
+    """Two masses on springs k, with dampers between walls and masses:  m s^2 + (2 -+ 1) c s + k = 0."""
+    k, c = 1.0, 1e7
+    model = row_of_sliders(np.ones(2), np.full(2, k), np.full(2, c))
+    model.translational_spring_damper("slider 0", "slider 1", at=(0, 0, 0), axis=(0, 1, 0), damping=c)
+    found = lw.linearize(model, modes=2).eigenvalues
+    assert found == pytest.approx([-k / (3 * c), -k / c], rel=1e-9)
+
+
+def test_modes_of_a_small_model_are_those_near_a_frequency() -> None:
+    every = lw.linearize(hanging_chain(20)).frequencies
+    nearest = np.sort(every[np.argsort(np.abs(every - 30.0))[:3]])
+    found = lw.linearize(hanging_chain(20), modes=3, near=30.0).frequencies
+    assert nearest[0] > every[0]
+    assert found == pytest.approx(nearest, rel=1e-9)
+
+
+def test_modes_whose_forces_do_not_add_up_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("linkwork.analyses.linearization.SURE", -1.0)
+    with pytest.warns(lw.LinkworkWarning, match="3 of 3 modes are not sure; of mode"):
+        lw.linearize(damped_chain(3))

@@ -9,15 +9,19 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from linkwork.analyses.damped_modes import damped_modes
 from linkwork.analyses.equations import Sparse
 from linkwork.arrays import Complex, Floats
 from linkwork.errors import ModelError, NotConvergedError
 
 __all__ = [
-    "by_arnoldi", "by_dense_matrices", "by_lanczos", "constrained_solver", "one_of_each_pair",
+    "by_arnoldi", "by_dense_matrices", "by_lanczos", "constrained_solver", "nearest_to", "one_of_each_pair",
     "softest_by_lanczos",
 ]  # fmt: skip
+
+Indices = NDArray[np.intp]
 
 #: Mass of a motion, relative to the largest, that is none.
 MASSLESS = 1e-14
@@ -57,24 +61,26 @@ BELOW, ROUGH = 0.1, 1e-2
 # --- small models ---
 
 
-def by_dense_matrices(M: Sparse, C: Sparse, K: Sparse, Z: Floats, symmetric: bool) -> tuple[Complex, Complex]:
-    """Eigenvalues (k,) and shapes (6n, k): y'' + ... over x = Z y; of conjugate pairs both."""
-    from scipy.linalg import eig, eigh
+def by_dense_matrices(
+    M: Sparse, C: Sparse, K: Sparse, Z: Floats, symmetric: bool
+) -> tuple[Complex, Complex, Floats]:
+    """Eigenvalues (k,) and shapes (6n, k) over x = Z y, of conjugate pairs both; and what their terms leave,
+    relative (k,)."""
+    from scipy.linalg import eigh
 
     m, c, k = (Z.T @ (a @ Z) for a in (M, C, K))
     f = len(m)
     if not f:
-        return np.zeros(0, complex), np.zeros((len(Z), 0), complex)
+        return np.zeros(0, complex), np.zeros((len(Z), 0), complex), np.zeros(0)
     unit = _unit_masses((m + m.T) / 2)
     m, c, k = (unit[:, None] * a * unit for a in ((m + m.T) / 2, c, k))
     _, y = eigh((k + k.T) / 2, m)
     squares, shapes = _quotients(k, m, y), Z @ (unit[:, None] * y)
     if symmetric and not C.count_nonzero():
-        return _from_squares(squares), shapes.astype(complex)
+        return _from_squares(squares), shapes.astype(complex), np.zeros(f)
     # a'' + c a' + k a = 0 over motions y without damping: their rates may be far apart
-    k = np.diag(squares) if symmetric else y.T @ k @ y
-    s, a = eig(np.block([[np.zeros((f, f)), np.eye(f)], [-k, -y.T @ c @ y]]))
-    return s, shapes @ a[:f]
+    s, a, off = damped_modes(y.T @ c @ y, np.diag(squares) if symmetric else y.T @ k @ y)
+    return s, shapes @ a, off
 
 
 def _unit_masses(m: Floats) -> Floats:
@@ -101,11 +107,15 @@ def _from_squares(squares: Floats) -> Complex:
     return np.where(squares >= 0, 1j * root, root)
 
 
-def one_of_each_pair(s: Complex, shapes: Complex) -> tuple[Complex, Complex]:
-    keep = s.imag >= -REAL * np.abs(s)
-    s, shapes = s[keep], shapes[:, keep]
-    order = np.argsort(np.abs(s), kind="stable")
-    return s[order], shapes[:, order]
+def one_of_each_pair(s: Complex) -> Indices:
+    """Their places, slow ones first."""
+    places = np.flatnonzero(s.imag >= -REAL * np.abs(s))
+    return places[np.argsort(np.abs(s[places]), kind="stable")]
+
+
+def nearest_to(s: Complex, near: float, count: int | None) -> Indices:
+    """The places of so many that are nearest to i near, in the order that they have."""
+    return np.sort(np.argsort(np.abs(s - 1j * near), kind="stable")[:count])
 
 
 # --- large models ---
@@ -219,10 +229,9 @@ def by_arnoldi(
         nearest = _nearest(M, C, K, D, sigma)
         for k in range(doublings + 1 if sigma == shifts[-1] else 1):
             s, shapes, radius = nearest(2 * count * 2**k + 2, every)
-            distance = np.abs(s - 1j * near)
-            chosen = np.sort(np.argsort(distance, kind="stable")[:count])
+            chosen = nearest_to(s, near, count)
             found = s[chosen], shapes[:, chosen]
-            farthest = distance[chosen].max() if len(chosen) == count else np.inf
+            farthest = np.abs(found[0] - 1j * near).max() if len(chosen) == count else np.inf
             if farthest + abs(sigma - 1j * near) <= (1 + EQUAL) * radius:
                 return found
     if doublings < needed:
@@ -265,8 +274,8 @@ def _nearest(
         motion = off <= np.maximum(ALLOWED * all_terms, rounding)  # joints may have no part in it
         s = sigma + 1 / theta[motion]
         s[np.abs(s) <= REAL * np.abs(sigma)] = 0.0
-        s, shapes = one_of_each_pair(s, z[:size, motion])
-        return s, shapes, float(np.abs(1 / theta).max()) if number < every else np.inf
+        one = one_of_each_pair(s)
+        return s[one], z[:size, motion][:, one], float(np.abs(1 / theta).max()) if number < every else np.inf
 
     return found
 

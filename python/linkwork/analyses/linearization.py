@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
 from linkwork.analyses.constraint_solver import DENSE, balance, null_space
 from linkwork.analyses.eigenmodes import (
@@ -12,6 +13,7 @@ from linkwork.analyses.eigenmodes import (
     by_dense_matrices,
     by_lanczos,
     constrained_solver,
+    nearest_to,
     one_of_each_pair,
 )
 from linkwork.analyses.equations import Equations, Sparse, Terms
@@ -20,13 +22,16 @@ from linkwork.analyses.tangent import displaced, to_inertial_axes
 from linkwork.arguments import is_number
 from linkwork.arrays import Complex, Floats
 from linkwork.equations.system import System
-from linkwork.errors import ModelError, OptionError
+from linkwork.errors import ModelError, OptionError, warn
 from linkwork.modeling.model import Model
 from linkwork.modeling.tables import Table
 from linkwork.motion.records import Snapshot
 from linkwork.running import checks
 
 __all__ = ["Linearization", "linearize"]
+
+#: M, C, K and the independent rows of D.
+Coefficients = tuple[Sparse, Sparse, Sparse, Sparse]
 
 #: Forces that are not in balance, relative to what acts on their body.
 BALANCE = 1e-6
@@ -37,6 +42,9 @@ NEUTRAL, ROUNDED = 1e-10, 1e-7
 
 #: And below this part of the largest stiffness.
 EPSILON = 1e-14
+
+#: What the forces of a mode may leave, relative to them, for it to be sure.
+SURE = 1e-6
 
 #: Growth below this part of an eigenvalue, or this part of the largest one, is none.
 GROWTH, GROWTH_OF_LARGEST = 1e-6, 1e-12
@@ -161,10 +169,11 @@ def linearize(
 
     start  another state: `Result.snapshot()`; functions of time have the values that they have then
     modes  how many; all of a small model, 10 of a large one
-    near   for large models: those whose eigenvalue is nearest to i near [rad/s]
+    near   with `modes`, or of a large model: those whose eigenvalue is nearest to i near [rad/s]
 
     ModelError: the state is not in balance, or accelerates, is singular, has coefficients that change with
     time, or a massless motion. OptionError: modes or near. NotConvergedError: the iteration of a large model.
+    LinkworkWarning: modes that are not sure, as the digits of numbers are too few for stiffness and damping.
     """
     if modes is not None and (not isinstance(modes, int) or modes < 1):
         raise OptionError(f"modes {modes!r} is not a positive whole number", code="modes")
@@ -182,19 +191,39 @@ def linearize(
         Z = null_space(eq, D) if small else _some_motions(eq, D)
     if moving:
         _refuse_change(eq, at, coefficients, Z)
-    symmetric = _symmetric(_scaled(eq, K))
-    if small:
-        eigenvalues, shapes = by_dense_matrices(M, C, K, Z, symmetric)
-    elif symmetric and not C.count_nonzero():
-        eigenvalues, shapes = by_lanczos(M, K, D, modes or MODES, near)
-    else:
-        eigenvalues, shapes = by_arnoldi(M, C, K, D, modes or MODES, near)
-    eigenvalues, shapes = one_of_each_pair(_without_rounding(eq, eigenvalues, shapes, M, K), shapes)
-    if small:
-        eigenvalues, shapes = eigenvalues[:modes], shapes[:, :modes]
+    eigenvalues, shapes = _modes(eq, coefficients, Z if small else None, modes, near)
     size = np.abs(shapes / eq.scale[:, None]).max(axis=0, initial=0.0)
     shapes = (shapes / np.where(size > 0, size, 1.0)).T.reshape(-1, model.body_count, 6)
     return Linearization(model, at, M, C, K, D, eigenvalues, shapes, eq)
+
+
+def _modes(
+    eq: Equations, coefficients: Coefficients, Z: Floats | None, modes: int | None, near: float
+) -> tuple[Complex, Complex]:
+    """Eigenvalues and shapes (6n, k), of small models over the motions Z (6n, f)."""
+    M, C, K, D = coefficients
+    symmetric = _symmetric(_scaled(eq, K))
+    if Z is not None:
+        s, shapes, off = by_dense_matrices(M, C, K, Z, symmetric)
+    else:
+        modes = modes or MODES
+        undamped = symmetric and not C.count_nonzero()
+        s, shapes = by_lanczos(M, K, D, modes, near) if undamped else by_arnoldi(M, C, K, D, modes, near)
+        off = np.zeros(len(s))
+    s = np.where(_neutral(eq, s, shapes, M, K) & (off <= SURE), 0.0, s)
+    chosen = one_of_each_pair(s)
+    chosen = chosen[nearest_to(s[chosen], near, modes)]
+    _warn_of_unsure(off[chosen])
+    return s[chosen], shapes[:, chosen]
+
+
+def _warn_of_unsure(off: Floats) -> None:
+    unsure = int((off > SURE).sum())
+    if unsure:
+        warn(
+            f"linearize: {unsure} of {len(off)} modes are not sure; of mode {off.argmax()} the forces leave "
+            f"{off.max():.1e} of their size: stiffness and damping are too far apart for 16 digits"
+        )
 
 
 def _begun(eq: Equations, start: Snapshot | None) -> Snapshot:
@@ -227,9 +256,7 @@ def _at_rest(eq: Equations, at: Snapshot) -> Snapshot:
     return at._replace(v=still.reshape(-1, 6)) if came_to_rest else at
 
 
-def _coefficients(
-    eq: Equations, at: Snapshot, *, check: bool = True
-) -> tuple[Sparse, Sparse, Sparse, Sparse]:
+def _coefficients(eq: Equations, at: Snapshot, *, check: bool = True) -> Coefficients:
     """M, C, K and the independent rows of D. ModelError: no balance."""
     q, v = np.ravel(at.q).astype(float), np.ravel(at.v).astype(float)
     M = eq.mass(q)
@@ -308,9 +335,7 @@ def _refuse_velocity_rows(eq: Equations) -> None:
         )
 
 
-def _refuse_change(
-    eq: Equations, at: Snapshot, now: tuple[Sparse, Sparse, Sparse, Sparse], Z: Floats
-) -> None:
+def _refuse_change(eq: Equations, at: Snapshot, now: Coefficients, Z: Floats) -> None:
     """ModelError: the coefficients are other ones after a small turn."""
     q, v = np.ravel(at.q), np.ravel(at.v)
     rate = float(np.abs(v / eq.scale).max() / eq.length)
@@ -346,8 +371,8 @@ def _norm(a: Floats) -> float:
     return float(np.linalg.norm(a))
 
 
-def _without_rounding(eq: Equations, s: Complex, shapes: Complex, M: Sparse, K: Sparse) -> Complex:
-    """Zero for neutral motions: those whose stiffness is none, and that no damping brings to rest."""
+def _neutral(eq: Equations, s: Complex, shapes: Complex, M: Sparse, K: Sparse) -> NDArray[np.bool_]:
+    """Which motions have no stiffness, and no damping that brings them to rest (k,)."""
 
     def of(A: Sparse, x: Complex | Floats) -> Floats:
         return np.asarray(np.abs(np.sum(x.conj() * (A @ x), axis=0)))
@@ -357,8 +382,8 @@ def _without_rounding(eq: Equations, s: Complex, shapes: Complex, M: Sparse, K: 
     noise = NEUTRAL * of(abs(K), np.abs(shapes))
     noise += EPSILON * stiffest * np.sum(np.abs(shapes / eq.scale[:, None]) ** 2, axis=0)
     mass = of(M, shapes)
-    neutral = (of(K, shapes) <= noise) & (np.abs(s) ** 2 * mass <= noise + (ROUNDED * largest) ** 2 * mass)
-    return np.where(neutral, 0.0, s)
+    slow = np.abs(s) ** 2 * mass <= noise + (ROUNDED * largest) ** 2 * mass
+    return np.asarray((of(K, shapes) <= noise) & slow)
 
 
 def _symmetric(K: Sparse) -> bool:

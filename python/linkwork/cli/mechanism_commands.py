@@ -76,7 +76,7 @@ def linearize_command(name: str, mechanism: Mechanism) -> click.Command:
         click.Option(["--modes"], type=click.IntRange(1),
                      help="How many; without it all of a small model, 10 of a large one."),
         click.Option(["--near"], type=float, default=0.0, show_default=True,
-                     help="Frequency next to which modes of a large model are looked for [rad/s]."),
+                     help="Frequency that the modes are nearest to [rad/s]."),
         click.Option(["--as-is"], is_flag=True, help="About the initial state, not the equilibrium."),
         JSON,
     ]  # fmt: skip
