@@ -243,3 +243,31 @@ def test_one_heavy_pendulum_upside_down_beside_89_that_hang_falls() -> None:
     rest = lw.equilibrium(model)
     assert rest.stability == "stable"
     assert rest.moved[0] == pytest.approx(1.0, rel=1e-9)
+
+
+@pytest.mark.parametrize("shift", np.linspace(0.1, 2.0, 7))
+def test_a_body_on_a_slack_bending_spring_rests_where_it_is(shift: float) -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    turned = lw.rotation.about((1, 2, 3), 0.7)
+    model.body("b", mass=1.0, inertia=(0.06,) * 3, position=(shift, -0.2, 0.3), orientation=turned)
+    model.revolute("ground", "b", at=(-0.16, 0.343, -0.278), axis=(0.29, -0.23, -0.93))
+    model.bending_spring("ground", "b", axis=(0.6, 0.8, 0), stiffness=0.93)
+    rest = lw.equilibrium(model)
+    assert rest.stability == "stable" and rest.imbalance < 1e-9
+    assert lw.linearize(rest.model).stable
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_chain_with_a_slack_bending_spring_rests_where_it_is(seed: int) -> None:
+    """The rounding of its torques reaches links that have no others."""
+    model, random = lw.Model(gravity=(0, 0, 0)), np.random.default_rng(seed)
+    before, at = "ground", np.zeros(3)
+    for k in range(4):
+        name, turned = f"link {k}", lw.rotation.about(random.standard_normal(3), 1.0)
+        model.body(name, mass=1.0, inertia=(0.06,) * 3, position=at, orientation=turned)
+        model.spherical(before, name, at=at + random.standard_normal(3))
+        before, at = name, at + random.standard_normal(3)
+    model.bending_spring("link 2", "link 3", axis=random.standard_normal(3), stiffness=1e3)
+    rest = lw.equilibrium(model)
+    assert rest.moved.max() < 1e-12 and rest.imbalance < 1e-9
+    assert lw.linearize(rest.model).frequencies[-1] > 1.0

@@ -101,20 +101,32 @@ class Equations:
         return self._gross(t, q, v, self.length)
 
     # unit_F = max(F, T / a), unit_T = a unit_F with the arm a of the body
-    def acting(self, t: float, q: Floats, v: Floats, multipliers: Floats) -> Floats:
+    def acting(self, t: float, q: Floats, v: Floats, multipliers: Floats, K: Sparse) -> Floats:
         """What counts on each body where balance is judged (6n,) [N, N m]: its own gross forces, with those
-        of lambda (m,), by its own size; at least the part of the model's largest that has digits."""
+        of lambda (m,), by its own size; at least those of its stiffness K by small motions, as of springs
+        that balance each other; and at least the part of the model's largest that has digits."""
         D = self.terms(t, q, v).D
-        parts = self._gross(t, q, v, self.arms) + abs(D).T @ np.abs(multipliers)
-        force, torque = parts.reshape(-1, 2, 3).max(axis=2).T
-        own = np.maximum(force, torque / self.arms)
-        size = np.maximum(own, DIGITS_OF_LARGEST * own.max()) if own.any() else np.ones_like(own)
-        return np.column_stack([size, size * self.arms]).repeat(3, axis=1).ravel()
+        own = self._joined(self._gross(t, q, v, self.arms) + abs(D).T @ np.abs(multipliers))
+        preload = self._joined(PRELOAD * self.length * (abs(K) @ self.scale))
+        size = np.maximum(own, preload)
+        return self._apart(np.maximum(size, DIGITS_OF_LARGEST * size.max()) if size.any() else size + 1)
 
-    def preload(self, K: Sparse) -> Floats:
-        """Forces (6n,) [N, N m] of K by small motions, as of springs that balance each other."""
-        loads: Floats = PRELOAD * self.length * (abs(K) @ self.scale)
-        return loads
+    def beyond_rounding(self, r: Floats, q: Floats, K: Sparse) -> Floats:
+        """r (6n,) where it is more than the stiffness K makes of the last digits of positions: joints pass
+        that on from one body to others."""
+        place = max(self.length, float(np.abs(q.reshape(-1, 7)[:, :3]).max()))
+        largest = self._joined(LAST_DIGITS * place * (abs(K) @ self.scale)).max()
+        rounding = self._apart(np.full(self.core.body_count, largest))
+        return np.where(np.abs(r) > rounding, r, 0.0)
+
+    def _joined(self, parts: Floats) -> Floats:
+        """unit_F (n,) of forces and torques (6n,)."""
+        force, torque = parts.reshape(-1, 2, 3).max(axis=2).T
+        return np.asarray(np.maximum(force, torque / self.arms))
+
+    def _apart(self, unit_F: Floats) -> Floats:
+        """Forces and torques (6n,)."""
+        return np.column_stack([unit_F, unit_F * self.arms]).repeat(3, axis=1).ravel()
 
     def _gross(self, t: float, q: Floats, v: Floats, arms: Floats | float) -> Floats:
         """Sizes before they add up (6n,) [N, N m]: of g, weights, and force elements at these arms."""

@@ -68,7 +68,8 @@ class Equilibrium:
     turned: Floats  #: angle by which each body was turned, at most pi (n,) [rad]
     multipliers: Floats  #: (m,); of redundant equations those of least norm
     #: largest force, or torque over size, of a body that is not balanced, relative to what acts on it before
-    #: it adds up, reactions included; to 1e-5 of the largest such force in the model where that is more
+    #: it adds up, reactions included; to 1e-5 of the largest such force in the model where that is more; 0
+    #: where it is no more than stiffness makes of the last digits of positions
     imbalance: float
     softest: float  #: smallest stiffness among the motions that the joints leave [N/m]; NaN: there is none
     softest_motion: str  #: which this is, in words
@@ -216,13 +217,15 @@ class _Search:
         """NotConvergedError: the cap, or a body that goes round."""
         mu, step = 0.0, np.inf
         r, multipliers = self._balance(q)
-        self.acting = self.eq.acting(0.0, q, self.rest, multipliers)
+        K = stiffness(self.eq, 0.0, q, self.rest, multipliers)
+        self.acting = self.eq.acting(0.0, q, self.rest, multipliers, K)
         size = self._size(r)
         way = _Way(size, np.zeros((self.eq.core.body_count, 3)), size)
         for _ in range(ALL_ITERATIONS):
-            if self._size(r) <= WANTED or step < ROUNDING or way.steps >= ITERATIONS:
+            if self._size(r) <= WANTED or not self.eq.beyond_rounding(r, q, K).any():
                 break
-            K = stiffness(self.eq, 0.0, q, self.rest, multipliers)
+            if step < ROUNDING or way.steps >= ITERATIONS:
+                break
             self._limit(way.longest)
             found, mu = self._step(q, r, K, max(mu, LEAST_DAMPING))
             self.steps += 1
@@ -234,11 +237,12 @@ class _Search:
                 break  # no better: rounding
             q, r, multipliers = found
             self._accept(q)
-            self.acting = np.maximum(self.acting, self.eq.acting(0.0, q, self.rest, multipliers))
+            K = stiffness(self.eq, 0.0, q, self.rest, multipliers)
+            self.acting = np.maximum(self.acting, self.eq.acting(0.0, q, self.rest, multipliers, K))
             way.add(x, self._size(r), step)
             if way.angle.max() > ROUND and not self.counts_turns:
                 break
-        if self._size(r) > ACCEPTED and not self._rounded(q, r, multipliers):
+        if self._size(r) > ACCEPTED and not self._rounded(q, r, K):
             self._fail(q, r, way)
         return q
 
@@ -255,10 +259,11 @@ class _Search:
         own = np.abs(K.diagonal()).reshape(-1, 3).max(axis=1).repeat(3)
         return diags_array(np.maximum(own, self.acting * self.eq.scale / self.eq.length)).tocsr()
 
-    def _rounded(self, q: Floats, r: Floats, multipliers: Floats) -> bool:
-        """Whether the pose in balance differs from q by what positions have no digits for."""
-        K, D = stiffness(self.eq, 0.0, q, self.rest, multipliers), self.eq.terms(0.0, q).D[self.rows]
-        x = self._solved(K, D, r, np.zeros(len(self.rows)))
+    def _rounded(self, q: Floats, r: Floats, K: Sparse) -> bool:
+        """Whether r, or the way to the pose in balance, is what positions have no digits for."""
+        if not self.eq.beyond_rounding(r, q, K).any():
+            return True
+        x = self._solved(K, self.eq.terms(0.0, q).D[self.rows], r, np.zeros(len(self.rows)))
         places = float(np.abs(q.reshape(-1, 7)[:, :3]).max()) / self.eq.length
         return x is not None and self._reach(x) <= max(ROUNDING, LAST_DIGITS * places)
 
@@ -365,16 +370,17 @@ class _Search:
         r, multipliers = self._balance(q)
         softest, motion, neutral = self._softest(q)
         K = stiffness(eq, 0.0, q, self.rest, multipliers)
-        self.acting = np.maximum(eq.acting(0.0, q, self.rest, multipliers), eq.preload(K))
+        self.acting = eq.acting(0.0, q, self.rest, multipliers, K)
         at_rest = eq.model.with_initial_state(q, self.rest, self._turns(q))
         multipliers = shared(eq, 0.0, q, multipliers)
         x = between(np.array(eq.core.q0), q).reshape(-1, 2, 3)
         shift, angle = np.linalg.norm(x, axis=2).T
         kinds: tuple[Literal["unstable", "neutral", "stable"], ...] = ("unstable", "neutral", "stable")
         kind = kinds[2 if np.isnan(softest) else 1 + int(np.sign(softest) * (abs(softest) > neutral))]
+        imbalance = self._size(eq.beyond_rounding(r, q, K))
         words = "" if np.isnan(softest) else eq.motion(motion)
         return Equilibrium(
-            at_rest, moved=shift, turned=angle, multipliers=multipliers, imbalance=self._size(r),
+            at_rest, moved=shift, turned=angle, multipliers=multipliers, imbalance=imbalance,
             softest=softest, softest_motion=words, stability=kind, iterations=self.steps,
             _dynamics=eq.dynamics,
         )  # fmt: skip

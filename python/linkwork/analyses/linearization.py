@@ -271,7 +271,8 @@ def _coefficients(eq: Equations, at: Snapshot, *, check: bool = True) -> Coeffic
         _check_velocities(eq, terms, v, eq.gross_forces(at.t, q, v))
     K, C = stiffness(eq, at.t, q, v, multipliers), damping(eq, at.t, q, v)
     if check:
-        _check_balance(eq, eq.acting(at.t, q, v, multipliers), K, unbalanced, moving=bool(v.any()))
+        unbalanced = eq.beyond_rounding(unbalanced, q, K)
+        _check_balance(eq, eq.acting(at.t, q, v, multipliers, K), unbalanced, moving=bool(v.any()))
     return M, C, K, terms.D[eq.independent]
 
 
@@ -279,9 +280,9 @@ def _accelerations(eq: Equations, t: float, q: Floats, v: Floats) -> tuple[Float
     return System(eq.model).accelerations(t, q, v, eq.dynamics.history)
 
 
-def _check_balance(eq: Equations, acting: Floats, K: Sparse, unbalanced: Floats, *, moving: bool) -> None:
+def _check_balance(eq: Equations, acting: Floats, unbalanced: Floats, *, moving: bool) -> None:
     """ModelError: forces in the directions that the joints leave, or accelerations."""
-    size = np.abs(unbalanced) / np.maximum(acting, eq.preload(K))
+    size = np.abs(unbalanced) / acting
     if size.max() > BALANCE:
         body, k = divmod(int(size.argmax()), 6)
         value = f"{unbalanced.reshape(-1, 6)[body, k]:.3g} {'N' if k < 3 else 'N m'}"
