@@ -825,3 +825,23 @@ def test_modes_whose_forces_do_not_add_up_are_told(monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr("linkwork.analyses.linearization.SURE", -1.0)
     with pytest.warns(lw.LinkworkWarning, match="3 of 3 modes are not sure; of mode"):
         lw.linearize(damped_chain(3))
+
+
+@pytest.mark.parametrize(("n", "seed"), [(90, 0), (90, 3), (120, 4), (120, 5)])
+def test_one_of_very_many_neutral_modes_is_found(n: int, seed: int) -> None:
+    random, model = np.random.default_rng(seed), lw.Model(gravity=(0, 0, 0))
+    for k in range(n):
+        name, at = f"body {k}", (float(k), 0.0, 0.0)
+        model.body(name, mass=1.0, inertia=(1.0,) * 3, position=at)
+        stiffness, damping = 10 ** random.uniform(-2, 2, 2)
+        if k % 2:
+            model.translational("ground", name, at=at, axis=(0, 1, 0))
+            model.translational_spring_damper(
+                "ground", name, at=at, axis=(0, 1, 0), stiffness=stiffness, damping=damping
+            )
+        else:
+            model.planar("ground", name, at=at, axis=Z)
+            if k % 4:
+                model.bushing("ground", name, at=(k, 0.3, 0), stiffness=(0.0,) * 3, damping=(damping, 0, 0))
+    found = lw.linearize(model, modes=1)
+    assert found.frequencies == pytest.approx([0.0]) and found.stable

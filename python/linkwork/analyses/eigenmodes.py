@@ -38,7 +38,7 @@ SQUARE_SHIFT, SHIFTS = 1e-8, (1e-4, 1e-6)
 DOUBLINGS = 6
 
 #: Vectors of a Krylov space, per eigenvalue, and at least; restarts until it is tried with more vectors.
-VECTORS, FEWEST, RESTARTS = (2, 4), 20, 300
+VECTORS, FEWEST, RESTARTS = (2, 4, 8, 16), 20, 300
 
 #: Velocities that the joints do not allow, relative, in what is no motion.
 ALLOWED = 1e-3
@@ -49,6 +49,9 @@ TINY = 1e-300
 #: Distances of eigenvalues from a shift that differ by less, relative, are equal: by so much those of neutral
 #: motions may be off.
 EQUAL = 1e-6
+
+#: Eigenvalues, relative to a shift next to zero, that those of neutral motions with damping may be off.
+NEUTRAL = 1e-4
 
 #: Of the inverse, that are enough for one motion where others are hardly there.
 POWERS = 3
@@ -232,12 +235,13 @@ def by_arnoldi(
             chosen = nearest_to(s, near, count)
             found = s[chosen], shapes[:, chosen]
             farthest = np.abs(found[0] - 1j * near).max() if len(chosen) == count else np.inf
-            if farthest + abs(sigma - 1j * near) <= (1 + EQUAL) * radius:
+            none_nearer = farthest + abs(sigma - 1j * near) <= (1 + EQUAL) * radius
+            if none_nearer or (not near and farthest <= NEUTRAL * abs(sigma)):
                 return found
     if doublings < needed:
         raise NotConvergedError(
-            f"linearize: beside what is stiff here it is not certain which {count} modes are nearest: ask "
-            "for more modes, or give `near`",
+            f"linearize: beside what is stiff here it is not certain which modes are the nearest, of {count} "
+            "that are asked for: ask for more, or give `near`",
             code="modes_not_found",
         )
     return found
@@ -295,8 +299,8 @@ def _largest(operator: Any, number: int, enough: int, first: Complex) -> tuple[C
             if len(failure.eigenvalues) >= enough - 1:  # of a pair one may be left out
                 return failure.eigenvalues, failure.eigenvectors
     raise NotConvergedError(
-        f"linearize: the iteration for {number} eigenvalues did not converge: ask for fewer modes, or give "
-        "`near`",
+        f"linearize: the iteration for {number} eigenvalues did not converge, as where very many are equal: "
+        "give `near`, a frequency beside those, or ask for more modes",
         code="modes_not_found",
     ) from error
 
