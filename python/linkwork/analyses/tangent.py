@@ -62,8 +62,12 @@ def _exponential(phi: Floats) -> Floats:
 
 def _product(a: Floats, b: Floats) -> Floats:
     """Of Euler parameters (n, 4): first the turn b, then a; of unit length."""
-    a0, b0, ae, be = a[:, :1], b[:, :1], a[:, 1:], b[:, 1:]
-    scalar = a0 * b0 - np.sum(ae * be, axis=1, keepdims=True)
-    p = np.hstack([scalar, a0 * be + b0 * ae + np.cross(ae, be)])
+    (a0, a1, a2, a3), (b0, b1, b2, b3) = a.T, b.T
+    p = np.stack([
+        a0 * b0 - a1 * b1 - a2 * b2 - a3 * b3,
+        a0 * b1 + a1 * b0 + a2 * b3 - a3 * b2,
+        a0 * b2 + a2 * b0 + a3 * b1 - a1 * b3,
+        a0 * b3 + a3 * b0 + a1 * b2 - a2 * b1,
+    ], axis=1)  # fmt: skip
     unit: Floats = p / np.linalg.norm(p, axis=1, keepdims=True)
     return unit
