@@ -271,3 +271,14 @@ def test_a_chain_with_a_slack_bending_spring_rests_where_it_is(seed: int) -> Non
     rest = lw.equilibrium(model)
     assert rest.moved.max() < 1e-12 and rest.imbalance < 1e-9
     assert lw.linearize(rest.model).frequencies[-1] > 1.0
+
+
+def test_a_pendulum_of_two_bodies_that_are_stiffly_joined_falls_in_a_few_hundred_steps() -> None:
+    model, upward = lw.Model(), np.array([np.sin(1.0), 0.0, np.cos(1.0)])
+    model.body("a", mass=1e-3, inertia=(0.1,) * 3, position=upward)
+    model.body("b", mass=1.0, inertia=(0.1,) * 3, position=1.3 * upward)
+    model.distance("ground", "a", at=((0, 0, 0), upward))
+    model.bushing("a", "b", at=upward, stiffness=(3e6,) * 3, rotational_stiffness=(3e6,) * 3)
+    rest = lw.equilibrium(model)
+    assert rest.model.compiled().q0[2::7].max() < -0.9
+    assert rest.iterations < 300

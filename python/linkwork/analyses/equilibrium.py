@@ -32,8 +32,9 @@ MET, NEARLY_MET = 1e-13, 1e-10
 #: the imbalance falls in steps of at least that part of it; and the most [rad] of turns that are counted.
 LONGEST_STEP, LONGER, LONG, LONGEST_TURN = 0.3, 1.5, 0.25, 1.2
 
-#: How the damping mu of the steps grows after one that was not good; mu that is none.
-GROWTH, UNDAMPED = 10.0, 1e-9
+#: How the damping mu of the steps falls after one that was good at once, and grows after one that was not:
+#: little, as where the stiffness is negative a step is long only next to the least mu; mu that is none.
+FALL, GROWTH, UNDAMPED = 10.0, 3.0, 1e-9
 
 #: The same: the least, the first that damps, and the most.
 LEAST_DAMPING, FIRST_DAMPING, MOST_DAMPING = 1e-13, 1e-4, 1e12
@@ -274,11 +275,12 @@ class _Search:
     def _step(self, q: Floats, r: Floats, K: Sparse, mu: float) -> tuple[_Balanced | None, float]:
         """The state after a step, None where none is good, and mu for the next one."""
         self.B = self._stiffnesses(K)
+        fall = FALL
         while mu < MOST_DAMPING:
             found = self._try(q, r, K + mu * self.B)
             if not isinstance(found, float):
-                return found, mu / GROWTH
-            mu = found * mu if mu > UNDAMPED else FIRST_DAMPING
+                return found, mu / fall
+            mu, fall = found * mu if mu > UNDAMPED else FIRST_DAMPING, GROWTH
         return None, mu
 
     def _try(self, q: Floats, r: Floats, damped: Sparse) -> _Balanced | float:
