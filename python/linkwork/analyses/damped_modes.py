@@ -29,11 +29,15 @@ HUGE = 1e100
 
 
 def damped_modes(c: Floats, k: Floats) -> tuple[Complex, Complex, Floats]:
-    """s (2f,), a (f, 2f) of length one, both of conjugate pairs; and residuals over their terms (2f,)."""
+    """s (2f,), a (f, 2f) of length one, both of conjugate pairs; and what of the residuals is more than
+    rounding, over their terms (2f,)."""
     s, a, left = _of_first_order(c, k)
     pair = s.imag > 0
     s = _by_quotients(c, k, s, a, left)
-    s, a, off = _mended(c, k, s, a)
+    s, a = _mended(c, k, s, a)
+    last_digits = np.finfo(float).eps * float(np.abs(s).max())
+    residual, terms, rounding = _sizes(c, k, s, a, last_digits)
+    off = _ratio(np.maximum(residual - rounding, 0.0), terms)
     return np.append(s, s[pair].conj()), np.hstack([a, a[:, pair].conj()]), np.append(off, off[pair])
 
 
@@ -107,16 +111,25 @@ def _residuals(c: Floats, k: Floats, s: Complex, a: Complex) -> Complex:
 
 def _relative(c: Floats, k: Floats, s: Complex, a: Complex) -> Floats:
     """Residuals in parts of their terms, or of the rounding of the largest."""
-    size, rate = np.abs(a), np.abs(s)
-    own = rate**2 * size + rate * (np.abs(c) @ size) + np.abs(k) @ size
+    off, terms, rounding = _sizes(c, k, s, a)
+    return _ratio(off, terms + rounding)
+
+
+def _sizes(c: Floats, k: Floats, s: Complex, a: Complex, least: float = 0.0) -> tuple[Floats, Floats, Floats]:
+    """Of the residuals, of their terms, for |s| of `least` at least, and of the rounding of the largest."""
+    size, rate = np.abs(a), np.maximum(np.abs(s), least)
+    terms = rate**2 * size + rate * (np.abs(c) @ size) + np.abs(k) @ size
     largest = rate**2 + rate * np.linalg.norm(c) + np.linalg.norm(k)
-    terms = np.linalg.norm(own, axis=0) + ROUNDING * largest
     off = np.linalg.norm(_residuals(c, k, s, a), axis=0)
-    return np.asarray(np.divide(off, terms, out=np.zeros_like(off), where=terms > 0))
+    return off, np.linalg.norm(terms, axis=0), ROUNDING * largest
 
 
-def _mended(c: Floats, k: Floats, s: Complex, a: Complex) -> tuple[Complex, Complex, Floats]:
-    """With those that are short by inverse iteration (Ruhe, SIAM J. Numer. Anal. 10, 1973); and residuals."""
+def _ratio(part: Floats, of: Floats) -> Floats:
+    return np.asarray(np.divide(part, of, out=np.zeros_like(part), where=of > 0))
+
+
+def _mended(c: Floats, k: Floats, s: Complex, a: Complex) -> tuple[Complex, Complex]:
+    """With those that are short by inverse iteration (Ruhe, SIAM J. Numer. Anal. 10, 1973)."""
     off = _relative(c, k, s, a)
     for mode in np.flatnonzero(off > SHORT):
         for _ in range(STEPS):
@@ -127,7 +140,7 @@ def _mended(c: Floats, k: Floats, s: Complex, a: Complex) -> tuple[Complex, Comp
                 break
             s[[mode]], a[:, [mode]] = found
             off[mode] = residual[0]
-    return s, a, off
+    return s, a
 
 
 def _inverse_step(c: Floats, k: Floats, s: Complex, a: Complex) -> tuple[Complex, Complex]:
