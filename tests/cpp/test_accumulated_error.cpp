@@ -83,3 +83,17 @@ TEST_CASE("parts of which no step could be taken again count as the others") {
   errors.steps[0].failed = true;
   CHECK(accumulate(errors, 0.1).steps.empty());
 }
+
+TEST_CASE("what is late is off by the largest acceleration that comes, seen in a step or not") {
+  StateDifference apart;
+  apart.position = 1e-6;
+  RunErrors errors = run(apart, {});
+  const double before = state(errors);
+  RunPart stop;  // of which no step is known
+  stop.steps = 1;
+  stop.t = 1.9;
+  stop.seconds = 0.01;
+  stop.peak = 50.0 * speed * speed / size;
+  errors.parts.push_back(stop);
+  CHECK(state(errors) == doctest::Approx(50.0 * before).epsilon(0.02));
+}

@@ -122,9 +122,9 @@ void Lane::sample(const VectorXd& y, double kinetic, double potential, const Vec
   if (run_) run_->sampling.before(dynamics_, y, kinetic, potential, switches);
 }
 
-void Lane::sample_step(double t, double h, const VectorXd& y, const VectorXd& y_new, double change) {
+void Lane::sample_step(double t, double h, const VectorXd& y, const VectorXd& y_new, const Rates& rates) {
   if (!run_) return;
-  run_->sampling.after(t, h, y, y_new, change);
+  run_->sampling.after(t, h, y, y_new, rates);
   run_->steps += 1;
 }
 

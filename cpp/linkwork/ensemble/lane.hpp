@@ -130,7 +130,7 @@ class Lane {
   LaneRun* run() const { return run_; }
   /// For the verdict.
   void sample(const VectorXd& y, double kinetic, double potential, const VectorXd& switches);
-  void sample_step(double t, double h, const VectorXd& y, const VectorXd& y_new, double change);
+  void sample_step(double t, double h, const VectorXd& y, const VectorXd& y_new, const Rates& rates);
   /// Singular poses ahead of a step from the state y. `factors`, where there are any, spare the lane its own.
   void look_ahead(std::int64_t at, const FixedSteps& steps, const Speeds& speeds, const VectorXd& y,
                   StageFactors* factors);

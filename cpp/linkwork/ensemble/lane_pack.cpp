@@ -225,7 +225,7 @@ void LanePack::finish_step(std::int64_t step) {
   if (!watches_.watched() && !watches_.judged()) return;
   each_stepping([&](int l, Lane& lane) {
     const VectorXd& y = watches_.state_before(l);
-    if (lane.judged()) lane.sample_step(t, h, y, watches_.state(l), watches_.change(l));
+    if (lane.judged()) lane.sample_step(t, h, y, watches_.state(l), watches_.rates(l));
     if (lane.watches()) lane.look_back(t, h, y);
   });
 }

@@ -54,22 +54,25 @@ void kinetic_energy(int bodies, const double* mass, const double* y, double* out
   put(out, 0, splat_native(0.5) * twice);
 }
 
-void change(int bodies, int every, double h, const double* squared_length, const double* y, const double* y_new,
-            double* rates, double* out) {
+void look_at_rates(int bodies, int every, double h, const double* squared_length, const double* y, const double* y_new,
+                   double* rates, double* out) {
   const Native per_second = splat_native(1.0 / h);
-  Native sum{};
+  Native sum{}, largest{};
   for (long body = 0; body < bodies; body += every) {
-    Native other[6];
+    Native rate_of[6], other[6];
     for (int k = 0; k < 6; ++k) {
       const std::ptrdiff_t v = 7l * bodies + 6 * body + k, own = 6 * body + k;
-      const Native rate = (get(y_new, v) - get(y, v)) * per_second;
+      const Native rate = rate_of[k] = (get(y_new, v) - get(y, v)) * per_second;
       other[k] = rate - get(rates, own);
       put(rates, own, rate);
     }
     const Three linear{other[0], other[1], other[2]}, angular{other[3], other[4], other[5]};
     sum += linear.square() + get(squared_length, 0) * angular.square();
+    const Three acceleration{rate_of[0], rate_of[1], rate_of[2]}, spin{rate_of[3], rate_of[4], rate_of[5]};
+    largest = larger(largest, acceleration.square() + get(squared_length, 0) * spin.square());
   }
   put(out, 0, sqrt(Pack(sum)).v);
+  put(out, 1, sqrt(Pack(largest)).v);
 }
 
 }  // namespace
@@ -78,6 +81,6 @@ void change(int bodies, int every, double h, const double* squared_length, const
 #define LINKWORK_NAME(ISA) LINKWORK_JOIN(lane_speeds_, ISA)
 
 extern const LaneSpeeds LINKWORK_NAME(LINKWORK_ISA);
-const LaneSpeeds LINKWORK_NAME(LINKWORK_ISA) = {&speeds, &kinetic_energy, &change};
+const LaneSpeeds LINKWORK_NAME(LINKWORK_ISA) = {&speeds, &kinetic_energy, &look_at_rates};
 
 }  // namespace linkwork

@@ -11,10 +11,10 @@ struct LaneSpeeds {
   void (*speeds)(int bodies, const double* in_loops, const double* y, double* out);
   /// As System::kinetic_energy, without inerters. `mass`: 10 numbers a body.
   void (*kinetic_energy)(int bodies, const double* mass, const double* y, double* out);
-  /// As StepSampling::change: by how much (y_new - y)/h of velocities, of each `every` body, is another one than
-  /// `rates` (6 a body), which it becomes.
-  void (*change)(int bodies, int every, double h, const double* squared_length, const double* y, const double* y_new,
-                 double* rates, double* out);
+  /// As StepSampling: of (y_new - y)/h of velocities, of each `every` body, the numbers of Rates; by how much it is
+  /// another one than `rates` (6 a body), which it becomes, and the largest.
+  void (*rates)(int bodies, int every, double h, const double* squared_length, const double* y, const double* y_new,
+                double* rates, double* out);
 };
 
 const LaneSpeeds& lane_speeds(const InstructionSet& instructions);

@@ -17,7 +17,8 @@ LaneWatches::LaneWatches(const LaneStructure& structure, const InstructionSet& i
   layout_.size(in_loops_, structure_.bodies);
   layout_.size(speeds_, 6);
   layout_.size(rates_, velocity_size * structure_.bodies);
-  for (AlignedDoubles* one : {&squared_length_, &kinetic_, &change_}) layout_.size(*one, 1);
+  for (AlignedDoubles* one : {&squared_length_, &kinetic_}) layout_.size(*one, 1);
+  layout_.size(found_, 2);
   for (int l = 0; l < static_cast<int>(lanes.size()); ++l) {
     const Lane& lane = *lanes[l];
     watched_ = watched_ || lane.watches();
@@ -50,8 +51,8 @@ double LaneWatches::kinetic_energy(int l, const Evaluation& at, const VectorXd& 
 
 void LaneWatches::end_step(double h) {
   if (judged_)
-    kernels_.change(structure_.bodies, every_body_, h, squared_length_.data(), stepper_.states_before_step().data(),
-                    stepper_.states().data(), rates_.data(), change_.data());
+    kernels_.rates(structure_.bodies, every_body_, h, squared_length_.data(), stepper_.states_before_step().data(),
+                   stepper_.states().data(), rates_.data(), found_.data());
   std::swap(states_, before_);
   std::swap(known_, known_before_);
   std::fill(known_.begin(), known_.end(), 0);

@@ -25,7 +25,8 @@ class LaneWatches {
   double kinetic_energy(int l, const Evaluation& at, const VectorXd& y) const;  ///< inerters included [J]
   /// After it.
   void end_step(double h);
-  double change(int l) const { return change_[l]; }  ///< of the rates of a lane, see StepSampling
+  /// Of a lane, see StepSampling.
+  Rates rates(int l) const { return {found_[layout_.index(0, l)], found_[layout_.index(1, l)]}; }
 
   /// Rates over the last step of a lane that comes from another pack, or goes to one.
   void take_up(int l, Lane& lane);
@@ -42,7 +43,7 @@ class LaneWatches {
   LaneLayout layout_;
   bool watched_ = false, judged_ = false;
   int every_body_ = 1;
-  AlignedDoubles in_loops_, squared_length_, speeds_, kinetic_, rates_, change_;
+  AlignedDoubles in_loops_, squared_length_, speeds_, kinetic_, rates_, found_;
   std::vector<VectorXd> states_, before_;
   std::vector<char> known_, known_before_;
 };

@@ -21,7 +21,6 @@ struct KnownPart {
   KnownPart(const RunPart& of, const StepError& step) : part(&of), first(&step), last(&step) {}
   double steps() const { return static_cast<double>(part->steps); }
   double mean_change() const { return part->sum_of_changes / steps(); }
-  double middle() const { return part->t + part->seconds / 2; }
 
   /// A step alone that is far steeper than its part does not stand for all of it.
   void weigh() {
@@ -80,6 +79,8 @@ class Accumulation {
   double pace(const StepError& it) const {
     return std::max(speed(it) / V_, std::max(it.acceleration, L_ * it.spin_rate) * size_ / (V_ * V_));
   }
+
+  double pace(const RunPart& part) const { return part.peak * size_ / (V_ * V_); }
 
   /// Over all the run, parts of which no step is known included.
   template <class Value>
@@ -141,20 +142,35 @@ class Accumulation {
     }
   };
 
+  /// By time.
+  std::vector<const RunPart*> all_parts() const {
+    std::vector<const RunPart*> out;
+    for (const RunPart& part : errors_.parts) out.push_back(&part);
+    std::stable_sort(out.begin(), out.end(), [](const RunPart* a, const RunPart* b) { return a->t < b->t; });
+    return out;
+  }
+
   /// The larger of both at any time.
   double state() const {
     const double rate = V_ / size_;
     Sums sums, along;
     double late = 0.0, end = 0.0;
-    for (const KnownPart& part : parts_) {
-      const double steps = missed_ * part.steps(), t = part.middle();
-      const double poses = steps * part.mean([this](const StepError& it) { return pose(it.end); });
-      const double velocities = steps * part.mean([this](const StepError& it) { return velocity(it.end); });
-      const double slow = 1.0 / std::clamp(pace(*part.first), slowest, 1.0);
-      sums.add(poses, velocities, t);
-      along.add(slow * poses, slow * velocities, t);
-      late = std::max(late, along.moved(t, rate) * std::max(pace(*part.first), pace(*part.last)));
-      end = std::max(end, part.part->t + part.part->seconds);
+    auto known = parts_.begin();
+    for (const RunPart* part : all_parts()) {
+      const double t = part->t + part->seconds / 2;
+      double fastest = pace(*part);
+      if (known != parts_.end() && known->part == part) {
+        const double steps = missed_ * known->steps();
+        const double poses = steps * known->mean([this](const StepError& it) { return pose(it.end); });
+        const double velocities = steps * known->mean([this](const StepError& it) { return velocity(it.end); });
+        const double slow = 1.0 / std::clamp(pace(*known->first), slowest, 1.0);
+        sums.add(poses, velocities, t);
+        along.add(slow * poses, slow * velocities, t);
+        fastest = std::max({fastest, pace(*known->first), pace(*known->last)});
+        end = std::max(end, part->t + part->seconds);
+        ++known;
+      }
+      late = std::max(late, along.moved(t, rate) * fastest);
     }
     return std::max(sums.moved(end, rate) + sums.velocities, late);
   }

@@ -21,7 +21,7 @@ std::vector<RunPart> parts_to_judge(const StepSampling& sampling) {
   for (RunPart& part : sampling.broken()) out.push_back(std::move(part));
   for (RunPart& part : sampling.switched()) out.push_back(std::move(part));
   for (const KeptStep& step : sampling.outliers(out)) {  // each a part of its own
-    out.push_back({1, step.t, step.h, step.change, {}, {}});
+    out.push_back({1, step.t, step.h, step.change, 0.0, {}, {}});
     out.back().any = step;
   }
   return out;

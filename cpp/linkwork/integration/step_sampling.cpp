@@ -53,6 +53,7 @@ PartOfRun<Step> joined(PartOfRun<Step> a, PartOfRun<Step> b, bool left) {
   out.t = a.t;
   out.seconds = a.seconds + b.seconds;
   out.sum_of_changes = a.sum_of_changes + b.sum_of_changes;
+  out.peak = std::max(a.peak, b.peak);
   out.steepest = std::move(*steepest);
   out.any = std::move(left ? a.any : b.any);
   return out;
@@ -207,13 +208,13 @@ void StepSampling::keep_jump(double jump, const VectorXd& y_new) {
 }
 
 void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& y_new) {
-  after(t, h, y, y_new, change(h, y, y_new));
+  after(t, h, y, y_new, look_at_rates(h, y, y_new));
 }
 
-void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& y_new, double change) {
+void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& y_new, const Rates& rates) {
   if (steps_ <= 1 || parts_.back().steps == width_) begin_part(t);
   RunPart& part = parts_.back();
-  const double changed = std::exchange(compared_, true) ? change : 0.0;
+  const double changed = std::exchange(compared_, true) ? rates.change : 0.0;
   if (next_break_ < breaks_.size() && breaks_[next_break_] <= t + (1.0 + same_time) * h) meet_break(t, h, y, y_new);
   if (part.steps == chosen_ && part.any.change > part.steepest.change) part.steepest = std::move(part.any);
   if (part.steps == 0 || part.steps == chosen_) keep(part.any, t, h, changed, y, y_new);
@@ -226,6 +227,7 @@ void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& 
   part.steps += 1;
   part.seconds += h;
   part.sum_of_changes += changed;
+  part.peak = std::max(part.peak, rates.largest);
   steps_ += 1;
 }
 
@@ -241,18 +243,19 @@ void StepSampling::meet_break(double t, double h, const VectorXd& y, const Vecto
   keep(broken_.back(), t, h, 0.0, y, y_new);
 }
 
-/// |(v_new - v)/h - (the same of the step before)|
-double StepSampling::change(double h, const VectorXd& y, const VectorXd& y_new) {
-  double sum = 0.0;
+/// Of (v_new - v)/h.
+Rates StepSampling::look_at_rates(double h, const VectorXd& y, const VectorXd& y_new) {
+  double sum = 0.0, largest = 0.0;
   const double per_second = 1.0 / h;
   for (int body = 0; body < body_count_; body += every_body_) {
     const Eigen::Index v = q_size_ + velocity_size * body, own = velocity_size * body;
     const Eigen::Matrix<double, 6, 1> rate = (y_new.segment<6>(v) - y.segment<6>(v)) * per_second;
     const Eigen::Matrix<double, 6, 1> other = rate - rates_.segment<6>(own);
     sum += other.head<3>().squaredNorm() + squared_length_ * other.tail<3>().squaredNorm();
+    largest = std::max(largest, rate.head<3>().squaredNorm() + squared_length_ * rate.tail<3>().squaredNorm());
     rates_.segment<6>(own) = rate;
   }
-  return std::sqrt(sum);
+  return {std::sqrt(sum), std::sqrt(largest)};
 }
 
 void StepSampling::begin_part(double t) {
@@ -283,7 +286,7 @@ void StepSampling::keep(KeptStep& place, double t, double h, double change, cons
 std::vector<RunPart> StepSampling::parts() const {
   std::vector<PartOfRun<const KeptStep*>> chosen;
   for (const RunPart& it : parts_)
-    chosen.push_back({it.steps, it.t, it.seconds, it.sum_of_changes, &it.any, &it.steepest});
+    chosen.push_back({it.steps, it.t, it.seconds, it.sum_of_changes, it.peak, &it.any, &it.steepest});
   const auto wanted = static_cast<std::size_t>(samples(steps_, body_count_));
   while (chosen.size() > 2 && chosen.size() < static_cast<std::size_t>(steps_) && 2 * chosen.size() > wanted + 1)
     chosen = join_pairs(std::move(chosen));
@@ -291,7 +294,7 @@ std::vector<RunPart> StepSampling::parts() const {
   InterruptionMeter meter;
   for (const auto& it : chosen) {
     meter.add(body_count_);
-    out.push_back({it.steps, it.t, it.seconds, it.sum_of_changes, *it.any, *it.steepest});
+    out.push_back({it.steps, it.t, it.seconds, it.sum_of_changes, it.peak, *it.any, *it.steepest});
   }
   return out;
 }

@@ -47,9 +47,15 @@ struct PartOfRun {
   std::int64_t steps = 0;
   double t = 0.0, seconds = 0.0;
   double sum_of_changes = 0.0;
+  double peak = 0.0;  ///< largest acceleration of a body [m/s^2]
   Step any{}, steepest{};
 };
 using RunPart = PartOfRun<KeptStep>;
+
+/// Of the accelerations of a step.
+struct Rates {
+  double change = 0.0, largest = 0.0;  ///< from those of the step before; of any body [m/s^2]
+};
 
 /// Keeps some steps of a run, spread over it and more where accelerations change most, so that they can be taken again
 /// when it is over: the run itself is not touched, and knows nothing of what they give. The run is cut into parts of
@@ -60,7 +66,7 @@ using RunPart = PartOfRun<KeptStep>;
 /// not for the smooth ones around them.
 ///
 /// Accelerations count as differences of velocities over steps, of angular ones times a length of the mechanism; in
-/// large models only some bodies are looked at.
+/// large models only some bodies are looked at. How much they change, of all bodies, and the largest come of each step.
 ///
 /// A single bad step, such as one beside a singular pose, shows in the balance of energy, which costs no evaluation:
 /// with T and B = T + V - W at the start of a step and B' at its end, d = |B' - B|, speeds in the metric of the masses
@@ -85,9 +91,9 @@ class StepSampling {
   // `pass_over` where the step is not one of the method's own (cut by an event, a leap over a singular pose).
   void before(const Dynamics& dynamics, const VectorXd& y);
   void after(double t, double h, const VectorXd& y, const VectorXd& y_new);
-  // The same where somebody else knows the energies and the switches there, and the change of the rates.
+  // The same where somebody else knows the energies and the switches there, and the rates.
   void before(const Dynamics& dynamics, const VectorXd& y, double kinetic, double potential, const VectorXd& switches);
-  void after(double t, double h, const VectorXd& y, const VectorXd& y_new, double change);
+  void after(double t, double h, const VectorXd& y, const VectorXd& y_new, const Rates& rates);
   /// v_dot over the last step (6n,), of every so many bodies; angular rates count by the square of a length.
   VectorXd& rates() { return rates_; }
   int every_body() const { return every_body_; }
@@ -129,7 +135,7 @@ class StepSampling {
   void balance(const VectorXd& y, double kinetic, double potential);
   void keep_jump(double jump, const VectorXd& y_new);
   void meet_break(double t, double h, const VectorXd& y, const VectorXd& y_new);
-  double change(double h, const VectorXd& y, const VectorXd& y_new);
+  Rates look_at_rates(double h, const VectorXd& y, const VectorXd& y_new);
   void begin_part(double t);
   void keep(KeptStep& place, double t, double h, double change, const VectorXd& y, const VectorXd& y_new) const;
 
