@@ -282,3 +282,21 @@ def test_a_pendulum_of_two_bodies_that_are_stiffly_joined_falls_in_a_few_hundred
     rest = lw.equilibrium(model)
     assert rest.model.compiled().q0[2::7].max() < -0.9
     assert rest.iterations < 300
+
+
+@pytest.mark.parametrize("hangs", ["ground", "heavy"])
+@pytest.mark.parametrize("mass", [1e-3, 1e-6])
+@pytest.mark.parametrize("stiffness", [1e6, 1e8, 1e10])
+def test_light_bodies_beside_stiff_springs_come_to_rest(stiffness: float, mass: float, hangs: str) -> None:
+    """Whose rounding is more than their weights."""
+    model, below = lw.Model(), np.array([0.1 * np.sin(0.5), 0.0, -2.0 - 0.1 * np.cos(0.5)])
+    model.body("heavy", mass=1.0, inertia=(0.1,) * 3)
+    model.spring_damper("ground", "heavy", at=((0, 0, 1), (0, 0, 0)), stiffness=stiffness, free_length=1.0)
+    model.translational("ground", "heavy", at=(0, 0, 0), axis=(0, 0, 1))
+    model.body("light", mass=mass, inertia=(1e-3 * mass,) * 3, position=below)
+    model.revolute(hangs, "light", at=(0, 0, -2), axis=(0, 1, 0))
+    with pytest.raises(lw.ModelError, match="not in balance"):
+        lw.linearize(model)
+    rest = lw.equilibrium(model)
+    assert abs(rest.model.compiled().q0.reshape(-1, 7)[1, 0]) < 1e-8
+    assert rest.imbalance < 1e-9

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,9 @@ Sparse = Any
 
 #: Of positions, relative: what they have no digits for.
 LAST_DIGITS = 1e-15
+
+#: Of what acts on a body: what may be rounding of it.
+SMALL_PART = 1e-4
 
 #: Of the size of a mechanism: arms that are none; of a body's arms.
 HARDLY, NO_ARM = 1e-2, 1e-9
@@ -111,13 +115,28 @@ class Equations:
         size = np.maximum(own, preload)
         return self._apart(np.maximum(size, DIGITS_OF_LARGEST * size.max()) if size.any() else size + 1)
 
-    def beyond_rounding(self, r: Floats, q: Floats, K: Sparse) -> Floats:
-        """r (6n,) where it is more than the stiffness K makes of the last digits of positions: joints pass
-        that on from one body to others."""
+    def beyond_rounding(self, r: Floats, q: Floats, K: Sparse, acting: Floats) -> Floats:
+        """r (6n,) where it is more than the stiffness K makes of the last digits of positions, which joints
+        pass on from one body to others; or no small part of what is acting."""
         place = max(self.length, float(np.abs(q.reshape(-1, 7)[:, :3]).max()))
-        largest = self._joined(LAST_DIGITS * place * (abs(K) @ self.scale)).max()
-        rounding = self._apart(np.full(self.core.body_count, largest))
+        own = self._joined(LAST_DIGITS * place * (abs(K) @ self.scale))
+        largest = np.zeros(self._component.max() + 1)
+        np.maximum.at(largest, self._component, own)
+        rounding = np.minimum(self._apart(largest[self._component]), SMALL_PART * acting)
         return np.where(np.abs(r) > rounding, r, 0.0)
+
+    @cached_property
+    def _component(self) -> NDArray[np.intp]:
+        """Of each body that which joints connect it with (n,)."""
+        from scipy.sparse import csr_array
+        from scipy.sparse.csgraph import connected_components
+
+        found = self.dynamics.evaluate(0.0, self.core.q0, self._still)["D"]
+        bodies = found["indices"] // 6
+        rows = csr_array(
+            (np.ones(len(bodies)), bodies, found["indptr"]), shape=(self.core.row_count, self.core.body_count)
+        )
+        return np.asarray(connected_components(rows.T @ rows, directed=False)[1])
 
     def _joined(self, parts: Floats) -> Floats:
         """unit_F (n,) of forces and torques (6n,)."""

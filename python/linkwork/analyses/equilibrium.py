@@ -220,12 +220,12 @@ class _Search:
         r, multipliers = self._balance(q)
         K = stiffness(self.eq, 0.0, q, self.rest, multipliers)
         self.acting = self.eq.acting(0.0, q, self.rest, multipliers, K)
+        if not self.eq.beyond_rounding(r, q, K, self.acting).any():
+            return q
         size = self._size(r)
         way = _Way(size, np.zeros((self.eq.core.body_count, 3)), size)
         for _ in range(ALL_ITERATIONS):
-            if self._size(r) <= WANTED or not self.eq.beyond_rounding(r, q, K).any():
-                break
-            if step < ROUNDING or way.steps >= ITERATIONS:
+            if self._size(r) <= WANTED or step < ROUNDING or way.steps >= ITERATIONS:
                 break
             self._limit(way.longest)
             found, mu = self._step(q, r, K, max(mu, LEAST_DAMPING))
@@ -262,7 +262,7 @@ class _Search:
 
     def _rounded(self, q: Floats, r: Floats, K: Sparse) -> bool:
         """Whether r, or the way to the pose in balance, is what positions have no digits for."""
-        if not self.eq.beyond_rounding(r, q, K).any():
+        if not self.eq.beyond_rounding(r, q, K, self.acting).any():
             return True
         x = self._solved(K, self.eq.terms(0.0, q).D[self.rows], r, np.zeros(len(self.rows)))
         places = float(np.abs(q.reshape(-1, 7)[:, :3]).max()) / self.eq.length
@@ -379,7 +379,7 @@ class _Search:
         shift, angle = np.linalg.norm(x, axis=2).T
         kinds: tuple[Literal["unstable", "neutral", "stable"], ...] = ("unstable", "neutral", "stable")
         kind = kinds[2 if np.isnan(softest) else 1 + int(np.sign(softest) * (abs(softest) > neutral))]
-        imbalance = self._size(eq.beyond_rounding(r, q, K))
+        imbalance = self._size(eq.beyond_rounding(r, q, K, self.acting))
         words = "" if np.isnan(softest) else eq.motion(motion)
         return Equilibrium(
             at_rest, moved=shift, turned=angle, multipliers=multipliers, imbalance=imbalance,

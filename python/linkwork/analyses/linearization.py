@@ -271,8 +271,8 @@ def _coefficients(eq: Equations, at: Snapshot, *, check: bool = True) -> Coeffic
         _check_velocities(eq, terms, v, eq.gross_forces(at.t, q, v))
     K, C = stiffness(eq, at.t, q, v, multipliers), damping(eq, at.t, q, v)
     if check:
-        unbalanced = eq.beyond_rounding(unbalanced, q, K)
-        _check_balance(eq, eq.acting(at.t, q, v, multipliers, K), unbalanced, moving=bool(v.any()))
+        acting = eq.acting(at.t, q, v, multipliers, K)
+        _check_balance(eq, acting, eq.beyond_rounding(unbalanced, q, K, acting), moving=bool(v.any()))
     return M, C, K, terms.D[eq.independent]
 
 
