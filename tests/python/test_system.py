@@ -45,11 +45,13 @@ def test_a_python_rk4_takes_the_steps_of_the_compiled_one(
         lw.simulate(make(), 0.2, 2e-3, method, stabilization=stabilization, progress=False)
         for method in (runge_kutta_4, "rk4")
     )
-    assert np.abs(own.q - compiled.q).max() <= 1e-13
-    assert np.abs(own.v - compiled.v).max() <= 1e-12 * np.abs(compiled.v).max()
-    assert np.abs(own.work - compiled.work).max() <= 1e-3 * np.ptp(
+    # The correction of violations is held inside steps of the compiled one, and added beside those of others.
+    apart = 1e5 if stabilization == "sampled_baumgarte" else 1.0
+    assert np.abs(own.q - compiled.q).max() <= 1e-13 * apart
+    assert np.abs(own.v - compiled.v).max() <= 1e-12 * apart * np.abs(compiled.v).max()
+    assert np.abs(own.work - compiled.work).max() <= 1e-7 * np.ptp(
         own.kinetic_energy
-    )  # a trapezoidal sum there
+    )  # by Simpson's rule there
 
 
 def test_the_initial_state_is_that_of_the_model() -> None:
