@@ -185,6 +185,25 @@ def test_an_integrator_of_the_users_own_runs_as_the_compiled_one(stabilization: 
     assert np.abs(own.multipliers - compiled.multipliers).max() < 1e-9 * apart
 
 
+def with_either_sign(system: lw.System, t: float, y: Floats, h: float) -> Floats:
+    """Orientations as of libraries whose quaternions change their sign now and then."""
+    new = classical(system, t, y, h)
+    p = new[3:7]
+    p *= np.sign(np.sin(300 * t)) or 1.0
+    return new
+
+
+def test_euler_parameters_of_a_step_may_change_their_sign() -> None:
+    model = lw.mechanisms.rod_pendulum()
+    model.linear_damping("ground", "rod", at=((0, 0, 0), (0.3, 0, 0)), frames="body", damping=1.0)
+    flipped, plain = (
+        lw.simulate(model, 0.3, 2e-3, method, progress=False) for method in (with_either_sign, classical)
+    )
+    assert (np.abs(np.diff(np.sign(flipped.q[:, 0, 3]))) > 0).sum() > 10
+    assert np.abs(flipped.work - plain.work).max() < 1e-10
+    assert np.abs(flipped.energy_error).max() < 1e-6
+
+
 class Adams:
     """Of order 2, with the rates of the last step in its memory."""
 

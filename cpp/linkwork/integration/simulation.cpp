@@ -233,18 +233,26 @@ void Simulation::finish_step() {
 
 /// Of an integrator of the user's own, which returns only q and v.
 void Simulation::add_work() {
-  const VectorXd before = y_dot_;
+  VectorXd before = y_dot_;
   dynamics_.rates(y_dot_);
-  if (steps_done_ > 0 && !leapt_) y_.tail<1>()[0] += work_of_step(before, t() - last_t_);
+  if (steps_done_ > 0 && !leapt_) y_.tail<1>()[0] += work_of_step(std::move(before), t() - last_t_);
   last_t_ = t();
 }
 
-/// By Simpson's rule, in the middle of the step with the state of Hermite's cubics: of order 4.
-double Simulation::work_of_step(const VectorXd& y_dot_before, double h) {
+/// By Simpson's rule, in the middle of the step with the state of Hermite's cubics: of order 4. Euler parameters of one
+/// orientation may have either sign.
+double Simulation::work_of_step(VectorXd y_dot_before, double h) {
   const double first = y_dot_before.tail<1>()[0], last = y_dot_.tail<1>()[0];
   if (first == 0.0 && last == 0.0) return 0.0;
+  VectorXd before = kept_y_;
+  for (int body = 0; body < dynamics_.system().body_count(); ++body) {
+    const int p = position_size * body + 3;
+    if (before.segment<4>(p).dot(y_.segment<4>(p)) >= 0.0) continue;
+    before.segment<4>(p) *= -1.0;
+    y_dot_before.segment<4>(p) *= -1.0;
+  }
   const Dynamics::Place end = dynamics_.place();
-  VectorXd middle = 0.5 * (kept_y_ + y_) + 0.125 * h * (y_dot_before - y_dot_), y_dot(y_.size());
+  VectorXd middle = 0.5 * (before + y_) + 0.125 * h * (y_dot_before - y_dot_), y_dot(y_.size());
   dynamics_.system().normalize(middle.head(dynamics_.system().q_size()));
   dynamics_.formulation().look(true);
   dynamics_.evaluate(t() - 0.5 * h, middle);

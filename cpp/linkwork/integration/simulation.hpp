@@ -58,7 +58,7 @@ class Simulation final : public Run {
   void begin_leap();
   void follow_leap();
   void add_work();
-  double work_of_step(const VectorXd& y_dot_before, double h);
+  double work_of_step(VectorXd y_dot_before, double h);
   void find_correction();
   void trace_step(double h);
 
