@@ -171,8 +171,9 @@ double EventWatch::rate(const System& system, std::size_t index, double t, const
 }
 
 /// What a function may be where it passes zero, by how exactly the time of that is known; of one that jumps nothing.
+/// The run has been at times before t, but perhaps not at later ones.
 double EventWatch::as_located(const System& system, std::size_t index, double t, const VectorXd& y) {
-  const double dt = resolved(index, t);
+  const double resolution = resolved(index, t), dt = std::abs(t) > resolution ? -resolution : resolution;
   const double whole = change_in_time(system, index, t, y, dt), half = change_in_time(system, index, t, y, 0.5 * dt);
   return std::abs(half - 0.5 * whole) <= not_straight * std::abs(whole) ? as_resolved * std::abs(whole) : 0.0;
 }
