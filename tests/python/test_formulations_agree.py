@@ -166,6 +166,7 @@ def test_the_augmented_lagrangian_is_right_with_any_penalty_or_says_that_it_is_n
     y = lw.System(model).initial_state()
     right, *_ = lw.System(model).accelerations(0.0, y[: 7 * n], y[7 * n :])
     system = lw.System(model, formulation="augmented_lagrangian", penalty=penalty)
-    with contextlib.suppress(lw.NotConvergedError):
+    may_fail = penalty < 1e30 and name != "chain"
+    with contextlib.suppress(*[lw.NotConvergedError] * may_fail):
         found, *_ = system.accelerations(0.0, y[: 7 * n], y[7 * n :])
         assert np.abs(found - right).max() < 1e-8 * np.abs(right).max()
