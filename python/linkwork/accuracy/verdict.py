@@ -1,17 +1,17 @@
 """How accurate a run is, estimated from the run itself.
 
 Some of its steps are taken again in parts, see `linkwork/integration/step_judge.hpp` and `run_judge.hpp`:
-fewer than 100, spread over the run and more where accelerations change most, all of few; those in which the
-balance of energy jumps, and those that contain break points, at which parts end; the worst once more in
-eight parts. Each difference is the local error of that step, by Richardson's extrapolation, in four lengths
-of every body: its position, rotation, velocity, angular velocity. Methods with memory and integrators of
-the user's own are compared with another one-step method, penalties and loose iterations with equations that
-are solved exactly. Functions of time of the user's own are looked at between steps, too (running.pulses); and
+a few dozen, spread over the run and more where accelerations change most, all of few; those in which the
+balance of energy jumps, those that contain break points, at which parts end, and some in which contacts and
+stops begin or end; the worst once more in eight parts. Each difference is the local error of that step, by
+Richardson's extrapolation, in four lengths of every body: its position, rotation, velocity, angular velocity.
+Methods with memory and integrators of the user's own are compared with another one-step method, penalties and
+loose iterations with equations that are solved exactly. Functions of time of the user's own are looked at between steps, too (running.pulses); and
 where frames come from the interpolant of long steps, what that gives.
 
 Over the run local errors add up, and grow: see `linkwork/integration/accumulated_error.hpp`. The estimate is
-meant to be large rather than small: of 3000 runs of 150 random mechanisms by all integrators, see
-`tests/benchmarks/verdicts.py`, 90 % had one of 2.6 to 290 times the true error, 12 times in the median. It is
+meant to be large rather than small: of 700 runs of 40 random mechanisms by all integrators, see
+`tests/benchmarks/verdicts.py`, 90 % had one of 2.7 to 96 times the true error, 12 times in the median. It is
 much too large where errors die out, as in friction that sticks, with steps that are long for it, and where
 drivers leave nothing to go wrong.
 
