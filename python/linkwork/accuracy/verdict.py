@@ -7,7 +7,7 @@ stops begin or end; the worst once more in eight parts. Each difference is the l
 Richardson's extrapolation, in four lengths of every body: its position, rotation, velocity, angular velocity.
 Methods with memory and integrators of the user's own are compared with another one-step method, penalties and
 loose iterations with equations that are solved exactly. Functions of time of the user's own are looked at
-between steps, too (running.pulses); and where frames come from the interpolant of long steps, what that gives.
+between steps, too (running.pulses); where frames come from the interpolant of long steps, what that gives.
 
 Over the run local errors add up, and grow: see `linkwork/integration/accumulated_error.hpp`. The estimate is
 meant to be large rather than small: of 700 runs of 40 random mechanisms by all integrators, see
