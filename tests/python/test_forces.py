@@ -6,6 +6,7 @@ import ctypes
 import shutil
 import subprocess
 from pathlib import Path
+from typing import Any
 
 import linkwork as lw
 import numpy as np
@@ -337,6 +338,30 @@ def test_a_compiled_force_is_the_same_without_python(tmp_path: Path) -> None:
     model.compiled_force(ctypes.CDLL(str(library)).attraction, data=ctypes.addressof(strength))
     expected.user_force(attraction)
     assert np.abs(run(model, 2.0, 1e-2).q - run(expected, 2.0, 1e-2).q).max() < 1e-12
+
+
+def test_a_compiled_function_of_another_signature_is_refused() -> None:
+    numbers = ctypes.POINTER(ctypes.c_double)
+    model = planets()
+    for taken in ((ctypes.c_double,), (ctypes.c_double, ctypes.c_int32, *[numbers] * 3, ctypes.c_void_p),
+                  (ctypes.c_float, ctypes.c_int64, *[numbers] * 3, ctypes.c_void_p)):  # fmt: skip
+        function = ctypes.CFUNCTYPE(None, *taken)(lambda *given: None)
+        with pytest.raises(lw.ModelError, match=r"'compiled force 1': takes .*, not \(double t"):
+            model.compiled_force(function)
+
+
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
+def test_what_a_function_behind_ctypes_raises_ends_the_run() -> None:
+    numbers = ctypes.POINTER(ctypes.c_double)
+    kind = ctypes.CFUNCTYPE(None, ctypes.c_double, ctypes.c_int64, *[numbers] * 3, ctypes.c_void_p)
+
+    def fails(t: float, n: int, q: Any, v: Any, g: Any, data: Any) -> None:
+        raise ValueError("no wind here")
+
+    model = planets()
+    model.compiled_force(kind(fails), name="wind")
+    with pytest.raises(lw.NotFiniteError, match="'wind'"):
+        run(model, 1.0)
 
 
 def test_a_force_that_goes_wrong_is_named() -> None:

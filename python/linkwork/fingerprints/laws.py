@@ -2,91 +2,124 @@
 
 from __future__ import annotations
 
-import dis
+import collections
 import functools
+from collections.abc import Mapping, Set
 from types import BuiltinFunctionType, CodeType, FunctionType, MethodType, ModuleType
 from typing import Any
 
 import numpy as np
 
-from linkwork.fingerprints.reading import attributes, content, is_users, loaded
-from linkwork.fingerprints.writing import canonical
+from linkwork.fingerprints.origins import is_users, made_from
+from linkwork.fingerprints.reading import (
+    RESTLESS,
+    attributes,
+    attributes_changed,
+    cells,
+    counts,
+    is_wrapper,
+    module_of,
+    read_by,
+    wrapped,
+)
+from linkwork.fingerprints.writing import canonical, shortened
 
 __all__ = ["law"]
 
+#: Numbers and text; functions keep tables in arrays.
+_PLAIN = (bool, int, float, complex, str, bytes, np.generic, np.ndarray)
+
+#: Objects and containers within each other that are looked into.
+_DEEPEST = 5
+
 
 def law(value: Any) -> str:
-    """A text of a function that a model calls: its code, and the constants that it reads, also as globals of
-    its module. What it may write to, such as a list of times at which it was called, does not count."""
-    if isinstance(value, functools.partial):
-        given = value.args, tuple(sorted(value.keywords.items()))
-        return " ".join(["partial", law(value.func), *map(_constant, given)])
-    if isinstance(value, MethodType):
-        return f"{law(value.__func__)} of {_law_of_object(value.__self__)}"
-    parameters = getattr(type(value), "__dataclass_params__", None)
-    if parameters is not None and parameters.frozen:
-        return canonical(value)
-    if not isinstance(value, FunctionType):
-        return _law_of_object(value)
-    return _law(value, frozenset())
+    """A text of a function that a model calls: its code, and what it reads from around it, of its module and
+    of others that nobody has installed. What it may write to, such as a list of times at which it was called,
+    does not count; models and results do by their kind alone."""
+    return _Law().text(value)
 
 
-def _law_of_object(value: Any) -> str:
-    """Its class, and what its attributes hold of numbers and text: but for those that its methods write."""
-    kind = type(value)
-    name = str(getattr(value, "__qualname__", kind.__qualname__))
-    if isinstance(value, type | ModuleType | BuiltinFunctionType):
-        return name
-    users = is_users(kind.__module__)
-    written = _written_by(kind) if users else set()
-    held = [f"{name}={_constant(it)}" for name, it in attributes(value) if name not in written]
-    return " ".join([name, *([canonical(kind)] if users else []), *held])
+class _Law:
+    """Writes each object once: functions of a module may use each other."""
+
+    def __init__(self) -> None:
+        self._known: dict[int, tuple[Any, str]] = {}
+        self._inside: set[int] = set()
+
+    def text(self, value: Any, depth: int = 0) -> str:
+        if value is None or isinstance(value, _PLAIN):
+            return canonical(value)
+        if id(value) in self._inside:
+            return "itself"
+        if id(value) in self._known:
+            return self._known[id(value)][1]
+        if depth > _DEEPEST:
+            return type(value).__name__
+        self._inside.add(id(value))
+        found = shortened(self._written(value, depth))
+        self._inside.discard(id(value))
+        self._known[id(value)] = value, found
+        return found
+
+    def _written(self, value: Any, depth: int) -> str:
+        def texts(parts: Any) -> list[str]:
+            return [self.text(it, depth + 1) for it in parts]
+
+        if isinstance(value, FunctionType):
+            return self._of_function(value, depth)
+        if isinstance(value, functools.partial):
+            return " ".join(["partial", *texts((value.func, value.args, sorted(value.keywords.items())))])
+        if isinstance(value, MethodType):
+            return " of ".join(texts((value.__func__, value.__self__)))
+        if isinstance(value, Mapping):
+            return f"{type(value).__name__}{sorted(texts(value.items()))}"
+        if isinstance(value, Set):
+            return f"set{sorted(texts(value))}"
+        if isinstance(value, tuple | list | collections.deque):
+            return f"({','.join(texts(value))})"
+        if is_wrapper(value):
+            return self.text(wrapped(value), depth)
+        if (made := made_from(value)) is not None:
+            return " ".join([type(value).__qualname__, *texts(made)])
+        return self._of_object(value, depth)
+
+    def _of_function(self, function: FunctionType, depth: int) -> str:
+        own = module_of(function)
+        found = [(name, it) for name, it in cells(function) if counts(it, own)] + read_by(function)
+        given = function.__defaults__ or (), tuple(sorted((function.__kwdefaults__ or {}).items()))
+        parts = [*map(self.text, given), *(f"{name}={self.text(it, depth)}" for name, it in found)]
+        return " ".join([canonical(function.__code__), *parts])
+
+    def _of_object(self, value: Any, depth: int) -> str:
+        """Its class, and what its attributes hold: but for those that its methods change."""
+        kind = type(value)
+        if isinstance(value, type):
+            return canonical(value)
+        if isinstance(value, (ModuleType, BuiltinFunctionType, *RESTLESS)) or _is_ours(kind):
+            told = (
+                value.fingerprint() if hasattr(value, "fingerprint") else getattr(value, "__qualname__", "")
+            )
+            return f"{kind.__qualname__} {told!r}"
+        parameters = getattr(kind, "__dataclass_params__", None)
+        if parameters is not None and parameters.frozen:
+            return canonical(value)
+        users = is_users(kind.__module__)
+        changed = frozenset[str]().union(*map(attributes_changed, _codes_of(kind) if users else ()))
+        held = [f"{name}={self.text(it, depth + 1)}" for name, it in attributes(value) if name not in changed]
+        return " ".join([kind.__qualname__, *([canonical(kind)] if users else []), *held])
 
 
-def _written_by(kind: type) -> set[str]:
-    """Attributes, by the methods other than those that make an object."""
+def _is_ours(kind: type) -> bool:
+    return kind.__module__.partition(".")[0] == "linkwork"
+
+
+def _codes_of(kind: type) -> list[CodeType]:
+    """Of its methods other than those that make an object."""
     methods = [
         it.__wrapped__ if isinstance(it, staticmethod | classmethod) else it
         for base in kind.__mro__
         for name, it in vars(base).items()
         if name not in ("__init__", "__post_init__", "__new__", "__setstate__")
     ]
-    return {
-        step.argval
-        for method in methods
-        if isinstance(method, FunctionType)
-        for step in dis.get_instructions(method)
-        if step.opname in ("STORE_ATTR", "DELETE_ATTR")
-    }
-
-
-def _law(value: FunctionType, inside: frozenset[FunctionType]) -> str:
-    if value in inside:
-        return "itself"
-    read = dict(zip(value.__code__.co_freevars, value.__closure__ or (), strict=True))
-    written = _written_cells(value.__code__)
-    found = {name: content(cell) for name, cell in read.items() if name not in written}
-    found |= {name: value.__globals__[name] for name in loaded(value.__code__) if name in value.__globals__}
-    given = value.__defaults__ or (), tuple(sorted((value.__kwdefaults__ or {}).items()))
-    parts = [canonical(value.__code__), *map(_constant, given)]
-    for name, it in sorted(found.items()):
-        own = isinstance(it, FunctionType) and it.__module__ == value.__module__
-        parts.append(f"{name}={_law(it, inside | {value}) if own else _constant(it)}")
-    return " ".join(parts)
-
-
-@functools.cache
-def _written_cells(code: CodeType) -> set[str]:
-    """Variables from around a function to which it, or one inside of it, writes, as counters."""
-    own = {
-        step.argval for step in dis.get_instructions(code) if step.opname in ("STORE_DEREF", "DELETE_DEREF")
-    }
-    return own.union(*(_written_cells(it) for it in code.co_consts if isinstance(it, CodeType)))
-
-
-def _constant(value: Any) -> str:
-    """Nothing of what is no number, text or array, or a tuple of them."""
-    if isinstance(value, tuple):
-        return f"({','.join(map(_constant, value))})"
-    plain_one = isinstance(value, bool | int | float | complex | str | bytes | np.generic | np.ndarray)
-    return canonical(value) if plain_one else type(value).__name__
+    return [it.__code__ for it in methods if isinstance(it, FunctionType)]

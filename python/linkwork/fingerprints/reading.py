@@ -15,11 +15,9 @@ import logging
 import random
 import re
 import sys
-import sysconfig
 from decimal import Decimal
 from enum import Enum
 from fractions import Fraction
-from pathlib import Path
 from types import (
     BuiltinFunctionType,
     CellType,
@@ -35,9 +33,11 @@ from typing import Any
 
 import numpy as np
 
+from linkwork.fingerprints.origins import is_users, made_from
+
 __all__ = [
-    "RESTLESS", "attached", "attributes", "bare", "beside", "cells", "content", "is_users", "is_wrapper",
-    "loaded", "of_class", "read_by", "shown", "wrapped",
+    "RESTLESS", "attached", "attributes", "attributes_changed", "bare", "beside", "cells", "counts",
+    "is_wrapper", "module_of", "of_class", "read_by", "shown", "wrapped",
 ]  # fmt: skip
 
 #: Data, whose every bit counts.
@@ -54,6 +54,12 @@ _VALUES = (
 RESTLESS = (
     logging.Logger, logging.Handler, io.IOBase, random.Random, np.random.Generator, np.random.RandomState,
 )  # fmt: skip
+
+#: Methods by which a container changes.
+_CHANGING = {
+    "append", "appendleft", "extend", "extendleft", "insert", "pop", "popleft", "popitem", "remove",
+    "discard", "clear", "update", "setdefault", "add", "sort", "reverse", "rotate", "move_to_end",
+}  # fmt: skip
 
 #: What a class has that nobody has written.
 _MADE = {
@@ -125,34 +131,42 @@ def shown(value: Any) -> list[tuple[str, Any]]:
 def attached(function: FunctionType) -> list[tuple[str, Any]]:
     """What counts of a function's attributes, but for those to which it writes, as counters and what it
     remembers."""
-    own, written = _module_of(function), _attributes_written(function.__code__)
+    own, written = module_of(function), attributes_changed(function.__code__)
     return sorted(
         (name, it)
         for name, it in vars(function).items()
-        if name != "__wrapped__" and name not in written and _counts(it, own)
+        if name != "__wrapped__" and name not in written and counts(it, own)
     )
 
 
+def attributes_changed(code: CodeType) -> frozenset[str]:
+    return _changed(code, ("LOAD_ATTR",), ("STORE_ATTR", "DELETE_ATTR"))
+
+
 @functools.cache
-def _attributes_written(code: CodeType) -> set[str]:
+def _changed(code: CodeType, read: tuple[str, ...], written: tuple[str, ...]) -> frozenset[str]:
+    """Names to which a function, and those inside of it, writes, or in which it changes what is there."""
     steps = [it for it in dis.get_instructions(code) if it.opname != "CACHE"]
-    found = {it.argval for it in steps if it.opname in ("STORE_ATTR", "DELETE_ATTR")}
-    for what, key, store in zip(steps, steps[1:], steps[2:], strict=False):
-        if store.opname == "STORE_SUBSCR" and key.opname.startswith("LOAD_") and what.opname == "LOAD_ATTR":
+    found = {it.argval for it in steps if it.opname in written}
+    for what, then, last in zip(steps, steps[1:], steps[2:], strict=False):
+        item = last.opname == "STORE_SUBSCR" and then.opname.startswith("LOAD_")
+        method = then.opname in ("LOAD_ATTR", "LOAD_METHOD") and then.argval in _CHANGING
+        if what.opname in read and (item or method):
             found.add(what.argval)
-    return found.union(*(_attributes_written(it) for it in code.co_consts if isinstance(it, CodeType)))
+    inner = (it for it in code.co_consts if isinstance(it, CodeType))
+    return frozenset(found.union(*(_changed(it, read, written) for it in inner)))
 
 
 def read_by(function: FunctionType) -> list[tuple[str, Any]]:
     """What counts of its module, and of others that are not installed, by name."""
-    own, known = _module_of(function), function.__globals__
+    own, known = module_of(function), function.__globals__
     found: dict[str, Any] = {}
     modules: list[tuple[str, ModuleType]] = []
-    for name in loaded(function.__code__):
+    for name in _loaded(function.__code__):
         value = known.get(name)
         if isinstance(value, ModuleType):
             modules.append((name, value))
-        elif name in known and _counts(value, own):
+        elif name in known and counts(value, own):
             found[name] = value
     modules += [(name, sys.modules[name]) for name in _imported(function.__code__) if name in sys.modules]
     seen: set[int] = set()
@@ -165,21 +179,23 @@ def read_by(function: FunctionType) -> list[tuple[str, Any]]:
             value = vars(module)[name]
             if isinstance(value, ModuleType):
                 modules.append((f"{label}.{name}", value))
-            elif _counts(value, own):
+            elif counts(value, own):
                 found[f"{label}.{name}"] = value
     return sorted(found.items())
 
 
-def _counts(value: Any, own: str) -> bool:
+def counts(value: Any, own: str) -> bool:
     """Whether it is known by more than its name: functions and classes that are not installed, and data."""
     if isinstance(value, FunctionType):
-        return _is_own(_module_of(value), own)
+        return _is_own(module_of(value), own)
     if isinstance(value, type):
         return _is_own(value.__module__, own)
+    if (made := made_from(value)) is not None:
+        return all(counts(it, own) for it in made if isinstance(it, FunctionType))
     if isinstance(value, (ModuleType, BuiltinFunctionType, *RESTLESS)):
         return False
     if is_wrapper(value):
-        return _counts(wrapped(value), own)
+        return counts(wrapped(value), own)
     kind = type(value)
     if isinstance(value, _VALUES) or value is None or hasattr(kind, "__array__"):
         return True
@@ -200,7 +216,7 @@ def of_class(kind: type) -> list[tuple[str, Any]]:
         if not is_users(base.__module__):
             continue
         for name, value in sorted(vars(base).items()):
-            if name not in _MADE and (_is_written(value) or _counts(value, base.__module__)):
+            if name not in _MADE and (_is_written(value) or counts(value, base.__module__)):
                 found.append((f"{place}.{name}", value))
     return found
 
@@ -209,27 +225,30 @@ def _is_written(value: Any) -> bool:
     return isinstance(value, property | functools.partialmethod) or is_wrapper(value)
 
 
-def _module_of(function: FunctionType) -> str:
+def module_of(function: FunctionType) -> str:
     """Where it is written: `__module__` of a wrapper is that of what it wraps."""
     return str(function.__globals__.get("__name__", function.__module__))
 
 
-def cells(function: FunctionType) -> list[Any]:
-    return [content(cell) for cell in function.__closure__ or ()]
+def cells(function: FunctionType) -> list[tuple[str, Any]]:
+    """Variables from around it, but for those that it changes, as counters."""
+    code = function.__code__
+    changed = _changed(code, ("LOAD_DEREF",), ("STORE_DEREF", "DELETE_DEREF"))
+    around = zip(code.co_freevars, function.__closure__ or (), strict=True)
+    return [(name, _content(cell)) for name, cell in around if name not in changed]
+
+
+def _loaded(code: CodeType) -> list[str]:
+    """Names that a function, and those inside of it, read as globals: attributes may have the same. What it
+    changes itself, as counters and what it remembers, is not read."""
+    return sorted(_globals_of(code) - _changed(code, ("LOAD_GLOBAL",), ("STORE_GLOBAL", "DELETE_GLOBAL")))
 
 
 @functools.cache
-def loaded(code: CodeType) -> list[str]:
-    """Names that a function, and those inside of it, read as globals: attributes may have the same. What it
-    writes to itself, as counters and what it remembers, is not read."""
-    steps = [it for it in dis.get_instructions(code) if it.opname != "CACHE"]
+def _globals_of(code: CodeType) -> frozenset[str]:
+    steps = dis.get_instructions(code)
     found = {it.argval for it in steps if it.opname in ("LOAD_GLOBAL", "LOAD_NAME")}
-    written = {it.argval for it in steps if it.opname in ("STORE_GLOBAL", "DELETE_GLOBAL")}
-    for what, key, store in zip(steps, steps[1:], steps[2:], strict=False):
-        if store.opname == "STORE_SUBSCR" and key.opname.startswith("LOAD_") and what.opname == "LOAD_GLOBAL":
-            written.add(what.argval)
-    inner = [set(loaded(it)) for it in code.co_consts if isinstance(it, CodeType)]
-    return sorted(found.union(*inner) - written)
+    return frozenset(found.union(*(_globals_of(it) for it in code.co_consts if isinstance(it, CodeType))))
 
 
 @functools.cache
@@ -243,20 +262,7 @@ def _is_own(module: str, own: str) -> bool:
     return module == own or is_users(module)
 
 
-@functools.cache
-def is_users(module: str) -> bool:
-    """Whether it is a script, or in a file that nobody has installed."""
-    if module in ("__main__", "__mp_main__"):
-        return True
-    file = getattr(sys.modules.get(module), "__file__", None)
-    if file is None or module.split(".")[0] == "linkwork":
-        return False
-    place = Path(file).resolve()
-    standard = Path(sysconfig.get_path("stdlib")).resolve()
-    return not place.is_relative_to(standard) and not {"site-packages", "dist-packages"} & set(place.parts)
-
-
-def content(cell: CellType) -> Any:
+def _content(cell: CellType) -> Any:
     with contextlib.suppress(ValueError):  # there is nothing in it yet
         return cell.cell_contents
     return None

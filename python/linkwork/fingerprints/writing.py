@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 
 from linkwork.errors import OptionError
+from linkwork.fingerprints.origins import is_users, made_from
 from linkwork.fingerprints.reading import (
     RESTLESS,
     attached,
@@ -25,7 +26,6 @@ from linkwork.fingerprints.reading import (
     bare,
     beside,
     cells,
-    is_users,
     is_wrapper,
     of_class,
     read_by,
@@ -33,7 +33,7 @@ from linkwork.fingerprints.reading import (
     wrapped,
 )
 
-__all__ = ["canonical", "digest", "digests", "plain"]
+__all__ = ["canonical", "digest", "digests", "plain", "shortened"]
 
 #: Where an object is in memory, which says nothing about it.
 ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")
@@ -54,7 +54,7 @@ def _hashed(text: str) -> str:
     return hashlib.blake2b(text.encode(errors="surrogatepass"), digest_size=16).hexdigest()
 
 
-def _short(text: str) -> str:
+def shortened(text: str) -> str:
     return text if len(text) <= LONG else _hashed(text)
 
 
@@ -69,7 +69,7 @@ def digests(head: str, columns: Mapping[str, Sequence[Any]]) -> list[str]:
         "dict(" + ",".join(f"{text}{it.hex()})" for text, it in zip(inner, row, strict=True)) + ")"
         for row in zip(*(columns[name] for name in names), strict=True)
     )
-    return [_hashed(_short(f"{start}{_short(text)})")) for text in texts]
+    return [_hashed(shortened(f"{start}{shortened(text)})")) for text in texts]
 
 
 def canonical(value: Any) -> str:
@@ -109,14 +109,14 @@ class _Writer:
         if type(value) is float:  # what most are
             return value.hex()
         if type(value) is str:
-            return _short(repr(value))
+            return shortened(repr(value))
         if not beside(value):
             if isinstance(value, np.generic | np.ndarray):
                 value = _told(value)
             if isinstance(value, float):
                 return float(value).hex()
             if value is None or isinstance(value, bool | bytes | str) or value is Ellipsis:
-                return _short(repr(value))
+                return shortened(repr(value))
             if isinstance(value, int) and not isinstance(value, Enum):
                 return repr(int(value)) if abs(value) < 2**64 else hex(value)
         if id(value) in self._known:
@@ -124,7 +124,7 @@ class _Writer:
         if id(value) in self._inside:
             return "itself"
         self._inside.add(id(value))
-        found = _short(self._written(value))
+        found = shortened(self._written(value))
         self._inside.discard(id(value))
         self._known[id(value)] = value, found
         return found
@@ -179,6 +179,8 @@ def _parts(value: Any) -> list[Any]:
         return [value.__qualname__, *content]
     if isinstance(value, slice):
         return ["slice", value.start, value.stop, value.step]
+    if (made := made_from(value)) is not None:
+        return [type(value).__qualname__, *made]
     return _parts_of_object(value)
 
 

@@ -173,7 +173,10 @@ def _method(kind: _core.KindInfo) -> Callable[..., Any]:
     signature = _signature(kind)
 
     def add(*given: Any, **named: Any) -> Any:
-        bound = signature.bind(*given, **named)
+        try:
+            bound = signature.bind(*given, **named)
+        except TypeError as error:
+            raise TypeError(f"{kind.name}(): {error}") from None
         bound.apply_defaults()
         values = dict(bound.arguments)
         model, a, b, frames, name = (values.pop(key) for key in ("self", "a", "b", "frames", "name"))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from linkwork import arguments, functions
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError
+from linkwork.fingerprints import called_from_ctypes
 from linkwork.functions import TimeFunction, as_time_function
 from linkwork.modeling.coordinates import coordinate_of
 from linkwork.modeling.handles import BodiesLike, Body, BodyLike, Joint
@@ -136,13 +137,16 @@ class UserForceMethods:
         data      the address that it gets; what is there must live as long as the model
         breaks    times [s] at which it is not smooth: steps that follow tolerances end there
 
-        ModelError: nothing that has an address.
+        ModelError: nothing that has an address, or takes something else.
         """
         model = cast("ModelBuilder", self)
         name = model._named(name, "compiled force", len(model._user_forces))
         data = arguments.whole(data, 0, f"compiled force '{name}': data", ModelError)
         times = functions.check_breaks(breaks, f"compiled force '{name}'")
-        model._core.add_compiled_force(name, _address(function, name), data)
+        address = _address(function, name)
+        if (safe := _guarded(function)) is not function:
+            function, address = safe, _address(safe, name)
+        model._core.add_compiled_force(name, address, data)
         model._core.add_breaks(times)
         model._user_forces.append((name, function, ""))
 
@@ -183,16 +187,52 @@ def _on_bodies(
     return whole
 
 
+#: Of a compiled force: t, n, q, v, g and data, as numba calls them.
+_NUMBA = ("float64", "int64", "float64*", "float64*", "float64*", "void*")
+
+
 def _address(function: Any, name: str) -> int:
     """Of a C function: a number, a numba.cfunc, or a function of ctypes."""
     if isinstance(function, int):
         return arguments.whole(function, 1, f"compiled force '{name}': address", ModelError)
     if isinstance(getattr(function, "address", None), int):
+        _check_signature(tuple(map(str, function._sig.args)) == _NUMBA, str(function._sig), name)
         return int(function.address)
     try:
         address = ctypes.cast(function, ctypes.c_void_p).value
     except (TypeError, ctypes.ArgumentError):
         address = None
     if address and not isinstance(function, str | bytes):
+        given = getattr(function, "argtypes", None)  # of a library's, unless somebody has said so
+        _check_signature(given is None or _takes(given), str(given), name)
         return address
     raise ModelError(f"compiled force '{name}': {function!r} has no address", code="no_address")
+
+
+def _takes(types: Sequence[Any]) -> bool:
+    number, count = (getattr(kind, "_type_", None) for kind in (*types, None, None)[:2])
+    pointers = [it for it in types[2:] if it is ctypes.c_void_p or issubclass(it, ctypes._Pointer)]
+    return number == "d" and count in ("l", "q") and len(types) == 6 and len(pointers) == 4
+
+
+def _check_signature(right: bool, given: str, name: str) -> None:
+    if not right:
+        wanted = "(double t, int64_t n, const double *q, const double *v, double *g, void *data)"
+        raise ModelError(f"compiled force '{name}': takes {given}, not {wanted}", code="signature")
+
+
+def _guarded(function: Any) -> Any:
+    """A function of ctypes that calls one of Python: what that raises is printed and forgotten, so that the
+    force would be zero. Now it is no number, which ends the run."""
+    behind = called_from_ctypes(function)
+    if behind is None:
+        return function
+
+    def guard(t: float, n: int, q: Any, v: Any, g: Any, data: Any) -> None:
+        try:
+            behind(t, n, q, v, g, data)
+        except BaseException:
+            ctypes.cast(g, ctypes.POINTER(ctypes.c_double))[0] = np.nan
+            raise
+
+    return type(function)(guard)
