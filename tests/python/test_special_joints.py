@@ -49,7 +49,7 @@ def test_two_shafts_accelerate_as_one_and_share_the_torque(ratio: float) -> None
     assert np.abs(torque + ratio**2 * J * acceleration).max() < 1e-9
 
 
-@pytest.mark.parametrize("ratio", [-2.0, np.sqrt(7.0)])
+@pytest.mark.parametrize("ratio", [-2.0, np.sqrt(7.0), 0.96, 0.999, 1.02])
 def test_a_run_goes_on_after_many_turns_from_a_frame_of_another(ratio: float) -> None:
     model, (first, second) = wheels([(0, 0, 1), (0, 0, 1)])
     model.coupler([(first, ratio), (second, -1.0)])

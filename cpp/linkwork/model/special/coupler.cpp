@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "linkwork/math/error.hpp"
@@ -13,7 +12,7 @@ namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
 constexpr int most_turns = 100;
-constexpr double same = 3e-6, off = 0.5;  // [rad] relative to the factors
+constexpr double same = 3e-6;  // [rad] relative to the factors
 
 /// Of a joint. ModelError: there is no such joint, or no such coordinate of it.
 const FreeCoordinate* coordinate_of(const Model& model, const CoupledCoordinate& given) {
@@ -95,21 +94,20 @@ void Coupler::evaluate(const BodyState<double>* bodies, const Signal<double>* pa
 }
 
 /// At the first pose, such as the last one of another run: the fewest turns of two of the angles with which the
-/// relation holds, and what is left of its violation. None where it is off by little, or never holds: such a pose is to
-/// be corrected. None either where all angles are zero, as in the pose in which joints are made: there nothing has
+/// relation holds, and what is left of its violation, which with a ratio near to a whole number is small without them,
+/// too. None where it never holds: such a pose is to be corrected. None either where all angles are zero, as in the pose in which joints are made: there nothing has
 /// turned yet, and an offset that is not met is a mistake.
 double Coupler::choose_turns(double violation, double* turns) const {
   std::vector<std::size_t> angles;
-  double sum = 0.0, least = std::numeric_limits<double>::infinity(), largest = 0.0;
+  double sum = 0.0, largest = 0.0;
   for (std::size_t k = 0; k < terms_.size(); ++k)
     if (terms_[k].coordinate->angle()) {
       angles.push_back(k);
       sum += std::abs(terms_[k].factor);
       largest = std::max(largest, std::abs(turns[terms_[k].history]));
-      least = std::min(least, std::abs(terms_[k].factor));
     }
   const auto holds = [&](double rest) { return std::abs(rest) <= same * sum; };
-  if (angles.empty() || largest <= same || std::abs(violation) < off * least) return violation;
+  if (angles.empty() || largest <= same || holds(violation)) return violation;
   const std::size_t a = angles[0], b = angles[angles.size() > 1 ? 1 : 0];
   const double f_a = turn * terms_[a].factor, f_b = turn * terms_[b].factor;
   for (int n = 0; n <= (a == b ? 0 : most_turns); ++n)
