@@ -693,3 +693,17 @@ def test_a_force_that_is_not_of_real_numbers_is_refused(given: Any) -> None:
     model.user_force(lambda t, q, v: given, name="push")
     with pytest.raises(lw.ModelError, match="'push': returned .*, not an array of numbers"):
         lw.simulate(model, 0.1, 0.01, progress=False)
+
+
+def test_what_cannot_be_set_is_refused() -> None:
+    model = lw.mechanisms.chain(3)
+    with pytest.raises(AttributeError, match="'gravity' cannot be set.*Model\\(gravity"):
+        model.gravity = (0, 0, 0)  # type: ignore[attr-defined]
+    for handles in (
+        model.bodies("rods", mass=[1.0, 2.0], inertia=(1, 1, 1), position=np.eye(2, 3)),
+        model.find("link[0]"),
+    ):
+        with pytest.raises(AttributeError):
+            handles.mass = 3.0  # type: ignore[union-attr]
+    model.name = "chain"
+    assert copy.copy(model).name == "chain"

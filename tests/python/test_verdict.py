@@ -449,3 +449,102 @@ def test_what_comes_late_to_a_stiff_stop_is_off_by_its_acceleration(stiffness: f
         speed[run.t < 0.1] = 1.0
         assert run.verdict is not None
         assert run.verdict.error > np.abs(run.velocity[:, 0, 0] - speed).max()
+
+
+class Held:
+    """A controller that samples by itself."""
+
+    def __init__(self) -> None:
+        self.sample, self.effort = -1, 0.0
+
+    def __call__(self, t: float, angle: float, rate: float) -> float:
+        if (sample := int(50.0 * t)) != self.sample:
+            self.sample, self.effort = sample, -3.0 * angle - 0.1 * rate
+        return self.effort
+
+
+def _in_attributes(t: float, angle: float, rate: float) -> float:
+    memory: Any = _in_attributes
+    if (sample := int(50.0 * t)) != memory.sample:
+        memory.sample, memory.effort = sample, -3.0 * angle - 0.1 * rate
+    return float(memory.effort)
+
+
+def _in_a_default(t: float, angle: float, rate: float, samples: list[float] = [0.0]) -> float:  # noqa: B006
+    samples.append(angle)
+    return -3.0 * samples[-2]
+
+
+class _InItsClass(Held):
+    last = 0.0
+
+    @staticmethod
+    def law(t: float, angle: float, rate: float) -> float:
+        before, _InItsClass.last = _InItsClass.last, angle
+        return -3.0 * before
+
+
+vars(_in_attributes).update(sample=-1, effort=0.0)
+
+
+def _held_by(law: Any, gravity: float = -9.81) -> lw.Model:
+    model = lw.Model(gravity=(0, 0, gravity))
+    bar = model.body("bar", mass=1.0, inertia=(0.003, 0.03, 0.03), position=(0.3, 0, 0))
+    model.revolute("ground", bar, at=(0, 0, 0), axis=(0, 1, 0), name="hinge")
+    model.joint_force("hinge", law, name="controller")
+    return model
+
+
+@pytest.mark.parametrize("law", [Held(), Held().__call__, _in_attributes, _in_a_default, _InItsClass.law])
+def test_a_law_that_remembers_is_a_warning(law: Any) -> None:
+    for method in ({"step": 1e-3}, {"rtol": 1e-8}):
+        with pytest.warns(lw.LinkworkWarning, match="'controller': remembers calls"):
+            result = lw.simulate(_held_by(law), t_end=0.1, progress=False, **method)
+        verdict = lw.Verdict.of(result.statistics["verdict"])
+        assert verdict.memory == ("controller",)
+
+
+def test_a_comparison_of_laws_that_remember_is_a_warning() -> None:
+    with (
+        pytest.warns(lw.LinkworkWarning, match="'controller': remembers calls"),
+        pytest.warns(lw.LinkworkWarning, match="only known to"),
+    ):
+        lw.compare(
+            _held_by(Held()), t_end=0.1, steps=[1e-2], integrators=["rk4"], processes=1, progress=False
+        )
+
+
+def test_laws_that_keep_a_log_or_count_are_none() -> None:
+    times: list[float] = []
+
+    class Counted:
+        calls = 0
+
+        def __call__(self, t: float, angle: float, rate: float) -> float:
+            self.calls += 1
+            times.append(t)
+            return -3.0 * angle
+
+    quick(_held_by(Counted()), 0.1, step=1e-3)
+    assert len(times) > 100
+
+
+def test_samples_that_an_event_takes_are_exact() -> None:
+    """Between samples the effort is constant: angle'' = held / J, without gravity."""
+    period, held, inertia = 0.02, [-0.3], 0.03 + 0.3**2
+
+    def sample(t: float, state: Any) -> None:
+        bar = state.body("bar")
+        angle = 2 * np.arctan2(bar.orientation[2], bar.orientation[0])
+        held[0] = -3.0 * angle - 0.1 * bar.omega[1]
+
+    model = _held_by(lambda t, angle, rate: held[0], gravity=0.0)
+    clock = lw.Event(lambda t, state: np.sin(np.pi * t / period), "clock", change=sample)
+    result = quick(model, 0.5 + 0.5 * period, rtol=1e-9, events=clock)
+    angle, rate, effort = 0.0, 0.0, -0.3
+    for _ in range(25):
+        angle += rate * period + effort / inertia * period**2 / 2
+        rate += effort / inertia * period
+        effort = -3.0 * angle - 0.1 * rate
+    assert len(result.events) == 25
+    assert held[0] == pytest.approx(effort, abs=1e-8)

@@ -93,6 +93,7 @@ class Verdict:
                  that contain a time at which what acts on the mechanism is not smooth
     verified     error of the state by a second, finer run, the largest over the frames; None: there was none
     before       error of the runs that this one goes on from, see `start`; part of `state`
+    memory       functions of the user's that remember calls: how far the motion is off is not known then
     """
 
     level: Literal["good", "coarse", "wrong"]
@@ -111,6 +112,7 @@ class Verdict:
     break_points: int = 0
     before: float = 0.0
     verified: float | None = None
+    memory: tuple[str, ...] = ()
 
     def numbers(self) -> dict[str, Any]:
         """
@@ -118,7 +120,7 @@ class Verdict:
 
             result.verdict.numbers()
         """
-        return {**vars(self), "steps": list(map(list, self.steps))}
+        return {**vars(self), "steps": list(map(list, self.steps)), "memory": list(self.memory)}
 
     @classmethod
     def of(cls, numbers: Mapping[str, Any]) -> Verdict:
@@ -127,7 +129,8 @@ class Verdict:
 
             assert lw.Verdict.of(result.verdict.numbers()).sentence == result.verdict.sentence
         """
-        return cls(**{**numbers, "steps": tuple(itertools.starmap(StepEstimate, numbers["steps"]))})
+        steps = tuple(itertools.starmap(StepEstimate, numbers["steps"]))
+        return cls(**{**numbers, "steps": steps, "memory": tuple(numbers.get("memory", ()))})
 
 
 class Energies:

@@ -18,6 +18,7 @@ from linkwork.errors import LinkworkError, ModelError, OptionError
 from linkwork.modeling.model import Model
 from linkwork.motion import summary
 from linkwork.results.result import Result
+from linkwork.running.estimation import warn_of_memory
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.simulation import simulate
 
@@ -168,6 +169,7 @@ def _made(result: Result, description: str, tighter: Result | None) -> Reference
     motion = Sampled.of(result)
     scales = Scales.of(motion, longest_arm(result))
     error = None
+    warn_of_memory(result.verdict)
     if tighter is not None:
         apart = largest(Differences.between(motion, Sampled.of(tighter)), scales)
         least = max(ROUNDING, _of_both(result, tighter))

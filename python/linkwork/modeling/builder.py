@@ -60,6 +60,15 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         self._functions: dict[int, TimeFunction] = {}  # by index in the compiled model
         self._special: dict[int, CouplerData | CurveData] = {}  # by joint
 
+    def __setattr__(self, name: str, value: Any) -> None:
+        """AttributeError: not of its own, or the name."""
+        if name != "name" and not name.startswith("_"):
+            raise AttributeError(
+                f"model: '{name}' cannot be set. What a model holds is given as it is made, as in "
+                "Model(gravity=...); `replaced` gives a model with other values of an object"
+            )
+        super().__setattr__(name, value)
+
     @property
     def ground(self) -> Body:
         """The inertial frame, at rest; it is joined like a body."""

@@ -59,6 +59,8 @@ Handle = TypeVar("Handle", Body, Joint, Force)
 class Range(Sequence[Handle], Generic[Handle]):
     """Handles of a group; a slice is a Range again, and a million of them take no memory."""
 
+    __slots__ = ("_handle", "_indices")
+
     def __init__(self, indices: range, handle: Callable[[int], Handle]) -> None:
         self._indices = indices
         self._handle: Callable[[int], Handle] = handle

@@ -208,9 +208,10 @@ class Model(ModelBuilder):
         """
         Equal for models of equal motion, whatever the names.
 
-        A function of Python counts by its code and what it reads, as defaults, from around it or of its module
-        and others that nobody has installed, but for what it changes itself; that of an object by its class and
-        attributes; a compiled one by those of Python that it is made from, or by the file of its library.
+        A function of Python counts by its code and what it reads, as defaults, from around it or of its
+        module and others that nobody has installed, but for what it changes itself; that of an object by its
+        class and attributes; a compiled one by those of Python that it is made from, or by the file of its
+        library.
 
             assert lw.mechanisms.chain(2).hash() == lw.mechanisms.chain(2).hash()
         """

@@ -1,13 +1,15 @@
 """Whether functions of the user's own remember something from one call to the next.
 
 Nobody says so; but what a function can remember is what it reaches: variables of the functions around it,
-global ones, defaults, the attributes of its object. Their contents before and after a run tell. What compiled
-functions remember behind an address nobody sees.
+global ones, defaults, attributes of its own and of its object, and data of modules and classes that nobody
+has installed. Their contents before and after a run tell. What compiled functions remember behind an address
+nobody sees.
 """
 
 from __future__ import annotations
 
 import builtins
+import dis
 import functools
 import hashlib
 import pickle
@@ -17,10 +19,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from linkwork.fingerprints import is_users
+
 if TYPE_CHECKING:
     from linkwork.modeling.model import Model
 
-__all__ = ["changed", "contents", "of_model", "is_stateless"]
+__all__ = ["changed", "contents", "is_log", "is_stateless", "of_model"]
 
 #: What cannot be looked into counts as changed.
 UNKNOWN = b""
@@ -89,6 +93,55 @@ def is_stateless(function: Any) -> bool:
                    for it in [function])  # fmt: skip
 
 
+#: Methods that add to a container.
+_ADDS = {"append", "appendleft", "extend", "add"}
+_STORES = ("STORE_DEREF", "STORE_GLOBAL", "STORE_ATTR")
+_LOADS = ("LOAD_DEREF", "LOAD_GLOBAL", "LOAD_ATTR", "LOAD_METHOD")
+
+
+def is_log(function: Any) -> bool:
+    """Whether a function never reads what it writes, as times at which it was called, or only counts."""
+    found = _functions(function)
+    kept = [it for each in found for it in each.__defaults__ or () if isinstance(it, list | dict | set)]
+    return bool(found) and not kept and all(_only_adds(it.__code__) for it in found)
+
+
+def _functions(function: Any) -> list[types.FunctionType]:
+    """It, those that it reaches, and all methods of the objects of the user's that it reaches."""
+    seen, todo, found = set[int](), [function], []
+    while todo:
+        it = todo.pop()
+        if id(it) in seen or _opaque(it) or isinstance(it, (*_CONSTANT, list, dict, set)):
+            continue
+        seen.add(id(it))
+        if isinstance(it, types.FunctionType):
+            found.append(it)
+        elif not isinstance(it, types.MethodType | functools.partial) and is_users(type(it).__module__):
+            todo += [method for name, method in vars(type(it)).items() if name != "__init__"]
+        todo += _inside(it) or []
+    return [it for it in found if isinstance(it, types.FunctionType)]
+
+
+def _only_adds(code: types.CodeType) -> bool:
+    """What it writes, other than its own variables, it reads only to add one more."""
+    steps = [it for it in dis.get_instructions(code) if it.opname not in ("CACHE", "SWAP", "COPY")]
+    inner = [it for it in code.co_consts if isinstance(it, types.CodeType)]
+    written = {it.argval for it in steps if it.opname in _STORES}
+    read: list[str] = []
+    for it, *then in zip(steps, *(steps[k:] + steps[-1:] * k for k in (1, 2, 3)), strict=True):
+        if then[1].opname == "STORE_SUBSCR" and it.opname != "LOAD_FAST":
+            return False
+        if it.opname not in _LOADS:
+            continue
+        if then[0].opname in ("LOAD_ATTR", "LOAD_METHOD") and then[0].argval in _ADDS:
+            written.add(it.argval)
+        elif not (
+            then[1].opname == "BINARY_OP" and then[2].opname in _STORES and then[2].argval == it.argval
+        ):
+            read.append(it.argval)
+    return written.isdisjoint(read) and all(map(_only_adds, inner))
+
+
 def _chance(it: Any) -> bool:
     """Random numbers have a state of their own."""
     name = getattr(it, "__name__", "")
@@ -129,9 +182,23 @@ def _reached(function: types.FunctionType) -> Iterator[Any]:
     yield from function.__defaults__ or ()
     yield from (function.__kwdefaults__ or {}).values()
     yield from _cells(function)
+    if vars(function):
+        yield dict(vars(function))
     for name in _names(function.__code__):
         if name in function.__globals__ and not hasattr(builtins, name):
-            yield function.__globals__[name]
+            value = function.__globals__[name]
+            yield value
+            yield from _data_of(value, function.__code__)
+
+
+def _data_of(value: Any, code: types.CodeType) -> list[Any]:
+    """Of a module or class of the user's: numbers and the like, by names that the function uses."""
+    if not isinstance(value, types.ModuleType | type):
+        return []
+    if not is_users(value.__name__ if isinstance(value, types.ModuleType) else value.__module__):
+        return []
+    found = {name: vars(value)[name] for name in _names(code) if name in vars(value)}
+    return [it for it in found.values() if isinstance(it, (*_CONSTANT, list, dict, set))]
 
 
 def _cells(function: types.FunctionType) -> Iterator[Any]:

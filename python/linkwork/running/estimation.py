@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -35,7 +36,7 @@ from linkwork.running import callbacks, pulses
 from linkwork.running.schedule import Adaptive, Fixed
 from linkwork.running.time_scale import size
 
-__all__ = ["ErrorEstimator", "apply_policy", "strict"]
+__all__ = ["ErrorEstimator", "apply_policy", "strict", "warn_of_memory"]
 
 #: Takes the steps of integrators of the user's own again.
 TRUSTED = "dop853"
@@ -175,7 +176,8 @@ class ErrorEstimator:
         if stateful:
             names = ", ".join(f"'{name}'" for name in stateful[:3])
             why = f"no step was taken again, as {names} may remember the calls before"
-            return self._by_balance(why, statistics)
+            memory = tuple(name for name in stateful if not callbacks.is_log(self._functions[name]))
+            return replace(self._by_balance(why, statistics), memory=memory)
         try:
             verdict = self._judged(self._strict(system), statistics, steps=steps, report=report)
             if verdict.level != "good" and strict(self._options) != self._options:
@@ -253,10 +255,29 @@ def strict(options: Options) -> Options:
     return out
 
 
+def warn_of_memory(verdict: Verdict | None) -> None:
+    """LinkworkWarning: functions of the user's remember calls."""
+    if verdict is None or not verdict.memory:
+        return
+    names = ", ".join(f"'{name}'" for name in verdict.memory[:3])
+    warn(
+        f"{names}: remembers calls. They come in stages of steps, in steps that are taken again, for frames "
+        "in between and in other runs, so that what it remembers depends on the method, and how far the "
+        "motion is off is not known: let an event change what lasts, as samples of a controller (lw.Event, "
+        "change=)"
+    )
+
+
 def apply_policy(result: Result | LastState, policy: str) -> None:
-    """LinkworkWarning, with "warn", or AccuracyError, with "stop": the run is more than 1 % off."""
+    """LinkworkWarning, with "warn", or AccuracyError, with "stop": the run is more than 1 % off.
+
+    LinkworkWarning: nobody knows how much, as functions of the user's remember.
+    """
     verdict = None if policy == "pass" else result.verdict
-    if verdict is None or verdict.level == "good":
+    if verdict is None:
+        return
+    warn_of_memory(verdict)
+    if verdict.level == "good":
         return
     message = say(verdict, result.manifest.get("model"))
     if policy == "warn":
