@@ -36,6 +36,8 @@ constexpr int many_shorter = 8;
 constexpr double shorter = 0.999, short_time = 1e-6;
 
 // What a step must not add to the violation of the constraints, in units of the tolerances.
+constexpr double beside_events = 1e-3;                                     // of a step
+constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();  // of times
 constexpr double huge = 1e3;
 
 constexpr double small = 1e-8;  // steps, relative to t, in which the roundoff of t + h counts
@@ -149,8 +151,8 @@ void AdaptiveSimulation::begin() {
   record_if_due();
   if (finished_) return;
   with_time(t_, NAN, [&] {
-    watch_.start_after(dynamics_.system(), t_, y_, schedule_.happened);
     step_ = initial_step();
+    watch_.start_after(dynamics_.system(), t_, y_, rates_, schedule_.happened);
   });
 }
 
@@ -384,6 +386,9 @@ void AdaptiveSimulation::look_for_events() {
   y_new_ = workspace_;
   evaluated_ = false;
   away_from_.reset();
+  const double theta = stops_.front().theta, beside = theta > beside_events ? -beside_events : beside_events;
+  interpolant().interpolate(system, theta + beside, workspace_);
+  watch_.approach((workspace_ - y_new_) / (beside * h_));
 }
 
 /// At y_, where `dynamics` is evaluated at its positions.
@@ -515,7 +520,7 @@ void AdaptiveSimulation::finish_step() {
   finished_ = t_ >= schedule_.t_end;
   if (finished_) sampling_.before(dynamics_, y_);
   if (!stops_.empty()) finish_event(t_before);
-  const auto seen = [&](const Occurrence& it) { return !repeating() || it.t > start_; };
+  const auto seen = [&](const Occurrence& it) { return !resumed() || it.t > start_; };
   std::copy_if(of_step_.begin(), of_step_.end(), std::back_inserter(occurrences_), seen);
   of_step_.clear();
   record_if_due();
@@ -579,12 +584,15 @@ void AdaptiveSimulation::finish_event(double t_before) {
     return std::any_of(schedule_.happened.begin(), schedule_.happened.end(), same);
   };
   bool known = repeating() && t_ <= start_;
+  const auto at_start = [this](const Event& event) {  // of a step that begins there
+    return t_ - start_ <= event.resolution() + rounding * std::abs(t_);
+  };
   with_time(t_, NAN, [&] { find_drift(); });
   for (const EventWatch::Found& it : stops_) {
     const Event& event = watch_.event(it.event);
     ends = ends || event.terminal;
     if (event.change) with_time(t_, NAN, [&] { ends = apply(event, *occurrence) || ends; });
-    if (repeating() && t_before < start_ && came(it.event)) {
+    if (resumed() && came(it.event) && (t_before < start_ ? repeating() : at_start(event))) {
       known = true;
       occurrence->t = start_;  // which is listed already
     }
@@ -595,7 +603,7 @@ void AdaptiveSimulation::finish_event(double t_before) {
 
 void AdaptiveSimulation::check_accumulation() {
   const double interval = t_ - last_stop_;
-  const bool vanishes = interval <= watch_.event(stops_.front().event).tolerance;
+  const bool vanishes = interval <= watch_.event(stops_.front().event).resolution();
   shorter_ = vanishes || interval <= shorter * last_interval_ ? shorter_ + 1 : 0;
   if (shorter_ == 0) shorter_since_ = last_stop_;
   last_stop_ = t_;

@@ -18,7 +18,7 @@ constexpr std::array<double, 14> places = {0x1p-22, 0x1p-20, 0x1p-18, 0x1p-16, 0
 constexpr std::size_t usual_places = 4;
 
 constexpr double line = 1e-7;           // of the size of q: for differences of an event's function
-constexpr double roundoff = 1e-15;      // likewise
+constexpr double roundoff = 1e-15;      // likewise, and of that of v
 constexpr double on_constraints = 0.1;  // of what a function changes by in that line: less is what corrections leave
 constexpr double slowest = 1e4;         // times that it was faster before
 constexpr double leaving = 16.0;        // times as long as a time is known: what a barrier has turned back has left
@@ -61,33 +61,51 @@ void EventWatch::start(const System& system, double t, const VectorXd& y) {
   take_signs(t, y);
   fresh_ = false;
   double s = 0.0;
-  for (std::size_t k = 0; k < events_.size(); ++k)
-    if (std::abs(last_value_[k]) <= roundoff / line * std::abs(change_along(system, k, t, y, s))) last_value_[k] = 0.0;
+  for (std::size_t k = 0; k < events_.size(); ++k) {
+    const double of_place = roundoff / line * std::abs(change_along(system, k, t, y, s));
+    if (std::abs(last_value_[k]) <= of_place + rounding(system, k, t, y)) last_value_[k] = 0.0;
+  }
 }
 
 void EventWatch::take_signs(double t, const VectorXd& y) {
   for (std::size_t k = 0; k < events_.size(); ++k) last_value_[k] = value(k, t, y);
 }
 
-/// How exactly its time is known.
+/// How much later others may come to come with it.
 double EventWatch::resolved(std::size_t index, double t) const {
   return events_[index].tolerance + 4.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
+}
+
+/// How exactly its time is known.
+double EventWatch::found_within(std::size_t index, double t) const {
+  return events_[index].resolution() + 4.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
+}
+
+/// Of a function of velocities, by that of these.
+double EventWatch::rounding(const System& system, std::size_t index, double t, const VectorXd& y) {
+  state_ = y;
+  state_.segment(system.q_size(), system.v_size()) *= 1.0 + line;
+  return roundoff / line * std::abs(value(index, t, state_) - value(index, t, y));
 }
 
 /// Up to how exactly times are known, and positions on constraints.
 bool EventWatch::is_zero(const System& system, std::size_t index, double t, const VectorXd& y) {
   double s = 0.0;
   const double value = std::abs(last_value_[index]), change = std::abs(change_along(system, index, t, y, s));
-  return value <= on_constraints * change || (s > 0.0 && value <= leaving * resolved(index, t) * change / s);
+  return value <= on_constraints * change || (s > 0.0 && value <= leaving * found_within(index, t) * change / s) ||
+         value <= as_located(system, index, t, y);
 }
 
-void EventWatch::start_after(const System& system, double t, const VectorXd& y, const std::vector<Happened>& happened) {
+void EventWatch::start_after(const System& system, double t, const VectorXd& y, const VectorXd& y_dot,
+                             const std::vector<Happened>& happened) {
+  approach(y_dot);
   start(system, t, y);
   VectorXd before(y.size());
   for (const Happened& it : happened) {
     if (!is_zero(system, it.event, t, y)) continue;
     before << it.before, 0.0;
-    const double through = rate(system, it.event, t, before);
+    double through = rate(system, it.event, t, before);
+    if (through == 0.0) through = -change_in_time(system, it.event, t, before, -resolved(it.event, t));
     if (through == 0.0) continue;
     drift_[it.event] = std::abs(last_value_[it.event]);
     restart_happened(system, t, before, y, {it.event, 0.0, through > 0.0 ? 1.0 : -1.0});
@@ -148,14 +166,14 @@ void EventWatch::restart_happened(const System& system, double t, const VectorXd
   const bool jumps = found > near, elsewhere = !jumps && std::abs(after) > near;  // by the change
   // So soon after a barrier the motion through zero is roundoff, and so may be its direction; what has never left it
   // and is pushed through does not move yet.
-  const bool held = t - barrier_t_[k] <= resolved(k, t) || (stayed_[k] != 0 && through <= 0.0);
+  const bool held = t - barrier_t_[k] <= found_within(k, t) || (stayed_[k] != 0 && through <= 0.0);
   const bool barrier = held || (!jumps && !elsewhere && through > 0.0 && now <= at_rest * through);
   barrier_t_[k] = barrier ? t : -INFINITY;
   stayed_[k] = barrier;
   left_t_[k] = -INFINITY;
   if (barrier) {  // what has become slow takes as much longer
     const double slower = now < -at_rest * through ? std::clamp(through / -now, 1.0, slowest) : 1.0;
-    left_t_[k] = t + leaving * slower * resolved(k, t);
+    left_t_[k] = t + leaving * slower * found_within(k, t);
   }
   const double zero = std::max(drift, found <= located ? beyond * found : 0.0);
   zero_[k] = std::abs(after) <= zero ? zero : 0.0;
@@ -170,12 +188,13 @@ double EventWatch::rate(const System& system, std::size_t index, double t, const
   return s > 0.0 ? change / s : 0.0;
 }
 
-/// What a function may be where it passes zero, by how exactly the time of that is known; of one that jumps nothing.
+/// What a function may be where it passes zero, by how exactly the time of that is known; of one that jumps roundoff.
 /// The run has been at times before t, but perhaps not at later ones.
 double EventWatch::as_located(const System& system, std::size_t index, double t, const VectorXd& y) {
   const double resolution = resolved(index, t), dt = std::abs(t) > resolution ? -resolution : resolution;
   const double whole = change_in_time(system, index, t, y, dt), half = change_in_time(system, index, t, y, 0.5 * dt);
-  return std::abs(half - 0.5 * whole) <= not_straight * std::abs(whole) ? as_resolved * std::abs(whole) : 0.0;
+  const bool straight = std::abs(half - 0.5 * whole) <= not_straight * std::abs(whole);
+  return (straight ? as_resolved * std::abs(whole) : 0.0) + rounding(system, index, t, y);
 }
 
 double EventWatch::change_in_time(const System& system, std::size_t index, double t, const VectorXd& y, double dt) {
@@ -183,6 +202,7 @@ double EventWatch::change_in_time(const System& system, std::size_t index, doubl
   VectorXd moved = y, q_dot(nq);
   system.position_rates(y.head(nq), y.segment(nq, system.v_size()), q_dot);
   moved.head(nq) += dt * q_dot;
+  if (y_dot_.size() == y.size()) moved.segment(nq, system.v_size()) += dt * y_dot_.segment(nq, system.v_size());
   system.normalize(moved.head(nq));
   return value(index, t + dt, moved) - value(index, t, y);
 }
@@ -253,7 +273,7 @@ void EventWatch::scan_piece(const Interpolant& step, const System& system, doubl
       const double a = std::min(last_theta_[k], from), fa = a == 0.0 ? at(a) : last_value;
       // A sample of zero between the two has no sign, and at the start of a step the interpolant may round otherwise.
       const bool at_a = (fa < 0.0) == (now < 0.0) || fa == 0.0;
-      const double theta = found == 0.0 ? to : at_a ? a : brent(at, a, fa, to, now, events_[k].tolerance / h);
+      const double theta = found == 0.0 ? to : at_a ? a : brent(at, a, fa, to, now, events_[k].resolution() / h);
       found_.push_back({k, theta, now > 0.0 ? 1.0 : -1.0});
     }
     last_value_[k] = now;

@@ -23,9 +23,11 @@ struct Event {
   int direction = 0;                                           ///< 1: rising, -1: falling, 0: both
   bool terminal = false;                                       ///< ends the run
   std::function<Changed(double t, const VectorXd& y)> change;  ///< empty: the state stays the same
-  double tolerance = 1e-12;                                    ///< of its time [s], beside roundoff
+  double tolerance = 1e-12;  ///< within which events come together [s], beside roundoff
 
   bool stops() const { return terminal || change; }  ///< ends the step
+  /// How exactly its time is found, beside roundoff [s].
+  double resolution() const { return tolerance < 1e-12 ? tolerance : 1e-12; }
 };
 
 /// An event that came: when [s], and the states y = (q, v) before and after it.
@@ -52,7 +54,7 @@ struct Happened {
 /// too small to be seen is not lost. Where an event is found the motion is as far off the constraints as tolerances let
 /// it be, and with the change it comes back to them, by which functions may move to either side: what is no larger
 /// than that, their drift, counts as zero until the motion has left it. Other events whose functions are as near to zero
-/// have the sign from which they came.
+/// have the sign from which they came. How fast functions change is asked by moving q and v along the motion.
 ///
 /// Events as little later as the tolerance of their times come with it.
 class EventWatch {
@@ -72,8 +74,11 @@ class EventWatch {
   /// Takes the signs at (t, y), y = (q, v, work), where a motion begins: there the last event may have been, so that what
   /// is zero up to roundoff has none.
   void start(const System& system, double t, const VectorXd& y);
-  /// The same where these events have come at t, with states before them, of a motion that goes on there.
-  void start_after(const System& system, double t, const VectorXd& y, const std::vector<Happened>& happened);
+  /// The same where these events have come at t, with states before them, of a motion that goes on there with y_dot.
+  void start_after(const System& system, double t, const VectorXd& y, const VectorXd& y_dot,
+                   const std::vector<Happened>& happened);
+  /// What `restart` needs of the motion up to the events that were found: y_dot.
+  void approach(const VectorXd& y_dot) { y_dot_ = y_dot; }
   /// By how much functions move from y, where events were found at t, to `corrected`, which satisfies the constraints.
   void find_drift(const System& system, double t, const VectorXd& y, const VectorXd& corrected);
   /// The same as `start` after events that have changed the state at t from `before` to y.
@@ -97,6 +102,8 @@ class EventWatch {
                         const Found& happened);
   void restart_other(const System& system, std::size_t k, double t, const VectorXd& before, double last_value);
   double resolved(std::size_t index, double t) const;
+  double found_within(std::size_t index, double t) const;
+  double rounding(const System& system, std::size_t index, double t, const VectorXd& y);
   bool is_zero(const System& system, std::size_t index, double t, const VectorXd& y);
   bool end_at_stop(std::size_t first, double t, double h);
   void scan_piece(const Interpolant& step, const System& system, double t, double h, double from, double to, bool last);
@@ -110,7 +117,7 @@ class EventWatch {
   std::vector<double> zero_;       ///< what is no larger has no sign, until the function has left it
   std::vector<double> drift_;      ///< of the events that are found now
   std::vector<char> stayed_;       ///< nothing has left the last barrier
-  VectorXd state_, q_and_v_;
+  VectorXd state_, q_and_v_, y_dot_;
 };
 
 }  // namespace linkwork

@@ -87,7 +87,7 @@ void Run::resume(const std::string& state, double work) {
   archive.finish();
   if (y_.size() != size) throw OptionError("start", "start: what it has to go on from is of another model");
   steps_before_ = steps_done_;
-  repeating_ = true;
+  repeating_ = resumed_ = true;
   settled_ = {t(), state};
 }
 

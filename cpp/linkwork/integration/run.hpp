@@ -121,6 +121,7 @@ class Run {
   virtual void record_start() = 0;
   /// Before the start of a run that was resumed.
   bool repeating() const { return repeating_; }
+  bool resumed() const { return resumed_; }
   /// Whether the start is passed or reached by now.
   virtual bool past_start() const = 0;
 
@@ -147,7 +148,7 @@ class Run {
   bool stops_;                   ///< at singular poses
   std::int64_t singular_poses_;  ///< before this run
   std::int64_t steps_before_ = 0;
-  bool repeating_ = false, due_ = true;
+  bool repeating_ = false, resumed_ = false, due_ = true;
   Checkpoint latest_, settled_;
   ViolationMonitor violation_monitor_;
   RedundancyWatch redundancy_;
