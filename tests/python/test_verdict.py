@@ -548,3 +548,18 @@ def test_samples_that_an_event_takes_are_exact() -> None:
         effort = -3.0 * angle - 0.1 * rate
     assert len(result.events) == 25
     assert held[0] == pytest.approx(effort, abs=1e-8)
+
+
+@pytest.mark.parametrize("method", [{"rtol": 1.1776175712110667e-06}, {"rtol": 4.76e-7},
+                                    {"integrator": "dopri5", "step": 0.024990108107659385},
+                                    {"integrator": "dopri5", "step": 0.025}])  # fmt: skip
+def test_a_step_over_a_pose_in_which_its_redundant_rows_are_bad_is_taken_again_with_others(
+    method: Any,
+) -> None:
+    """Bennett's linkage at t = 0.41 s, where what the run leaves out is bad, to which parts would come near."""
+    model = lw.mechanisms.bennett()
+    truth = quick(model, 0.6, rtol=1e-12, integrator="dop853")
+    result = quick(model, 0.6, **method)
+    assert result.statistics["row_changes"] == 1
+    assert np.abs(result.position[-1] - truth.position[-1]).max() < 1e-7
+    assert result.verdict is not None and result.verdict.error < 3e-4

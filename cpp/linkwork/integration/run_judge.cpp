@@ -27,6 +27,13 @@ std::vector<RunPart> parts_to_judge(const StepSampling& sampling) {
   return out;
 }
 
+std::vector<std::vector<int>> choices_of_rows(const std::vector<const KeptStep*>& steps, const std::vector<int>& last) {
+  std::vector<std::vector<int>> out = {last};
+  for (const KeptStep* step : steps)
+    if (std::find(out.begin(), out.end(), step->left_out) == out.end()) out.push_back(step->left_out);
+  return out;
+}
+
 const RetakenStep& of_step(std::size_t step, const RetakenSteps& retaken) {
   static const RetakenStep nowhere;
   return step < retaken.size() ? retaken[step] : nowhere;
@@ -47,6 +54,7 @@ RunJudge::RunJudge(const StepSampling& sampling, Dynamics& dynamics, SecondTake 
       kept_.push_back(step);
       out_.part_of.push_back(static_cast<int>(k));
     }
+  judge_.choose_from(choices_of_rows(kept_, dynamics.dropped().rows()));
 }
 
 /// Of a state, relative to the size and the speed of the mechanism at all the steps.

@@ -104,8 +104,9 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside, co
   dynamics_.correct_over(step.correction_length);
   if (take_.divide) take_.divide(step.history_new.size() > 0 ? divisions_where_contacts_begin : 1);
   try {
-    const bool rows_change = dynamics_.dropped().rows() != step.left_out;
-    if (retaken.end.size() == 0 || retaken.rows_change != rows_change) take_again(step);
+    choose_rows(step);
+    const bool rows_change = dynamics_.dropped().rows() != rows_;
+    if (retaken.end.size() == 0 || retaken.rows_change != rows_change || choices_.size() > 1) take_again(step);
     else {
       y_ = retaken.end;
       if (rows_change) leave_out_as_in(step);
@@ -123,6 +124,38 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside, co
   return out;
 }
 
+/// Those of the run in this step; others, where the run had others that are as many, and these are better all over it.
+void StepJudge::choose_rows(const KeptStep& step) {
+  rows_ = step.left_out;
+  if (choices_.size() < 2) return;
+  double most = least_with(step.left_out, step);
+  for (const std::vector<int>& rows : choices_) {
+    if (rows.size() != step.left_out.size() || rows == step.left_out) continue;
+    const double least = least_with(rows, step);
+    if (least <= most) continue;
+    most = least;
+    rows_ = rows;
+  }
+}
+
+/// The least singular value at the begin, in the middle and at the end.
+double StepJudge::least_with(const std::vector<int>& rows, const KeptStep& step) {
+  double least = INFINITY;
+  dynamics_.set_history(step.history);
+  for (const double theta : {0.0, 0.5, 1.0}) {
+    y_ = (1.0 - theta) * step.y + theta * step.y_new;
+    dynamics_.system().normalize(y_.head(dynamics_.system().q_size()));
+    dynamics_.evaluate(step.t + theta * step.h, y_);
+    try {
+      leave_out(rows);
+      least = std::min(least, dynamics_.formulation().least_singular_value());
+    } catch (const SingularSystemError&) {
+      return 0.0;
+    }
+  }
+  return least;
+}
+
 void StepJudge::take_again(const KeptStep& step) {
   const std::vector<Span> parts = parts_.of(step);
   const double end_of_first = step.t + take_.share * step.h;
@@ -132,7 +165,7 @@ void StepJudge::take_again(const KeptStep& step) {
   dynamics_.begin_parts((parts.front().to - parts.front().from) / std::max(step.h, step.correction_length));
   for (const Span& part : parts) {
     dynamics_.evaluate(part.from, y_);
-    if (&part == &parts.front()) leave_out(step.left_out);
+    if (&part == &parts.front()) leave_out(rows_);
     else dynamics_.advance_history();
     take_.integrator->step(dynamics_, part.from, part.to - part.from, y_);
     finish(part.to);
@@ -148,7 +181,7 @@ void StepJudge::take_again(const KeptStep& step) {
 void StepJudge::leave_out_as_in(const KeptStep& step) {
   dynamics_.set_history(step.history);
   dynamics_.evaluate(step.t, step.y);
-  leave_out(step.left_out);
+  leave_out(rows_);
 }
 
 void StepJudge::divide_parts(int times) {

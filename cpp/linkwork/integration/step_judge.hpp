@@ -89,6 +89,9 @@ class StepJudge {
   StepJudge(Dynamics& dynamics, SecondTake take, std::vector<double> breaks = {});
   /// As of StepParts.
   void divide_parts(int times);
+  /// All choices of redundant rows of the run: where it passed over a pose in which its own is bad, the parts of a step
+  /// may come too near, and another is taken.
+  void choose_from(std::vector<std::vector<int>> choices) { choices_ = std::move(choices); }
 
   /// `reactions`: those, too; it takes two more evaluations. `inside`: where the run records there, too; it takes one
   /// more step. `retaken`: if somebody else has taken it again.
@@ -98,6 +101,8 @@ class StepJudge {
 
  private:
   void take_again(const KeptStep& step);
+  void choose_rows(const KeptStep& step);
+  double least_with(const std::vector<int>& rows, const KeptStep& step);
   void leave_out_as_in(const KeptStep& step);
   void leave_out(const std::vector<int>& rows);
   void finish(double t);
@@ -115,6 +120,8 @@ class StepJudge {
   RelativeViolation violation_;
   Eigen::Array3d low_, high_;
   std::unique_ptr<PairStepper> stepper_;  ///< of a run that records inside of steps
+  std::vector<std::vector<int>> choices_;
+  std::vector<int> rows_;  ///< that are left out in this step
   VectorXd y_, v_dot_, lambda_;
   VectorXd inside_, interpolated_;
   bool came_inside_ = false;  ///< to inside_, where the first part ends
