@@ -556,7 +556,7 @@ def test_samples_that_an_event_takes_are_exact() -> None:
 def test_a_step_over_a_pose_in_which_its_redundant_rows_are_bad_is_taken_again_with_others(
     method: Any,
 ) -> None:
-    """Bennett's linkage at t = 0.41 s, where what the run leaves out is bad, to which parts would come near."""
+    """Bennett's linkage at t = 0.41 s, where the rows that the run leaves out make the others dependent."""
     model = lw.mechanisms.bennett()
     truth = quick(model, 0.6, rtol=1e-12, integrator="dop853")
     result = quick(model, 0.6, **method)
