@@ -555,6 +555,37 @@ def test_stops_are_where_mujoco_has_them_though_coordinates_have_a_reference(tmp
     assert np.radians(60.1) < result.coordinate("q").value.max() < np.radians(61)
 
 
+@pytest.mark.parametrize("margin", [0.2, -0.1])
+def test_stops_begin_by_the_margin_before_the_ends_as_in_mujoco(margin: float, tmp_path: Path) -> None:
+    """A load at rest on its limit: at the same place but for how soft both are."""
+    joint = f'<joint name="q" type="slide" axis="0 0 1" range="-0.5 0.5" damping="30" margin="{margin}"/>'
+    path = written(tmp_path, f'<body name="a">{joint}{INERTIAL}</body>')
+    theirs = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(theirs)
+    mujoco.mj_step(theirs, data, 2000)
+    result = lw.simulate(lw.import_mjcf(path, limits="stops").model, t_end=4.0, rtol=1e-6)
+    at = result.coordinate("q").value[-1]
+    assert at == pytest.approx(margin - 0.5, abs=2e-3)
+    assert at == pytest.approx(data.qpos[0], abs=2e-3)
+
+
+@pytest.mark.parametrize(("given", "limits", "said"), [
+    ('margin="0.2"', "note", "limits -0.5 to 0.5, which margin 0.2 makes -0.3 to 0.3, are not represented"),
+    ('margin="0.5"', "stops", "limits -0.5 to 0.5, which margin 0.5 makes 0 to 0, are not represented"),
+    ('solreflimit="0.1 1"', "stops", "solreflimit of its limits is not taken"),
+    ('solimplimit="0.5 0.9"', "stops", "solimplimit of its limits is not taken"),
+    ('solreflimit="0.02 1" solimplimit="0.9 0.95" margin="0"', "stops", None),
+])  # fmt: skip
+def test_what_limits_have_besides_their_ends_is_taken_or_noted(
+    given: str, limits: Any, said: str | None, tmp_path: Path
+) -> None:
+    body = f'<body name="a"><joint name="q" range="-0.5 0.5" {given}/>{INERTIAL}</body>'
+    path = written(tmp_path, body, '<compiler angle="radian"/>')
+    found = [str(it) for it in lw.import_mjcf(path, limits=limits).notes if it.topic == "limits"]
+    stop = [it for it in found if "are stops of" in it]
+    assert any(it.startswith(f"joint 'q': {said}") for it in found) if said else found == stop
+
+
 @pytest.mark.parametrize(("joints", "which"), [
     ('<joint name="a" type="slide" axis="0 0 1"/><joint name="b" axis="0 0 -1"/>', "angle"),
     ('<joint name="a" axis="0 0 1"/><joint name="b" type="slide" axis="0 0 -1"/>', "displacement"),

@@ -30,9 +30,9 @@ from linkwork.importers.mjcf_coverage import MJCF
 from linkwork.importers.mjcf_dynamics import JointDynamics, is_disabled
 from linkwork.importers.mjcf_files import roots
 from linkwork.importers.mjcf_gravity import GravityCompensation
+from linkwork.importers.mjcf_limits import set_limits
 from linkwork.importers.mjcf_names import Names
 from linkwork.importers.mjcf_visuals import shapes_of
-from linkwork.importers.robot_file import STOPPED
 from linkwork.importers.xml_text import Node, Reader
 
 if TYPE_CHECKING:
@@ -214,7 +214,8 @@ class _MujocoModel:
             text = f"damping, friction, spring or armature of a {joint.kind} joint is not represented"
             out.note("damping", f"joint '{joint.name}'", text)
         self._note_polynomials(joints, joint, out)
-        self._limit(joints, labels, joint, out)
+        stops = self._options.get("limits") == "stops"
+        set_limits(model, dict(zip(labels, joints, strict=True)), joint, stops, out.note)
         yield joint
 
     # The rates of a free joint are the velocity v of the body's origin, inertial, and its angular velocity
@@ -266,22 +267,6 @@ class _MujocoModel:
         if self._dynamics.is_bent(joints):
             text = "its spring or damping is a polynomial: only the linear part is represented"
             out.note("nonlinear", f"joint '{joint.name}'", text)
-
-    def _limit(self, joints: range, labels: list[str], joint: JointDescription, out: Description) -> None:
-        if is_disabled(self._model, "limit", "constraint"):
-            return
-        if (
-            self._options.get("limits") == "stops"
-            and joint.kind in STOPPED
-            and self._model.jnt_limited[joints[0]]
-        ):
-            lower, upper = self._model.jnt_range[joints[0]].tolist()
-            joint.stops = (lower, upper)
-            return
-        for k, label in zip(joints, labels, strict=True):
-            if self._model.jnt_limited[k]:
-                lower, upper = self._model.jnt_range[k]
-                out.note("limits", f"joint '{label}'", f"limits {lower:g} to {upper:g} are not represented")
 
     # --- equalities, and what is not taken ---
 
