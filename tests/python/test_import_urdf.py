@@ -259,9 +259,24 @@ def test_moving_links_without_inertia_are_named(tmp_path: Path) -> None:
 
 
 def test_a_root_named_world_is_the_ground(tmp_path: Path) -> None:
-    body = link("world") + link("a") + joint("j", "revolute", "world", "a")
+    body = link("world", mass=7.0) + link("a") + joint("j", "revolute", "world", "a")
     model = loaded(tmp_path, body, floating=True).model
     assert (model.body_count, model.row_count) == (1, 5)
+
+
+@pytest.mark.parametrize(("world", "floating", "said"), [
+    (link("world", mass=7.0), True,
+     ["it does not float, nor what is fixed to it", "its mass 7 is not represented"]),
+    (link("world", mass=7.0), False, ["its mass 7 is not represented"]),
+    ('<link name="world"/>', True, ["it does not float, nor what is fixed to it"]),
+    ('<link name="world"/>', None, []),
+])  # fmt: skip
+def test_what_a_root_named_world_does_not_have_is_noted(
+    world: str, floating: bool | None, said: list[str], tmp_path: Path
+) -> None:
+    imported = loaded(tmp_path, world + link("a") + joint("j", "revolute", "world", "a"), floating=floating)
+    found = [str(note) for note in imported.notes if "by its name" in str(note)]
+    assert found == [f"link 'world': is the ground by its name: {text}" for text in said]
 
 
 @pytest.mark.parametrize("kind", ["revolute", "prismatic"])

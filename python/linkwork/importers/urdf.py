@@ -64,8 +64,9 @@ def import_urdf(
 
     Options are those of linkwork.importers.building.Options: floating, coordinates, velocities, gravity,
     keep_massless, repair_inertia, inertia_as_is, limits, shapes, align_axes, couple, merge_fixed. The base is
-    the ground, unless floating=True. Each link is a body of the same name, its axes those of the link;
-    massless links are parts of the links that they are fixed to. Links look like their visual geometry.
+    the ground, unless floating=True; a link named world always is. Each link is a body of the same name, its
+    axes those of the link; massless links are parts of the links that they are fixed to. Links look like
+    their visual geometry.
 
     Not represented, and listed in the notes: limits, unless limits="stops", transmissions, collision
     geometry, and what else linkwork.importers.urdf_coverage lists. ModelFileError: what is wrong in the file,
@@ -107,6 +108,7 @@ class _Robot(RobotFile):
         self._visuals.finish()
         report(URDF.survey(root), self.note, reader.add)
         self._check_tree()
+        self._note_world(bool(options.get("floating")))
         self.check_couplings(reader)
 
     def _once(self, known: dict[str, _Named], node: Node, made: _Named) -> None:
@@ -254,6 +256,14 @@ class _Robot(RobotFile):
                 self._reader.add(
                     by_name[name], f"joint '{name}'", "is part of a ring of joints; a URDF is a tree"
                 )
+
+    def _note_world(self, floating: bool) -> None:
+        """What a link that is the ground by its name does not have."""
+        link, who = self.links.get(WORLD), f"link '{WORLD}'"
+        if link is not None and floating:
+            self.note("base", who, "is the ground by its name: it does not float, nor what is fixed to it")
+        if link is not None and link.mass:
+            self.note("base", who, f"is the ground by its name: its mass {link.mass:g} is not represented")
 
 
 def _colors(root: Node) -> Iterator[tuple[str, str]]:
