@@ -269,6 +269,16 @@ WRONG = [
     ),
     ("<xyz >0 0 1</xyz>", "<xyz>0 0 1</xyz><mimic/>", r":4: joint 'j' mimic: joint is missing"),
     (
+        "<xyz >0 0 1</xyz>",
+        "<xyz>0 0 1</xyz><mimic joint='j' axis='axis3'/>",
+        r":4: joint 'j' mimic axis: 'axis3' is not axis or axis2",
+    ),
+    (
+        "<xyz >0 0 1</xyz>",
+        "<xyz>0 0 1</xyz><mimic joint='j' axis='axis2'/>",
+        r":4: joint 'j' mimic: joint 'j' has no second axis",
+    ),
+    (
         "</joint>",
         "</joint><joint name='g' type='gearbox'><parent>a</parent><child>a</child></joint>",
         r":4: joint 'g' gearbox_reference_body: is missing",
@@ -455,6 +465,24 @@ def test_a_link_in_a_model_is_not_one_of_an_old_file_that_is_called_so(tmp_path:
     """Before 1.8 names could have ::, and two links the same full name."""
     with pytest.raises(lw.ModelFileError, match="link 'm::a': is the full name of another, too"):
         loaded(tmp_path, link("m::a") + f'<model name="m">{link("a")}</model>', version="1.7")
+
+
+def test_a_mimic_names_the_axis_that_it_follows(tmp_path: Path) -> None:
+    """The first of a hinge; the second of a universal joint is none that a coupler has, which is noted."""
+
+    def read(which: str, type_: str) -> lw.Imported:
+        leader = axis("0 1 0") + axis("0 0 1", tag="axis2") * (which == "axis2")
+        mimic = axis("0 1 0", f"<mimic joint='j' axis='{which}'><multiplier>2</multiplier></mimic>")
+        joints = joint("j", type_, "world", "a", leader) + joint("k", "revolute", "world", "b", mimic)
+        return loaded(tmp_path, link("a") + link("b") + joints, "1.11")
+
+    result = lw.simulate(read("axis", "revolute").model, t_end=0.2, step=1e-2)
+    leader, follower = (result.coordinate(name).rate for name in "jk")
+    assert abs(leader[-1]) > 0.1
+    assert follower == pytest.approx(2 * leader, abs=1e-8)
+    assert topics(read("axis", "revolute")) == []
+    ((topic, subject),) = topics(read("axis2", "universal"))
+    assert (topic, subject) == ("mimic", "joint 'k'")
 
 
 def test_what_a_gearbox_and_a_fixed_joint_have_besides_is_noted(tmp_path: Path) -> None:

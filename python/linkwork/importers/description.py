@@ -135,6 +135,7 @@ class Coupling:
     leader: str
     multiplier: float
     offset: float
+    leader_axis: int = 0  #: which of the leader's coordinates
 
     def __str__(self) -> str:
         offset = f" + {self.offset:g}" if self.offset else ""

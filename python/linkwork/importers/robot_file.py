@@ -62,6 +62,8 @@ class RobotFile:
             who = f"joint '{coupling.follower}' mimic"
             if coupling.leader not in self.joints:
                 reader.add_line(line, who, f"no joint '{coupling.leader}'")
+            elif coupling.leader_axis and coupling.leader_axis >= len(self.joints[coupling.leader].motions):
+                reader.add_line(line, who, f"joint '{coupling.leader}' has no second axis")
         for ring in rings(leader_of):
             who, line = f"joint '{ring[0]}' mimic", self.lines.get(f"joint {ring[0]}", 1)
             reader.add_line(line, who, f"follows itself: {' -> '.join([*ring, ring[0]])}")

@@ -37,6 +37,9 @@ __all__ = ["import_sdf"]
 
 Z = np.array([0.0, 0.0, 1.0])
 
+#: What says how a joint moves: its first axis, its second.
+AXES = ("axis", "axis2")
+
 #: Cosines of an angle from which on two axes are one, up to their sense: 1 less this.
 SAME_AXIS = 1e-5
 
@@ -233,7 +236,7 @@ class _SdfFile(RobotFile):
         if ends is None or reader.faults.count:
             return None
         if type_ == "gearbox":
-            self._note_dynamics(node, who, ("axis", "axis2"))
+            self._note_dynamics(node, who, AXES)
             self.note_children(node, who, ("physics", "sensor"))
             self._gearboxes.append((scope, name, node))
             return None
@@ -245,7 +248,7 @@ class _SdfFile(RobotFile):
         in_parent, in_child = (self._pose_of_link(link).inverse @ here for link in ends)
         joint = JointDescription(full, KINDS[type_], *ends, in_parent, in_child)
         count = {"universal": 2, "fixed": 0, "spherical": 0}.get(joint.kind, 1)
-        axes = [self._axis(scope, node, tag, who, here) for tag in ("axis", "axis2")[:count]]
+        axes = [self._axis(scope, node, tag, who, here) for tag in AXES[:count]]
         if joint.kind == "universal" and abs(axes[0] @ axes[1]) > PERPENDICULAR:
             reader.add(node, f"{who} axis2", "is not perpendicular to axis")
         joint.motions = tuple(Motion(joint.kind != "translational", axis) for axis in axes)
@@ -253,7 +256,7 @@ class _SdfFile(RobotFile):
             self._screw(reader, node, joint, who)
         if count == 1:
             self._dynamics(scope, node, joint, who)
-        self._note_dynamics(node, who, ("axis2",) if count == 1 else ("axis", "axis2"))
+        self._note_dynamics(node, who, AXES[1:] if count == 1 else AXES)
         self.note_children(node, who, ("physics", "sensor"))
         return joint
 
@@ -320,8 +323,13 @@ class _SdfFile(RobotFile):
         self.limit(joint, lower, upper, unit, found)
 
     def _mimic(self, scope: Scope, mimic: Node, joint: JointDescription) -> Coupling:
-        leader = mimic.attributes.get("joint", "")
-        return coupling(scope.reader, mimic, joint.name, leader and scope.prefix + leader, mimic.word)
+        leader, axis = mimic.attributes.get("joint", ""), mimic.attributes.get("axis", AXES[0])
+        if axis not in AXES:
+            text = f"'{axis[:60]}' is not {' or '.join(AXES)}"
+            scope.reader.add(mimic, f"joint '{joint.name}' mimic axis", text)
+            axis = AXES[0]
+        found = coupling(scope.reader, mimic, joint.name, leader and scope.prefix + leader, mimic.word)
+        return replace(found, leader_axis=AXES.index(axis))
 
     # theta_2 = -ratio theta_1: the angles from the reference body to the parent about `axis`, and to the
     # child about `axis2`. Each is the coordinate of a revolute joint, or its negative.
@@ -339,7 +347,7 @@ class _SdfFile(RobotFile):
         here = scope.absolute @ scope.pose_of("joint", name)
         found = [
             self._joint_about(reference, link, here.A @ self._axis(scope, node, tag, who, here))
-            for link, tag in zip(ends, ("axis", "axis2"), strict=True)
+            for link, tag in zip(ends, AXES, strict=True)
         ]
         if found[0] is None or found[1] is None:
             text = f"no revolute joints about its axes carry '{ends[0]}' and '{ends[1]}' on '{reference}'"

@@ -41,7 +41,7 @@ REPRESENTED = """
     joint/axis > use_parent_model_frame dynamics
     joint/axis/xyz: expressed_in
     joint/axis/dynamics > damping friction spring_stiffness spring_reference
-    joint/axis/mimic: joint
+    joint/axis/mimic: joint axis
     joint/axis/mimic > multiplier offset reference
     joint/axis2 > use_parent_model_frame
     joint/axis2/xyz: expressed_in
