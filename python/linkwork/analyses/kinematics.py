@@ -222,7 +222,7 @@ class _Frames:
 
     def result(self, continuation: Continuation, t: Floats, began: float, failed: bool = False) -> Result:
         fields, dynamics = self._fields(), self.system.compiled()
-        given = {"times": f"{t[0]:g} to {t[-1]:g} s, {len(t)}"}
+        given = {"times": t}
         chosen = {"analysis": "kinematics", "integrator": "kinematics"}
         facts = manifest(self.model, self.model.hash(), given, chosen)
         header = Header.of(self.model.compiled(), dynamics, facts, None, self.model.shapes, self.model.curves)

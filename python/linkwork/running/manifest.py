@@ -12,13 +12,19 @@ from typing import Any
 
 import numpy as np
 
+from linkwork.arguments import UNREADABLE, reals
+from linkwork.integrators import METHODS, Integrator
 from linkwork.modeling.model import Model
 
 
 def manifest(
     model: Model, model_hash: str, given: Mapping[str, Any], chosen: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """Versions, machine, model and options: `given` as the user wrote them, `chosen` with none left open."""
+    """Versions, machine, model and options: `given` as the user wrote them, `chosen` with none left open.
+
+    What is given makes the same run again, `simulate(model, **manifest["options_given"])`, where a file can
+    hold it: events, a state to start from and integrators of the user's own are told in words.
+    """
     return {
         "model": model.name,
         "model_hash": model_hash,
@@ -51,10 +57,22 @@ def _machine() -> Mapping[str, Any]:
 
 
 def _plain(value: Any) -> Any:
-    """What a file can hold: methods and functions by their names."""
+    """What a file can hold and `simulate` takes again; of anything else a text that it refuses."""
     if isinstance(value, str | int | float | bool | type(None)):
         return value
-    return getattr(value, "name", None) or getattr(value, "__qualname__", None) or str(value)
+    if isinstance(value, Integrator) and repr(METHODS.get(value.name)) == repr(value):
+        return value.name
+    if isinstance(value, Mapping):
+        return {str(name): _plain(part) for name, part in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(part) for part in value]
+    try:
+        numbers = np.asarray(value)
+        return (numbers if numbers.dtype.kind in "biuf" else reals(value)).tolist()
+    except UNREADABLE:
+        # never the name alone: a function called rk4 is not the method of this name
+        name = getattr(value, "name", None) or getattr(value, "__qualname__", None) or str(value)
+        return f"{name}, a {type(value).__name__} of the user's own"
 
 
 @functools.cache

@@ -7,7 +7,7 @@ import threading
 import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from linkwork import _core
@@ -190,6 +190,7 @@ def _side_by_side(models: Sequence[Model | Exception], method: Method) -> list[M
                     checks.check_bodies(model)
                     given = {"on_inaccurate": "pass", **method.given}
                     it = prepared(model, method.plan, given, method.options)
+                    it = replace(it, facts={**it.facts, "lane": True})
                     runs[place] = it, estimator_of(it), remarks  # it sees the run from the first step on
             except Exception as error:
                 found[place] = Member(None, error=facts_of(error))
@@ -217,7 +218,7 @@ def _concluded(
                 result = concluded(it, estimator)
         except Exception as error:
             return Member(None, error=facts_of(error), remarks=[*remarks, *more])
-    result.manifest["lane"] = result.statistics["lane"] = True
+    result.statistics["lane"] = True
     for name in SHARED:
         result.statistics.pop(name, None)
     return Member(result, remarks=list(dict.fromkeys([*remarks, *more])))

@@ -137,8 +137,8 @@ def simulate(
         plan = schedule.plan(t_end, step, rtol, atol, record_every, times, size, t_start)
         _check_choices(on_inaccurate, assemble=assemble, verify=verify)
         given = {"t_end": t_end, "step": step, "integrator": integrator, "rtol": rtol, "atol": atol,
-                 "record_every": record_every, "breaks": breaks, "assemble": assemble,
-                 "on_inaccurate": on_inaccurate, **options}  # fmt: skip
+                 "record_every": record_every, "times": times, "breaks": breaks, "assemble": assemble,
+                 "on_inaccurate": on_inaccurate, "verify": verify, **options}  # fmt: skip
         prepared = _prepared(model, plan, given, options, compile_events(events, model), start,
                              in_file=output is not None)  # fmt: skip
         _check_output(output, overwrite)
@@ -245,7 +245,7 @@ def _prepared(
         run.resume(resume.checkpoint.state, resume.work)
     chosen = {"t_start": t_start, **plan.chosen(), "integrator": _name(method), **system.options}
     facts = {
-        **manifest(model, model_hash, given, chosen),
+        **manifest(model, model_hash, {**given, **_in_words(watched, start)}, chosen),
         "breaks": {"count": len(breaks), **plan.steps_with_breaks(breaks, t_start)},
         "constraints": checks.rank_numbers(system.compiled()),
         "assembled": assembly and str(assembly),
@@ -253,6 +253,12 @@ def _prepared(
         **({} if start is None else {"resumed": resume is not None}),
     }
     return Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts, key, known)
+
+
+def _in_words(watched: Sequence[Watched], start: Snapshot | None) -> dict[str, Any]:
+    """Arguments that no file can hold, where they were given."""
+    events = {"events": [event.label for event in watched]} if watched else {}
+    return events if start is None else {**events, "start": f"the state at {start.t:g} s"}
 
 
 class Stepped(NamedTuple):
