@@ -142,7 +142,88 @@ def test_impossible_changes_are_refused(pendulums: lw.Model, change: object, mes
     assert pendulums.hash() == before
 
 
-def test_a_function_of_the_users_own_is_changed_where_it_is_built(pendulums: lw.Model) -> None:
-    pendulums.user_force(lambda t, q, v: np.zeros_like(v), name="wind")
-    with pytest.raises(lw.ModelError, match="'wind' .* make the change where the model is built"):
-        pendulums.without("spring")
+def own_model() -> lw.Model:
+    """With forces of the user's own of every kind, and functions of Python as parameters."""
+    model = lw.Model(gravity=(0, 0, -9.81), name="own")
+    arm, hand = (
+        model.body(name, mass=1.0, inertia=(0.1, 0.2, 0.3), position=(x, 0, 0))
+        for name, x in (("arm", 1.0), ("hand", 3.0))
+    )
+    model.revolute("ground", arm, at=(0, 0, 0), axis=(0, 1, 0), name="h")
+    model.revolute(arm, hand, at=(2, 0, 0), axis=(0, 1, 0), name="elbow")
+    model.joint_force("h", lambda t, x, rate: -3.0 * x - rate, name="controller", breaks=(0.1,))
+    model.joint_force("elbow", lw.functions.harmonic(2.0, 5.0), name="motor")
+    model.user_force(lambda t, q, v: -0.2 * v, [hand], name="wind")
+    model.user_force(lambda t, q, v: [0, 0, -0.3 * v[2], 0, 0, 0], "arm", name="drag")
+    model.force(hand, force=(lambda t: 2.0 * t, 0, 0), name="push")
+    model.spring_damper("ground", hand, at=((0, 0, 0), (3, 0, 0)), stiffness=5.0, name="spring",
+                        free_length=(lambda t: 3 + t**2, lambda t: 2 * t, lambda t: 2.0))  # fmt: skip
+    return model
+
+
+def bits(model: lw.Model) -> bytes:
+    result = lw.simulate(model, 0.2, 1e-3, progress=False, assemble=False, on_inaccurate="pass")
+    return bytes(result.q.tobytes() + result.v.tobytes())
+
+
+def test_functions_of_the_users_own_go_with_a_changed_model() -> None:
+    """To the last bit: changed to what it was, the model moves as it did."""
+    model = own_model()
+    changed = model.replaced("arm", mass=2.0)
+    assert bits(changed) != bits(model)
+    assert bits(changed.replaced("arm", mass=1.0)) == bits(model)
+    assert bits(model.replaced("arm", name="upper")) == bits(model)
+    assert bits(model.without("motor").without("drag").without("wind").without("controller")) != bits(model)
+
+
+def test_an_object_is_read_whatever_else_is_in_the_model() -> None:
+    model = own_model()
+    assert model.values("arm")["mass"] == 1.0
+    assert model.values("push")["force_x"].evaluate(3.0)[0] == 6.0
+    assert model.values("controller")["function"](0.0, 1.0, 0.0) == -3.0
+    assert model.values("controller")["joint"] == "h"
+    assert model.values("drag")["bodies"] == "arm" and model.values("wind")["bodies"] == ["hand"]
+
+
+def test_a_law_of_the_users_own_is_replaced() -> None:
+    model = own_model()
+    stiffer = model.replaced("controller", function=lambda t, x, rate: -30.0 * x - rate)
+    assert bits(stiffer) != bits(model)
+    pushed = model.replaced("push", force_x=lambda t: 0.0)
+    assert bits(pushed) == bits(model.replaced("push", force_x=0.0))
+    with pytest.raises(lw.ModelError, match="joint_force 'controller': has no field 'law'"):
+        model.replaced("controller", law=1.0)
+
+
+def test_a_force_of_the_users_own_does_not_hang_on_nothing() -> None:
+    model = own_model()
+    with pytest.raises(lw.ModelError, match="'motor' would hang on nothing"):
+        model.without("elbow")
+    rest = model.without("hand", attached=True)
+    assert [row["name"] for row in rest.table("forces")] == ["controller", "drag"]
+    model.user_force(lambda t, q, v: 0 * v, name="field")
+    with pytest.raises(lw.ModelError, match="'field' gets all bodies by number"):
+        model.without("hand", attached=True)
+    assert model.without("hand", "field", attached=True).user_force_count == 2
+
+
+def test_full_turns_of_a_joint_force_go_with_a_changed_model() -> None:
+    """A torsion spring of the user's own, wound twice."""
+    model = lw.Model(gravity=(0, 0, 0))
+    wheel = model.body("wheel", mass=1.0, inertia=(1, 1, 1), omega=(0, 0, 4 * np.pi))
+    model.revolute("ground", wheel, at=(0, 0, 0), axis=(0, 0, 1), name="pin")
+    model.joint_force("pin", lambda t, x, rate: 0.0, name="spring")
+    turned = lw.simulate(model, 1.0, 1e-2, progress=False)
+    wound = model.with_initial_state(turned.q[-1], turned.v[-1], turned.history[-1])
+    stiff = wound.replaced("wheel", mass=2.0).replaced("spring", function=lambda t, x, rate: -3.0 * x)
+    torque = lw.simulate(stiff, 1e-3, 1e-3, progress=False).angular_acceleration[0, 0, 2]
+    assert torque == pytest.approx(-3.0 * 4 * np.pi, rel=1e-5)
+
+
+def test_forces_of_the_users_own_are_counted_and_listed() -> None:
+    model = own_model()
+    for text in (model.describe(), repr(model)):
+        assert "2 joint_force" in text and "2 user_force" in text
+    rows = {row["name"]: row for row in model.table("forces")}
+    assert rows["controller"]["kind"] == "joint_force" and rows["controller"]["b"] == "arm"
+    assert rows["controller"]["parameters"] == "angle of 'h'" and rows["wind"]["parameters"] == "on hand"

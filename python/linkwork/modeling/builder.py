@@ -21,7 +21,7 @@ from linkwork.modeling.methods import ForceMethods, JointMethods
 from linkwork.modeling.placement import Attachment, Frames, Subject
 from linkwork.modeling.shapes import Shape, Shapes, ShapesLike
 from linkwork.modeling.special import CouplerData, CurveData, SpecialJointMethods
-from linkwork.modeling.user_forces import UserForceMethods
+from linkwork.modeling.user_forces import UserForce, UserForceMethods
 
 if TYPE_CHECKING:
     from linkwork.modeling.model import Model
@@ -55,7 +55,7 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         self._signals: list[tuple[str, TimeFunction]] = []
         self._drivers: list[tuple[str, TimeFunction]] = []
         self._characteristics: list[TimeFunction] = []
-        self._user_forces: list[tuple[str, Any, str]] = []  # name, law, joint and coordinate of one
+        self._user_forces: list[UserForce] = []
         self._shapes = Shapes()
         self._functions: dict[int, TimeFunction] = {}  # by index in the compiled model
         self._special: dict[int, CouplerData | CurveData] = {}  # by joint
@@ -519,7 +519,7 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
     @property
     def user_forces(self) -> Sequence[tuple[str, Any]]:
         """The user's own forces, each a name and the function that was arguments."""
-        return tuple((name, function) for name, function, _ in self._user_forces)
+        return tuple((it.name, it.law) for it in self._user_forces)
 
     @property
     def drivers(self) -> Sequence[tuple[str, TimeFunction]]:

@@ -1,22 +1,23 @@
 """Other models from a model: without some of its objects, or with other values of one.
 
 The model itself stays as it is, and so do the handles that it gave: a changed model is a new one, made from
-the record that a file of the model would have.
+the record that a file of the model would have. Functions of Python, which no file can hold, go with it.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from linkwork.errors import ModelError, ModelFileError, nearest, warn
-from linkwork.functions import TimeFunction
+from linkwork.functions import TimeFunction, as_time_function
 from linkwork.modeling.elements import KINDS, Role
-from linkwork.modeling.files import from_changed_record, record_of
-from linkwork.modeling.files.writing import function_record
+from linkwork.modeling.files import from_changed_record, whole_record
+from linkwork.modeling.files.writing import function_record, is_data
 from linkwork.modeling.handles import Body, Force, Joint
 
 if TYPE_CHECKING:
@@ -27,13 +28,18 @@ __all__ = ["built", "replaced", "values", "without"]
 #: How many names a message lists.
 LISTED = 5
 
+#: Where forces of the user's own are in a record.
+OWN = "user_forces"
+
 #: Sections of a record that have objects with names, and what one is called.
-SECTIONS = {"bodies": "body", "joints": "joint", "forces": "force element"}
+SECTIONS = {
+    "bodies": "body", "joints": "joint", "forces": "force element", OWN: "force of the user's own"
+}  # fmt: skip
 
 ROLES: Mapping[str, Role] = {"joints": "joint", "forces": "force"}
 
 #: Fields that are names.
-NAMES = ("name", "kind", "a", "b", "body", "joint")
+NAMES = ("name", "kind", "a", "b", "body", "joint", "bodies", "coordinate")
 
 #: What of a body changes without a jump of its pose.
 SMOOTH = ("mass", "inertia", "velocity", "omega")
@@ -43,13 +49,16 @@ ATTACHED = "attachment"
 
 Record = dict[str, Any]
 
+#: Functions of time that are no data, by the names that a record has for them.
+Functions = dict[str, TimeFunction]
+
 
 def values(model: Model, name: str | Body | Joint | Force) -> Record:
     """As `Model.values`."""
-    record = _record(model)
+    record, held = whole_record(model)
     section, place = _found(model, record, name)
     found: Record = record[section][place]
-    functions = record.get("functions", {})
+    functions = {**record.get("functions", {}), **held}
     return {
         what: functions.get(x, x) if isinstance(x, str) and what not in NAMES else x
         for what, x in found.items()
@@ -58,12 +67,13 @@ def values(model: Model, name: str | Body | Joint | Force) -> Record:
 
 def without(model: Model, names: Sequence[str | Body | Joint | Force], attached: bool) -> Model:
     """As `Model.without`."""
-    record = _record(model)
+    record, held = whole_record(model)
     gone = {_found(model, record, name) for name in names}
     while more := {it: why for it, why in _hanging(record, gone) if it not in gone}:
         if not attached:
             _refuse(model, record, more)
         gone |= set(more)
+    _check_numbers(model, record, gone)
     for section in SECTIONS:
         kept = [it for place, it in enumerate(record.get(section, [])) if (section, place) not in gone]
         record[section] = kept
@@ -71,52 +81,80 @@ def without(model: Model, names: Sequence[str | Body | Joint | Force], attached:
     shapes = [{**it, "bodies": [body for body in it["bodies"] if body == "ground" or body in bodies]}
               for it in record.get("shapes", [])]  # fmt: skip
     record["shapes"] = [it for it in shapes if it["bodies"]]
-    return _begun_anew(model, record)
+    return _begun_anew(model, record, held)
 
 
 def replaced(model: Model, name: str | Body | Joint | Force, changes: Mapping[str, Any]) -> Model:
     """As `Model.replaced`."""
-    record = _record(model)
+    record, held = whole_record(model)
     section, place = _found(model, record, name)
     old = record[section][place]
+    if section == OWN:
+        return _with_own(model, record, held, place, changes)
     parameters = KINDS[ROLES[section]][old["kind"]].parameters if section in ROLES else SMOOTH
     elsewhere = changes.keys() - {*NAMES, ATTACHED, *parameters}  # what says where it is
     if section in ROLES and elsewhere:
         old = {what: x for what, x in old.items() if what != ATTACHED}
-    record[section][place] = {**old, **{what: _plain(x, what) for what, x in changes.items()}}
+    record[section][place] = {**old, **{what: _plain(x, what, held) for what, x in changes.items()}}
     if changes.get("name", old["name"]) != old["name"]:
         _rename(record, section, old["name"], changes["name"])
-    return _begun_anew(model, record) if elsewhere or "kind" in changes else built(model, record)
+    anew = elsewhere or "kind" in changes
+    return _begun_anew(model, record, held) if anew else built(model, record, held)
 
 
-def _begun_anew(model: Model, record: Record) -> Model:
+def _with_own(model: Model, record: Record, held: Functions, place: int, changes: Mapping[str, Any]) -> Model:
+    """Another force of the user's own in place of one. ModelError: a field that it has not."""
+    old = record[OWN][place]
+    for what in changes:
+        if what not in old or what == "kind":
+            known = [field for field in old if field != "kind"]
+            raise ModelError(
+                f"{old['kind']} '{old['name']}': has no field '{what}'{nearest(what, known)}", code="field"
+            )
+    plain = {what: x if what == "function" else _plain(x, what, held) for what, x in changes.items()}
+    record[OWN][place] = {**old, **plain}
+    return built(model, record, held)
+
+
+def _check_numbers(model: Model, record: Record, gone: set[tuple[str, int]]) -> None:
+    """ModelError: a law of the user's own that stays counts the bodies, of which some go."""
+    if not any(section == "bodies" for section, _ in gone):
+        return
+    for place, it in enumerate(model._user_forces):
+        if it.counts_bodies and (OWN, place) not in gone:
+            raise ModelError(
+                f"model '{model.name}': '{it.name}' gets all bodies by number, and these would change: name "
+                "it, too, and add it to the new model",
+                code="attached",
+            )
+
+
+def _begun_anew(model: Model, record: Record, held: Functions) -> Model:
     """With history variables of its own. LinkworkWarning: those of the model had something to tell."""
     history = record.pop("history", [])
     if history:
-        begun = _record(model)
+        begun, functions = whole_record(model)
         del begun["history"]
-        if built(model, begun).compiled().initial_history != history:
+        if built(model, begun, functions).compiled().initial_history != history:
             warn(f"model '{model.name}': full turns and contacts under way begin anew in the changed model")
-    return built(model, record)
+    return built(model, record, held)
 
 
-def _plain(value: Any, what: str) -> Any:
-    """As a file has it."""
+def _plain(value: Any, what: str, held: Functions) -> Any:
+    """As a file has it; what no file can is `held`, by a name."""
+    if callable(value) or (isinstance(value, tuple) and value and all(map(callable, value))):
+        value = as_time_function(value, what)
     if isinstance(value, TimeFunction):
-        return function_record(value, what)
-    if isinstance(value, Body):
+        if is_data(value):
+            return function_record(value, what)
+        name = f"new Python function {len(held)}"
+        held[name] = value
+        return name
+    if isinstance(value, Body | Joint):
         return value.name
     if isinstance(value, np.ndarray | np.generic):
         return value.tolist()
-    return [_plain(part, what) for part in value] if isinstance(value, tuple | list) else value
-
-
-def _record(model: Model) -> Record:
-    """ModelError: a Python function in the model."""
-    try:
-        return record_of(model, {})
-    except ModelError as error:
-        raise ModelError(f"{error}; make the change where the model is built", code=error.code) from error
+    return [_plain(part, what, held) for part in value] if isinstance(value, tuple | list) else value
 
 
 def _found(model: Model, record: Record, name: object) -> tuple[str, int]:
@@ -148,10 +186,11 @@ def _hanging(record: Record, gone: set[tuple[str, int]]) -> Iterator[tuple[tuple
     """Joints and forces that need what is gone, each with its name."""
     bodies = {record["bodies"][place]["name"] for section, place in gone if section == "bodies"}
     joints = {record["joints"][place]["name"] for section, place in gone if section == "joints"}
-    for section in ("joints", "forces"):
+    for section in ("joints", "forces", OWN):
         for place, it in enumerate(record.get(section, [])):
             named = {term["joint"] for term in it.get("coordinates", ())} | {it.get("joint")}
-            if bodies & {it.get("a"), it.get("b"), it.get("body")} or joints & named:
+            on = {it.get("a"), it.get("b"), it.get("body"), *np.atleast_1d(it.get("bodies") or [])}
+            if bodies & on or joints & named:
                 yield (section, place), it["name"]
 
 
@@ -169,22 +208,25 @@ def _refuse(model: Model, record: Record, hanging: Mapping[tuple[str, int], str]
 def _rename(record: Record, section: str, old: str, new: str) -> None:
     """In everything that names it."""
     fields = ("a", "b", "body") if section == "bodies" else ("joint",) if section == "joints" else ()
-    for it in (it for part in ("joints", "forces") for it in record.get(part, [])):
+    for it in (it for part in ("joints", "forces", OWN) for it in record.get(part, [])):
         it.update({what: new for what in fields if it.get(what) == old})
         for term in it.get("coordinates", ()) if section == "joints" else ():
             term["joint"] = new if term["joint"] == old else term["joint"]
     if section == "bodies":
-        for it in record.get("shapes", []):
+        for it in (it for part in ("shapes", OWN) for it in record.get(part, []) if it.get("bodies")):
+            if isinstance(it["bodies"], str):
+                it["bodies"] = new if it["bodies"] == old else it["bodies"]
+                continue
             it["bodies"] = [new if body == old else body for body in it["bodies"]]
 
 
-def built(model: Model, record: Record) -> Model:
-    """A model from a record that was changed.
+def built(model: Model, record: Record, held: Mapping[str, TimeFunction] = MappingProxyType({})) -> Model:
+    """A model from a record that was changed, and the functions that it names.
 
     ModelError: a value that its object cannot have, or a field that it has not.
     """
     try:
-        return from_changed_record(record, type(model))
+        return from_changed_record(record, type(model), held)
     except ModelFileError as error:
         fault = error.faults[0]
         place = re.match(r"(\w+)\[(\d+)\]\.?(.*)", fault.field)

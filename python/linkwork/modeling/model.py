@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import html
 import os
+from collections import Counter
 from collections.abc import Callable, Mapping
 from inspect import isfunction
 from typing import TYPE_CHECKING, Any, Literal
@@ -129,11 +130,12 @@ class Model(ModelBuilder):
         return tables(self, what)
 
     def values(self, name: str | Body | Joint | Force) -> dict[str, Any]:
-        """Everything that a body, joint or force element was made of, as in a file of the model.
+        """Everything that a body, joint or force was made of, as in a file of the model.
 
             length = model.values("spring")["free_length"]
 
-        ModelError: no object of this name; a Python function in the model.
+        Of a force of the user's own, and where a function of Python is a parameter, the function itself.
+        ModelError: no object of this name.
         """
         from linkwork.modeling import editing
 
@@ -146,8 +148,8 @@ class Model(ModelBuilder):
 
         attached  what hangs on them goes, too: joints and forces of a body, couplers and drivers of a joint
 
-        ModelError: no object of this name; without `attached`, something that would hang on nothing; a Python
-        function in the model, which is then changed where it is built.
+        ModelError: no object of this name; without `attached`, something that would hang on nothing; a body,
+        where a force of the user's own stays that counts all bodies by number.
         """
         from linkwork.modeling import editing
 
@@ -160,7 +162,8 @@ class Model(ModelBuilder):
             moved = model.replaced("pin", at=(0.2, 0, 0), axis=(0, 0, 1))
 
         `values(name)` has those that there are. Joints stay where they are on a body that is moved.
-        ModelError: no object of this name, or a value that it cannot have; a Python function in the model.
+        Forces of the user's own stay as they are, too, or get another `function`.
+        ModelError: no object of this name, or a value that it cannot have.
         """
         from linkwork.modeling import editing
 
@@ -224,8 +227,8 @@ class Model(ModelBuilder):
             digest.update(f"{joint} {special.facts(core)}".encode())
         for function in (*(signal for _, signal in self._signals), *self._characteristics):
             digest.update(function.fingerprint())
-        for _, own, place in self._user_forces:
-            digest.update(f"{law(own)} {place}".encode())
+        for own in self._user_forces:
+            digest.update(f"{law(own.law)} {own.place}".encode())
         return digest.hexdigest()
 
     def __fingerprint__(self) -> str:
@@ -241,7 +244,8 @@ class Model(ModelBuilder):
 
             print(model.describe())
         """
-        kinds = "".join(f", {count} {kind}" for kind, count in sorted(self._counts.items()))
+        found = self._counts + Counter(it.record["kind"] for it in self._user_forces)
+        kinds = "".join(f", {count} {kind}" for kind, count in sorted(found.items()))
         gravity = ", ".join(f"{g:g}" for g in self._core.gravity)
         bodies, equations = (
             counted(self.body_count, "body"), counted(self.row_count, "constraint equation")

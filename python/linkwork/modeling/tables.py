@@ -81,7 +81,8 @@ def tables(model: ModelBuilder, what: What) -> Table:
     """Of the bodies, joints or force elements of a model. OptionError: another word."""
     one_of(what, COLUMNS, "what")
     rows = _bodies(model) if what == "bodies" else _elements(model, "joint" if what == "joints" else "force")
-    return Table(what.capitalize(), COLUMNS[what], list(rows))
+    own = _user_forces(model) if what == "forces" else ()
+    return Table(what.capitalize(), COLUMNS[what], [*rows, *own])
 
 
 def _bodies(model: ModelBuilder) -> Iterator[Sequence[str]]:
@@ -107,6 +108,22 @@ def _elements(model: ModelBuilder, role: Role) -> Iterator[Sequence[str]]:
             span = slice(int(first[k]), int(first[k + 1]))
             values = zip(info.parameters, arrays["parameters"][span], arrays["signals"][span], strict=True)
             yield *common, _vector(placed[0]), ", ".join(_parameter(*it) for it in values)
+
+
+def _user_forces(model: ModelBuilder) -> Iterator[Sequence[str]]:
+    """Those of the user's own act between the bodies of a joint, or on bodies."""
+    core = model.compiled()
+    for it in model._user_forces:
+        kind, joint, bodies = (it.record.get(what) for what in ("kind", "joint", "bodies"))
+        if joint is not None:
+            a, b = core.joint_arrays()["bodies"][model._joint_named(joint, "joint_force")[0]]
+            where = f"{it.record['coordinate']} of '{joint}'"
+            yield it.name, str(kind), core.body_name(a), core.body_name(b), "", where
+        else:
+            named = (
+                "all bodies" if bodies is None else ", ".join([bodies] if isinstance(bodies, str) else bodies)
+            )
+            yield it.name, str(kind), "", "", "", f"on {named}"
 
 
 def _placed(model: ModelBuilder, body: int, origin: Any, frame: Any) -> tuple[Any, Any]:

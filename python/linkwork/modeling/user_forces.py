@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
@@ -20,7 +21,30 @@ from linkwork.modeling.handles import BodiesLike, Body, BodyLike, Joint
 if TYPE_CHECKING:
     from linkwork.modeling.builder import ModelBuilder
 
-__all__ = ["UserForceMethods"]
+__all__ = ["UserForce", "UserForceMethods"]
+
+
+@dataclass(frozen=True)
+class UserForce:
+    """A force of the user's own, as it was added."""
+
+    law: Any  #: whose code counts
+    place: str  #: bodies, or joint and coordinate, by number
+    record: Mapping[str, Any]  #: kind (the method of Model that adds it) and arguments; bodies, joint by name
+
+    @property
+    def name(self) -> str:
+        return str(self.record["name"])
+
+    @property
+    def counts_bodies(self) -> bool:
+        """Its law gets all bodies of the model, by number."""
+        return "joint" not in self.record and self.record.get("bodies") is None
+
+    @staticmethod
+    def add(model: ModelBuilder, record: Mapping[str, Any]) -> None:
+        """As it was added to another model. ModelError: what its method refuses."""
+        getattr(model, record["kind"])(**{what: x for what, x in record.items() if what != "kind"})
 
 
 class UserForceMethods:
@@ -66,14 +90,19 @@ class UserForceMethods:
                 f"user force '{name}': vectorized is {vectorized!r:.80}, not True or False", code="vectorized"
             )
         whole, place, chosen = function, "", []
+        named: str | list[str] | None = None
         if bodies is not None:
             single, indices = isinstance(bodies, Body | str), model.indices(bodies)
             whole, place = _on_bodies(function, indices, single, name), f"bodies {list(indices)}"
             chosen = [int(single), *indices.tolist()]
+            names = [model._core.body_name(body) for body in indices.tolist()]
+            named = names[0] if single else names
         times = functions.check_breaks(breaks, f"user force '{name}'")
         model._core.add_user_force(name, whole, (function, chosen) if vectorized else None)
         model._core.add_breaks(times)
-        model._user_forces.append((name, function, place))
+        record = {"kind": "user_force", "name": name, "bodies": named, "function": function,
+                  "vectorized": vectorized, "breaks": times}  # fmt: skip
+        model._user_forces.append(UserForce(function, place, record))
 
     def joint_force(
         self,
@@ -114,7 +143,9 @@ class UserForceMethods:
         times = functions.check_breaks(breaks, f"joint force '{name}'")
         model._core.add_joint_force(name, index, which, compiled)
         model._core.add_breaks(times)
-        model._user_forces.append((name, law, f"{index} {which}"))
+        record = {"kind": "joint_force", "name": name, "joint": text, "coordinate": which,
+                  "function": law, "breaks": times}  # fmt: skip
+        model._user_forces.append(UserForce(law, f"{index} {which}", record))
         if isinstance(law, TimeFunction):
             model._signals.append((f"joint force '{name}'", law))
 
@@ -143,12 +174,13 @@ class UserForceMethods:
         name = model._named(name, "compiled force", len(model._user_forces))
         data = arguments.whole(data, 0, f"compiled force '{name}': data", ModelError)
         times = functions.check_breaks(breaks, f"compiled force '{name}'")
+        record = {"kind": "compiled_force", "name": name, "function": function, "data": data, "breaks": times}
         address = _address(function, name)
         if (safe := _guarded(function)) is not function:
             function, address = safe, _address(safe, name)
         model._core.add_compiled_force(name, address, data)
         model._core.add_breaks(times)
-        model._user_forces.append((name, function, ""))
+        model._user_forces.append(UserForce(function, "", record))
 
 
 def _effort(law: object, name: str) -> TimeFunction:

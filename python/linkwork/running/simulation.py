@@ -257,7 +257,7 @@ def _prepared(
 
 def _in_words(watched: Sequence[Watched], start: Snapshot | None) -> dict[str, Any]:
     """Arguments that no file can hold, where they were given."""
-    events = {"events": [event.label for event in watched]} if watched else {}
+    events: dict[str, Any] = {"events": [event.label for event in watched]} if watched else {}
     return events if start is None else {**events, "start": f"the state at {start.t:g} s"}
 
 

@@ -14,7 +14,7 @@ from __future__ import annotations
 from linkwork.modeling.files.reading import ModelFile, from_changed_record, from_record, read
 from linkwork.modeling.files.schema import json_schema
 from linkwork.modeling.files.syntax import SUFFIXES
-from linkwork.modeling.files.writing import record_of, write
+from linkwork.modeling.files.writing import record_of, whole_record, write
 
 __all__ = [
     "SUFFIXES",
@@ -24,5 +24,6 @@ __all__ = [
     "json_schema",
     "read",
     "record_of",
+    "whole_record",
     "write",
 ]

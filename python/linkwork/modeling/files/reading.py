@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from itertools import groupby, islice
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -33,10 +34,14 @@ from linkwork.modeling.files.messages import faults_of_schema
 from linkwork.modeling.files.syntax import Syntax, Where, field, parse
 from linkwork.modeling.files.writing import normalized_from
 from linkwork.modeling.shapes import Shape
+from linkwork.modeling.user_forces import UserForce
 from linkwork.options import RENAMED, renamed
 
 if TYPE_CHECKING:
     from linkwork.modeling.model import Model
+
+#: By the names that a document has for them.
+Functions = Mapping[str, TimeFunction]
 
 #: Lists of records.
 SECTIONS = ("bodies", "joints", "forces", "shapes", "history")
@@ -65,15 +70,18 @@ def read(path: str | os.PathLike[str], kind: type[Model]) -> ModelFile:
         return _checked(path, parse(path), kind)
 
 
-def _checked(path: str | os.PathLike[str], syntax: Syntax, kind: type[Model]) -> ModelFile:
+def _checked(
+    path: str | os.PathLike[str], syntax: Syntax, kind: type[Model], held: Functions = MappingProxyType({})
+) -> ModelFile:
+    """`held`: functions of time that the text names and no text can hold."""
     checker = _Checker(path, syntax)
     if not isinstance(syntax.data, dict):
         raise ModelFileError(path, [Fault(1, "", "a model file is a mapping: linkwork: 1, bodies: ...")])
     document = _validated(syntax.data, checker)
     _check_settings(document, checker)
-    _check_names(document, checker)
+    _check_names(document, checker, held)
     checker.finish()
-    return ModelFile(_build(document, checker, kind), renamed(document.simulation))
+    return ModelFile(_build(document, checker, kind, held), renamed(document.simulation))
 
 
 def _validated(data: Mapping[str, Any], checker: _Checker) -> schema.Document:
@@ -151,7 +159,7 @@ def _wrong_pieces(kind: type[schema.Document], data: Mapping[str, Any]) -> Piece
 def from_record(record: Mapping[str, Any], kind: type[Model]) -> Model:
     """From a document as `record_of` makes it."""
     with collection_paused():
-        return _built(schema.document_type().model_validate(record), kind, _straight)
+        return _built(schema.document_type().model_validate(record), kind, _straight, {})
 
 
 @dataclass
@@ -164,10 +172,22 @@ class _Record:
         return 0
 
 
-def from_changed_record(record: Mapping[str, Any], kind: type[Model]) -> Model:
-    """From a document that somebody changed, checked like a file. ModelFileError: what is wrong in it."""
+def from_changed_record(
+    record: Mapping[str, Any], kind: type[Model], held: Functions = MappingProxyType({})
+) -> Model:
+    """From a document that somebody changed, checked like a file, and what `whole_record` has beside it.
+
+    ModelFileError: what is wrong in it. ModelError: in a force of the user's own.
+    """
+    own = record.get("user_forces", ())
+    later = ("user_forces", "history") if own else ("user_forces",)  # which they add to
     with collection_paused():
-        return _checked("model", _Record(record), kind).model
+        document = {section: it for section, it in record.items() if section not in later}
+        model = _checked("model", _Record(document), kind, held).model
+    for it in own:
+        UserForce.add(model, it)
+    history = record.get("history", []) if own else []
+    return _with_history(model, history) if history else model
 
 
 class _Checker:
@@ -216,7 +236,7 @@ def _check_settings(document: schema.Document, checker: _Checker) -> None:
             checker.add(("simulation", name), f"is no argument of simulate{nearest(name, known)}")
 
 
-def _check_names(document: schema.Document, checker: _Checker) -> None:
+def _check_names(document: schema.Document, checker: _Checker, held: Functions) -> None:
     """Names are unique; bodies and functions that are named are there."""
     if not document.name.isprintable():
         checker.add(("name",), f"name {document.name!r:.80} is not printable text")
@@ -230,7 +250,7 @@ def _check_names(document: schema.Document, checker: _Checker) -> None:
                 if isinstance(body, str):
                     _check_body(body, (f"{role}s", k, side), bodies, checker)
             for what, name in _named_functions(record):
-                if name not in document.functions and not checker.full:
+                if name not in document.functions and name not in held and not checker.full:
                     checker.add((f"{role}s", k, what), _no_function(name, document.functions))
     _check_joints(document.joints, checker)
     for k, shapes in enumerate(document.shapes):
@@ -303,10 +323,10 @@ def _named_functions(record: schema.Element) -> Iterator[tuple[str, str]]:
 # --- from records to a model --------------------------------------------------------------------------------
 
 
-def _build(document: schema.Document, checker: _Checker, kind: type[Model]) -> Model:
+def _build(document: schema.Document, checker: _Checker, kind: type[Model], held: Functions) -> Model:
     """The model; where the compiled model refuses something, all of it is told."""
     try:
-        return _built(document, kind, _straight)
+        return _built(document, kind, _straight, held)
     except LinkworkError as error:
 
         def one_by_one(
@@ -320,7 +340,7 @@ def _build(document: schema.Document, checker: _Checker, kind: type[Model]) -> M
                 if instead is not None:
                     instead()
 
-        _built(document, kind, one_by_one, batches=False)
+        _built(document, kind, one_by_one, held, batches=False)
         checker.finish()
         raise FileError(str(error), code=error.code) from error  # only where a batch is refused for its size
 
@@ -334,9 +354,11 @@ def _straight(where: Where, add: Callable[[], None], instead: Callable[[], None]
 Attempt = Callable[..., None]
 
 
-def _built(document: schema.Document, kind: type[Model], attempt: Attempt, batches: bool = True) -> Model:
+def _built(
+    document: schema.Document, kind: type[Model], attempt: Attempt, held: Functions, batches: bool = True
+) -> Model:
     model = kind(document.gravity, document.name)
-    functions: dict[str, TimeFunction] = {}
+    functions: dict[str, TimeFunction] = {**held}
 
     def define(name: str, function: Any) -> Callable[[], None]:
         return lambda: functions.update({name: function()})

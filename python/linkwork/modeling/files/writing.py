@@ -50,14 +50,38 @@ def record_of(model: ModelBuilder, simulation: Mapping[str, Any]) -> dict[str, A
 
     ModelError: a Python function in it.
     """
-    for name, law, _ in model._user_forces:
-        what = "a function" if callable(law) else "a law"
-        raise ModelError(f"'{name}' is {what} of the user's own, which a file cannot hold", code="not_data")
+    for it in model._user_forces:
+        what = "a function" if callable(it.law) else "a law"
+        raise ModelError(
+            f"'{it.name}' is {what} of the user's own, which a file cannot hold", code="not_data"
+        )
+    return _record(model, simulation, {})
+
+
+def whole_record(model: ModelBuilder) -> tuple[dict[str, Any], dict[str, TimeFunction]]:
+    """The same of any model, for one made from it in this process, with "user_forces".
+
+    Beside it, by the names that it has for them, the functions of time that are no data.
+    """
+    held = {
+        index: f"Python function {index}"
+        for index, function in model._functions.items()
+        if not is_data(function)
+    }
+    own = [{**it.record} for it in model._user_forces]
+    record = {**_record(model, {}, held), "user_forces": own}
+    return record, {name: model._functions[index] for index, name in held.items()}
+
+
+def _record(model: ModelBuilder, simulation: Mapping[str, Any], held: Mapping[int, str]) -> dict[str, Any]:
+    """With names for functions that are `held` elsewhere."""
     core = model.compiled()
-    names = _function_names(model)
+    names = {**_function_names(model), **held}
     elements = {f"{role}s": list(_elements(model, role, names)) for role in KINDS}
     functions = {
-        name: function_record(model._functions[index], f"function '{name}'") for index, name in names.items()
+        name: function_record(model._functions[index], f"function '{name}'")
+        for index, name in names.items()
+        if index not in held
     }
     parts = {
         "linkwork": schema.VERSION,
@@ -191,18 +215,32 @@ def function_record(function: TimeFunction, who: str) -> dict[str, Any]:
         return {"piecewise_polynomial": {"breaks": breaks, "coefficients": rows}}
     if isinstance(function, Sum):
         return {"sum": [function_record(term, who) for term in function.terms]}
-    name = re.sub(r"(?<!^)(?=[A-Z])", "_", type(function).__name__).lower()
-    if name not in schema.constructors() or not dataclasses.is_dataclass(function):
+    if not is_data(function):
         raise ModelError(
             f"{who} is a Python function, which a file cannot hold: give it as one of linkwork.functions, "
             "such as table(t, values) of its samples",
             code="not_data",
         )
-    values = {field.name: getattr(function, field.name) for field in dataclasses.fields(function)}
+    name = _constructor(function)
+    fields = dataclasses.fields(function)  # type: ignore[arg-type]
+    values = {field.name: getattr(function, field.name) for field in fields}
     plain = {
         what: np.asarray(x).tolist() if isinstance(x, tuple | np.ndarray) else x for what, x in values.items()
     }
     return {name: plain if len(plain) > 1 else next(iter(plain.values()))}
+
+
+def is_data(function: TimeFunction) -> bool:
+    """Whether a file can hold it."""
+    if isinstance(function, Sum):
+        return all(map(is_data, function.terms))
+    known = dataclasses.is_dataclass(function) and _constructor(function) in schema.constructors()
+    return isinstance(function, Table) or known
+
+
+def _constructor(function: TimeFunction) -> str:
+    """Of linkwork.functions, by the name of its class."""
+    return re.sub(r"(?<!^)(?=[A-Z])", "_", type(function).__name__).lower()
 
 
 # --- text ---------------------------------------------------------------------------------------------------
