@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import linkwork as lw
 import numpy as np
@@ -267,3 +268,64 @@ def test_a_driver_with_an_infinite_derivative_is_refused_with_the_reason(text: s
 def test_an_expression_without_a_value_at_the_start_is_refused(text: str) -> None:
     with pytest.raises(lw.ModelError, match="value at t = 0: nan is not finite"):
         functions.expression(text)
+
+
+def some_functions() -> dict[str, functions.TimeFunction]:
+    return {
+        "polynomial": functions.polynomial(1.0, -2.0, 0.5),
+        "harmonic": functions.harmonic(0.7, 3.0, 0.2, 0.4),
+        "cycloidal": functions.cycloidal(0.5, 1.1, 0.2),
+        "table": functions.table(T, np.sin(5 * T)),
+        "expression": functions.expression("exp(-t) * sin(3 * t)"),
+        "python": functions.with_breaks((lambda t: t**3, lambda t: 3 * t**2, lambda t: 6 * t), [0.8]),
+    }
+
+
+@pytest.mark.parametrize("name", some_functions())
+def test_sums_and_multiples_have_the_derivatives_of_their_terms(name: str) -> None:
+    f, g = some_functions()[name], functions.harmonic(1.3, 2.0)
+    sums = {
+        f + g: (1, 1, 0),
+        f - 2 * g: (1, -2, 0),
+        3.0 - f * np.float64(0.5): (-0.5, 0, 3),
+        -f + 1: (-1, 0, 1),
+    }
+    for found, (a, b, c) in sums.items():
+        for t in (0.0, 0.45, 1.7):
+            expected = a * np.array(f.evaluate(t)) + b * np.array(g.evaluate(t)) + np.array([c, 0, 0])
+            assert found.evaluate(t) == pytest.approx(expected, rel=1e-14, abs=1e-14)
+        assert set(f.break_points) <= set(found.break_points) and found.span == f.span
+        assert found.fingerprint() != f.fingerprint() != g.fingerprint()
+
+
+def test_a_sum_of_many_functions_goes_through_a_file(tmp_path: Path) -> None:
+    """However long: terms of sums are terms of the whole."""
+    law = functions.constant(0.5)
+    for k, term in enumerate(list(some_functions().values())[:-1] * 2):
+        law = 1.5 * law - term + k
+    model = lw.Model()
+    body = model.body("body", mass=1.0, inertia=(1, 1, 1))
+    model.force(body, force=(law, 0, 0), name="push")
+    model.save(tmp_path / "model.yaml")
+    again = lw.Model.load(tmp_path / "model.yaml")
+    assert again.hash() == model.hash()
+
+
+def test_a_motion_of_two_parts_drives_a_joint() -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    body = model.body("body", mass=1.0, inertia=(1, 1, 1))
+    model.revolute("ground", body, at=(0, 0, 0), axis=(0, 0, 1), name="pin")
+    model.drive(
+        "pin", position=sum([functions.cycloidal(1.0, 0.5), 0.1 * functions.cycloidal(1.0, 0.2, 0.6)])
+    )
+    result = lw.simulate(model, 1.0, 1e-2, progress=False)
+    assert result.coordinate("pin").value[-1] == pytest.approx(1.1, abs=1e-9)
+
+
+def test_functions_are_not_multiplied_with_each_other() -> None:
+    f = functions.constant(2.0)
+    for wrong in (lambda: f * f, lambda: f + "1", lambda: "1" - f):  # type: ignore[operator]
+        with pytest.raises(TypeError, match="unsupported operand"):
+            wrong()
+    with pytest.raises(lw.ModelError, match="not finite"):
+        f * 1e308

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork import _core
-from linkwork.arguments import UNREADABLE, array, number, reals
+from linkwork.arguments import UNREADABLE, array, is_number, number, reals
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError
 from linkwork.fingerprints import law
@@ -33,7 +33,46 @@ TimeFunctionLike = Any
 
 
 class TimeFunction(ABC):
-    """A quantity f(t) with its first two derivatives."""
+    """A quantity f(t) with its first two derivatives.
+
+    Functions add and subtract, with numbers too, and are multiplied by numbers: 1 + 2 * f - g.
+    """
+
+    __array_ufunc__ = None  # numbers of NumPy leave the sum and the product to us
+
+    def __add__(self, other: TimeFunction | float) -> TimeFunction:
+        """ModelError: a number that is not finite."""
+        if not isinstance(other, TimeFunction):
+            if not is_number(other):
+                return NotImplemented
+            if other == 0:
+                return self
+            other = constant(other)
+        parts = ((it.terms if isinstance(it, Sum) else (it,)) for it in (self, other))
+        return Sum(tuple(term for terms in parts for term in terms))
+
+    __radd__ = __add__
+
+    def __neg__(self) -> TimeFunction:
+        return self.scaled(-1.0)
+
+    def __sub__(self, other: TimeFunction | float) -> TimeFunction:
+        return self + -other if isinstance(other, TimeFunction) or is_number(other) else NotImplemented
+
+    def __rsub__(self, other: float) -> TimeFunction:
+        return -self + other
+
+    def __mul__(self, factor: float) -> TimeFunction:
+        """ModelError: the product is not finite."""
+        return self.scaled(float(factor)) if is_number(factor) else NotImplemented
+
+    __rmul__ = __mul__
+
+    def scaled(self, factor: float) -> TimeFunction:
+        """`factor` times the function. ModelError: it is not known."""
+        raise ModelError(
+            f"{type(self).__name__.lower()}: not known how it is multiplied by a number", code="time_function"
+        )
 
     @property
     def span(self) -> tuple[float, float]:
@@ -90,6 +129,9 @@ class Polynomial(TimeFunction):
     def integral(self) -> TimeFunction:
         return Polynomial((0.0, *(c / (k + 1) for k, c in enumerate(self.coefficients))))
 
+    def scaled(self, factor: float) -> TimeFunction:
+        return polynomial(*(factor * c for c in self.coefficients))
+
 
 @dataclass(frozen=True)
 class Harmonic(TimeFunction):
@@ -116,6 +158,9 @@ class Harmonic(TimeFunction):
         swing = Harmonic(size, self.frequency, self.phase - math.pi / 2, size * math.cos(self.phase))
         return swing if self.offset == 0 else Sum((swing, Polynomial((0.0, self.offset))))
 
+    def scaled(self, factor: float) -> TimeFunction:
+        return harmonic(factor * self.amplitude, self.frequency, self.phase, factor * self.offset)
+
 
 @dataclass(frozen=True)
 class Cycloidal(TimeFunction):
@@ -127,6 +172,9 @@ class Cycloidal(TimeFunction):
 
     def compiled(self) -> _core.TimeFunction:
         return _core.TimeFunction.cycloidal(self.rise, self.start, self.duration)
+
+    def scaled(self, factor: float) -> TimeFunction:
+        return cycloidal(factor * self.rise, self.duration, self.start)
 
 
 @dataclass(frozen=True)
@@ -157,6 +205,9 @@ class Sum(TimeFunction):
     def integral(self) -> TimeFunction:
         return Sum(tuple(term.integral() for term in self.terms))
 
+    def scaled(self, factor: float) -> TimeFunction:
+        return Sum(tuple(term.scaled(factor) for term in self.terms))
+
 
 @dataclass(frozen=True, eq=False)
 class Table(TimeFunction):
@@ -176,6 +227,9 @@ class Table(TimeFunction):
 
     def fingerprint(self) -> bytes:
         return self.breaks.tobytes() + self.coefficients.tobytes()
+
+    def scaled(self, factor: float) -> TimeFunction:
+        return piecewise_polynomial(self.breaks, factor * self.coefficients)
 
     def integral(self) -> TimeFunction:
         """Zero at the first sample where the table does not hold t = 0."""
@@ -215,6 +269,10 @@ class Callback(TimeFunction):
     def fingerprint(self) -> bytes:
         return " ".join(map(law, (self.value, self.rate, self.acceleration))).encode()
 
+    def scaled(self, factor: float) -> TimeFunction:
+        laws = (self.value, self.rate, self.acceleration)
+        return Callback(*(_times(factor, it) for it in laws), what=self.what)  # type: ignore[arg-type]
+
 
 @dataclass(frozen=True)
 class Broken(TimeFunction):
@@ -242,6 +300,14 @@ class Broken(TimeFunction):
 
     def integral(self) -> TimeFunction:
         return Broken(self.function.integral(), self.times)
+
+    def scaled(self, factor: float) -> TimeFunction:
+        return Broken(self.function.scaled(factor), self.times)
+
+
+def _times(factor: float, function: Callable[[float], float] | None) -> Callable[[float], float] | None:
+    """A function of Python, of t alone, times a number."""
+    return None if function is None else lambda t: factor * function(t)
 
 
 def with_breaks(function: TimeFunctionLike, breaks: ArrayLike) -> TimeFunction:
@@ -371,6 +437,9 @@ class Expression(TimeFunction):
         formula = Formula(self.text)
         value, rate, acceleration = (partial(formula.derivative, order=k) for k in range(3))
         return _core.TimeFunction.callback(value, rate, acceleration, what=f"expression '{self.text}'")
+
+    def scaled(self, factor: float) -> TimeFunction:
+        return expression(f"{factor!r} * ({self.text})")
 
 
 def table(t: ArrayLike, values: ArrayLike) -> TimeFunction:
