@@ -450,6 +450,22 @@ def test_a_stop_of_a_joint_that_closes_a_loop_knows_where_it_starts(tmp_path: Pa
     assert [str(note).partition("; ")[2] for note in notes] == ["it starts 0.3 beyond: give `coordinates`"]
 
 
+def test_a_stop_of_a_joint_that_closes_a_loop_at_the_ground_carries_the_other_link(tmp_path: Path) -> None:
+    """k = (100 rad/s)^2 J about the axis in its pose; its child is fixed to the ground."""
+    limit = "<limit><lower>-1</lower><upper>1</upper></limit>"
+    text = (
+        *(link("a"), link("c", "2 0 0 0 0 0"), link("post", "2 0 -1 0 0 0")),
+        joint("left", "revolute", "world", "a", axis("0 0 1")),
+        joint("coupler", "revolute", "a", "c", axis("0 0 1")),
+        joint("foot", "fixed", "world", "post"),
+        joint("right", "revolute", "c", "post", "<pose>0.4 0.2 0 0 0 0</pose>" + axis("0 0 1", limit)),
+    )
+    notes = loaded(tmp_path, "".join(text), limits="stops").notes
+    (found,) = (str(note) for note in notes if note.topic == "limits")
+    stiffness = 1e4 * (0.25 + 2 * 0.3**2)
+    assert found == f"joint 'right': limits -1 to 1 rad are stops of {stiffness:.3g} N m/rad"
+
+
 def test_the_angles_of_a_universal_joint_are_those_of_the_file(tmp_path: Path) -> None:
     text = link("a") + joint("u", "universal", "world", "a", axis("1 0 0") + axis("0 1 0", tag="axis2"))
     model = loaded(tmp_path, text, coordinates={"u": (0.4, -0.2)}).model

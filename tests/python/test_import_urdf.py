@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import sys
 import time
+from collections import Counter
 from pathlib import Path
+from types import FrameType
 from typing import Any
 
 import linkwork as lw
 import numpy as np
 import pytest
+from linkwork.importers import stops
 from robot_files import ROBOTS, accelerations, check_refused, topics, turned
 
 G = 9.81
@@ -478,6 +482,46 @@ def test_numbers_beyond_all_are_refused_by_name_and_without_warnings(tmp_path: P
     far = link("c") + joint("w", "fixed", "a", "c", '<origin xyz="1e200 0 0"/>')
     with pytest.raises(lw.ModelFileError, match=r":\d+: link 'a': inertia .*inf.*"):
         loaded(tmp_path, text + far, merge_fixed=True)
+
+
+def hinges(count: int) -> str:
+    """A chain along x of links of 1 kg, which turn about z."""
+    inner = '<origin xyz="0.5 0 0"/><axis xyz="0 0 1"/><limit lower="-1" upper="1"/>'
+    links = "".join(link(f"l{k}") for k in range(count + 1))
+    return links + "".join(joint(f"j{k}", "revolute", f"l{k}", f"l{k + 1}", inner) for k in range(count))
+
+
+def test_stops_along_a_chain_take_what_is_behind_them(tmp_path: Path) -> None:
+    """k = (100 rad/s)^2 J about each axis; joint k carries links at 0, 0.5, 1, ... m from it."""
+    count = 6
+    notes = loaded(tmp_path, hinges(count), limits="stops").notes
+    found = [str(note).rpartition("stops of ")[2] for note in notes if note.topic == "limits"]
+    arms = [0.5 * np.arange(count - k) for k in range(count)]
+    assert found == [f"{1e4 * (0.15 * len(arm) + arm @ arm):.3g} N m/rad" for arm in arms]
+
+
+def test_stops_along_a_chain_take_time_as_it_is_long(tmp_path: Path) -> None:
+    """Lines of code that run for each joint more: as many in a long chain as in a short one."""
+
+    def lines(count: int) -> int:
+        found = Counter[str]()
+
+        def watch(frame: FrameType, event: str, _: Any) -> Any:
+            if frame.f_code.co_filename != stops.__file__:
+                return None
+            found[event] += 1
+            return watch
+
+        before = sys.gettrace()
+        sys.settrace(watch)
+        try:
+            loaded(tmp_path, hinges(count), limits="stops")
+        finally:
+            sys.settrace(before)
+        return found["line"]
+
+    short, middle, long = lines(20), lines(40), lines(60)
+    assert 0 < long - middle == middle - short
 
 
 def test_long_chains_of_joints_that_follow_each_other_are_read_at_once(tmp_path: Path) -> None:

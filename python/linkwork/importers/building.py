@@ -211,7 +211,7 @@ class _Builder:
     ) -> None:
         self._description, self._model, self._starts = description, model, starts
         self._references = {joint.name: float(joint.reference[0]) for joint in description.joints}
-        self._stops = Stops(description, model)
+        self._stops = Stops(description, model, self._body_of)
         self._repair_inertia = options.get("repair_inertia", False)
         self._inertia_as_is = options.get("inertia_as_is", False)
         self._states, self._groups = states, groups
@@ -448,9 +448,12 @@ class _Builder:
 
     def _add_stop(self, joint: JointDescription, a: _Side, b: _Side) -> None:
         place, zero = self._acting_place(joint, a, b)
-        mains = dict.fromkeys(self._groups[name].main for name in self._stops.carried(joint))
-        bodies = [self._bodies[main] for main in mains if main != WORLD]
-        self._stops.add(joint, (a.body, b.body), place, bodies, float(self._start(joint)[0]), zero)
+        self._stops.add(joint, (a.body, b.body), place, float(self._start(joint)[0]), zero)
+
+    def _body_of(self, link: str) -> Body | None:
+        """None: it is part of the ground."""
+        main = self._groups[link].main
+        return None if main == WORLD else self._bodies[main]
 
     def _add_rotational_spring(self, joint: JointDescription, a: _Side, b: _Side) -> None:
         place, zero = self._acting_place(joint, a, b)
