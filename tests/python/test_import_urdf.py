@@ -295,6 +295,29 @@ def test_limits_that_lock_a_joint_are_noted(kind: str, limits: str, ends: str, t
     assert said in map(str, loaded(tmp_path, body, limits=limits).notes)
 
 
+@pytest.mark.parametrize(("given", "taken"), [
+    ("&#65279;arm", "arm"), ("an&#10;arm&#8203;", "an arm"), ("arm" * 400, ("arm" * 400)[:980]),
+])  # fmt: skip
+def test_what_a_model_cannot_have_in_its_name_is_left_out_with_a_note(
+    given: str, taken: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "robot.urdf"
+    body = link("base") + link("a") + joint("j", "revolute", "base", "a")
+    path.write_text(f'<robot name="{given}">{body}</robot>')
+    imported = lw.import_urdf(path)
+    assert imported.model.name == taken
+    assert ("name", "model") in topics(imported)
+
+
+def test_names_of_links_and_joints_that_cannot_be_printed_are_refused_by_line(tmp_path: Path) -> None:
+    """They are what one finds these by."""
+    base, arm = link("base"), link("a&#8203;")
+    with pytest.raises(lw.ModelFileError, match=r"robot.urdf:4: link .*'a\\u200b' is not printable"):
+        loaded(tmp_path, base + "\n" + arm + joint("j", "revolute", "base", "a&#8203;"))
+    with pytest.raises(lw.ModelFileError, match=r"robot.urdf:4: joint .*'\\ufeffj' is not printable"):
+        loaded(tmp_path, base + link("a") + "\n" + joint("&#65279;j", "revolute", "base", "a"))
+
+
 def test_values_as_text_are_noted(tmp_path: Path) -> None:
     """The values of URDF are attributes."""
     inner = "<axis>0 1 0</axis><origin>0 0 1</origin>"

@@ -26,6 +26,7 @@ from linkwork.importers.frames import Frame, turned
 from linkwork.importers.groups import Group, check_light, grouped, moments_of, real_inertia
 from linkwork.importers.stops import Stops
 from linkwork.importers.tree import LinkState, link_states, starts
+from linkwork.modeling.builder import LONGEST
 from linkwork.modeling.elements import KINDS
 from linkwork.modeling.handles import Body
 from linkwork.modeling.model import Model
@@ -139,7 +140,7 @@ def build(description: Description, options: Options, lines: Mapping[str, int] |
     faults: list[Fault] = []
     check_light(description, groups, options.get("keep_massless", False), lines or {}, faults)
     gravity = options.get("gravity")
-    model = Model(description.gravity if gravity is None else gravity, description.name)
+    model = Model(description.gravity if gravity is None else gravity, _model_name(description))
     builder = _Builder(description, model, states, groups, starts(description, coordinates, states), options)
     for group in builder.moving:
         _collect(faults, lines or {}, "link", group.main, partial(builder.add_body, group))
@@ -155,6 +156,16 @@ def build(description: Description, options: Options, lines: Mapping[str, int] |
         raise ModelFileError(description.path, faults)
     builder.add_shapes()
     return Imported(description.path, model, tuple(description.notes))
+
+
+def _model_name(description: Description) -> str:
+    """Of the description, as a model can have it: nothing is found by it, it need not be the file's."""
+    shown = (c if c.isprintable() else " " if c.isspace() else "" for c in description.name)
+    name = "".join(shown)[:LONGEST]
+    if name != description.name:
+        text = f"its name {description.name!r:.80} is {name!r:.80} here: to be printed, and not too long"
+        description.note("name", "model", text)
+    return name
 
 
 def _collect(
