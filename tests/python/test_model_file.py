@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -465,3 +466,22 @@ def test_a_failed_save_leaves_the_old_file(tmp_path: Path) -> None:
 
 def test_names_of_settings_are_arguments_of_simulate() -> None:
     assert {"t_end", "step", "formulation", "violation_limit"} <= set(schema.setting_names())
+
+
+@pytest.mark.parametrize("far", [1e160, 1e308])
+@pytest.mark.parametrize("count", [1, 2])
+def test_bodies_beyond_the_root_of_all_numbers_are_read_without_warnings(
+    far: float, count: int, tmp_path: Path
+) -> None:
+    """One joint or several alike, written by hand or by a model: the square of a distance is no number."""
+    bodies = [
+        f"  - {{name: b{k}, mass: 1, inertia: [1, 1, 1], position: [0, 0, {far}]}}" for k in range(count)
+    ]
+    place = "at: [[0, 0, 0], [0, 0, 0]], frames: body, axis: [[0, 1, 0], [0, 1, 0]]"
+    joints = [f"  - {{kind: revolute, name: j{k}, a: ground, b: b{k}, {place}}}" for k in range(count)]
+    path = tmp_path / "far.yaml"
+    path.write_text("\n".join(["linkwork: 1", "units: SI", "bodies:", *bodies, "joints:", *joints, ""]))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        model = lw.Model.load(path)
+        assert bits(round_trip(model, tmp_path / "again.yaml")) == bits(model)

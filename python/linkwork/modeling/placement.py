@@ -193,8 +193,14 @@ class Place:
         for end, body in enumerate((self.a, self.b)):
             out.origin[:, end] = points[end]
             out.frame[:, end] = np.swapaxes(body.A, 1, 2) @ frames[end]
-        out.distance[:] = np.linalg.norm(self.separation(*points), axis=1)
+        out.distance[:] = self.distance(*points)
         return out
+
+    def distance(self, s_a: Floats, s_b: Floats) -> Floats:
+        """Of the two points (k,) at the initial pose; infinite where its square is beyond all numbers."""
+        with np.errstate(over="ignore", invalid="ignore"):
+            found: Floats = np.linalg.norm(self.separation(s_a, s_b), axis=1)
+        return found
 
     def separation(self, s_a: Floats, s_b: Floats) -> Floats:
         """From the point of a to that of b (k, 3), in space at the initial pose; zero where only rounding."""
@@ -362,7 +368,9 @@ def attach(
     """k elements between bodies (k, 2), which have these `poses`, by the arguments `where` of a placement."""
 
     def attached(subject: Subject, bodies: Indices, where: Mapping[str, Any]) -> Attachment:
-        return placement(Place(subject, poses(bodies[:, 0]), poses(bodies[:, 1]), in_bodies), **where)
+        place = Place(subject, poses(bodies[:, 0]), poses(bodies[:, 1]), in_bodies)
+        with np.errstate(over="ignore", invalid="ignore"):  # elements refuse what is not finite
+            return placement(place, **where)
 
     parts = list(pieces(subject.count))
     if len(parts) <= 1:

@@ -150,8 +150,7 @@ def _column(elements: Sequence[Placed], name: str) -> Any:
 def _attached(records: Sequence[Any], place: Place) -> Attachment:
     origin = np.array([record.attachment.origin for record in records], dtype=float)
     frame = np.array([record.attachment.frame for record in records], dtype=float)
-    distance = np.linalg.norm(place.separation(origin[:, 0], origin[:, 1]), axis=1)
-    return Attachment(origin, frame, distance)
+    return Attachment(origin, frame, place.distance(origin[:, 0], origin[:, 1]))
 
 
 def _in_place(records: Sequence[Any], place: Place) -> dict[str, Any]:
