@@ -14,7 +14,10 @@ def main(bodies: int = 100_000, suffix: str = ".json") -> None:
     model = lw.mechanisms.chain(bodies)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, f"chain{suffix}")
-        for name, action in (("save", lambda: model.save(path)), ("load", lambda: lw.Model.load(path))):
+        for name, action in (
+            ("save", lambda: model.save(path, overwrite=True)),
+            ("load", lambda: lw.Model.load(path)),
+        ):
             wall, cpu = time.perf_counter(), time.process_time()
             action()
             wall, cpu = time.perf_counter() - wall, time.process_time() - cpu

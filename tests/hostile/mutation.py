@@ -89,7 +89,7 @@ def texts(suffix: str) -> tuple[str, ...]:
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / f"model{suffix}"
             for name in MODELS:
-                getattr(mechanisms, name)().save(path)
+                getattr(mechanisms, name)().save(path, overwrite=True)
                 found.append(path.read_text())
     return tuple(text for text in found if len(text) <= LONGEST)
 

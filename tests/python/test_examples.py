@@ -189,6 +189,8 @@ def what_there_is(name: str, example: str, words: set[str]) -> dict[str, Any]:
     """Values of the names that an example begins with."""
     write_files(crank())
     model = MODELS.get(name, wheels if "= model.body(" in example else crank)()
+    if name == "Model.save":
+        Path("crank.yaml").unlink()
     if name == "Result.load":
         motion(model).save("motion.h5")
     return {"model": model} | {word: make() for word, make in MADE.items() if word in words}

@@ -317,6 +317,21 @@ def test_coefficients_may_be_fractions_and_arrays() -> None:
     assert np.array_equal(runs[0].q, runs[1].q)
 
 
+@pytest.mark.parametrize(
+    ("name", "change", "message"),
+    [
+        ("rk3", {"c": (0, 0.5, 0.9)}, r"c\[2\] is 0.9, but the numbers in row 2 of A add up to 1"),
+        ("rk4", {"c": (0, 0, 0, 0)}, r"c\[1\] is 0, but .* row 1 of A add up to 0.5"),
+        ("euler", {"c": (1.0,)}, r"c\[0\] is 1, but .* row 0 of A add up to 0"),
+        ("dop853", {"extra_c": (0.2, 0.2, 0.2)}, r"extra_c\[0\] is 0.2, but .* row 0 of extra_A"),
+    ],
+)
+def test_stages_are_at_the_times_of_their_states(name: str, change: dict[str, Any], message: str) -> None:
+    """c_i = sum_j A_ij: else what is driven by time would be computed wrongly, with a good verdict."""
+    with pytest.raises(lw.OptionError, match=message):
+        dataclasses.replace(METHODS[name], **change)
+
+
 def test_a_tableau_of_the_users_own_runs() -> None:
     ralston = ButcherTableau(
         name="ralston", order=2, reference="Ralston (1962)", A=((), (2 / 3,)), b=(1 / 4, 3 / 4), c=(0, 2 / 3)

@@ -236,6 +236,17 @@ def test_a_function_of_several_elements_stays_one(tmp_path: Path) -> None:
     assert list(json.loads((tmp_path / "model.json").read_text())["functions"]) == ["function 1"]
 
 
+def test_a_file_that_is_there_is_replaced_only_where_one_says_so(tmp_path: Path) -> None:
+    path = tmp_path / "model.yaml"
+    MECHANISMS["pendulum"].function().save(path)
+    before = path.read_bytes()
+    with pytest.raises(lw.FileError, match="there is such a file already") as refused:
+        MECHANISMS["four_bar"].function().save(path)
+    assert refused.value.code == "exists" and path.read_bytes() == before
+    MECHANISMS["four_bar"].function().save(path, overwrite=True)
+    assert lw.Model.load(path).hash() == MECHANISMS["four_bar"].function().hash()
+
+
 def test_python_functions_are_refused_by_name(tmp_path: Path) -> None:
     model = driven((lambda t: 1.0 + t, lambda t: 1.0, lambda t: 0.0))
     with pytest.raises(lw.ModelError, match=r"distance 'distance 1\[0\]': length is a Python function"):
@@ -458,9 +469,9 @@ def test_a_failed_save_leaves_the_old_file(tmp_path: Path) -> None:
     crank_and_rod().save(path)
     before = path.read_bytes()
     with pytest.raises(lw.ModelError):
-        driven((lambda t: 1.0, lambda t: 0.0, lambda t: 0.0)).save(path)
+        driven((lambda t: 1.0, lambda t: 0.0, lambda t: 0.0)).save(path, overwrite=True)
     with pytest.raises(lw.OptionError, match="t_end"):
-        crank_and_rod().save(path, simulation={"tend": 1})
+        crank_and_rod().save(path, simulation={"tend": 1}, overwrite=True)
     assert path.read_bytes() == before and len(list(tmp_path.iterdir())) == 1
 
 

@@ -36,7 +36,7 @@ def test_a_disk_that_is_full_leaves_the_old_file(suffix: str, tmp_path: Path) ->
         "csv": lambda: result.to_csv(path, overwrite=True),
         "html": lambda: result.view(path),
         "png": lambda: result.plot(path),
-        "yaml": lambda: model.save(path),
+        "yaml": lambda: model.save(path, overwrite=True),
         "gif": lambda: result.movie(path, seconds=0.2),
     }
     with full_after(500), pytest.raises(lw.FileError, match=f"file.{suffix}"):

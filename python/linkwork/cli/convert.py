@@ -37,7 +37,7 @@ def convert_and_show(
         model, simulation = file.model, dict(file.simulation)
     if assemble:
         model = linkwork.assemble(model).model
-    model.save(target, simulation=simulation)
+    model.save(target, simulation=simulation, overwrite=True)
     if as_json:
         notes_as_data = [{"topic": n.topic, "subject": n.subject, "message": n.message} for n in notes]
         counts = {"bodies": model.body_count, "joints": model.joint_count, "forces": model.force_count}

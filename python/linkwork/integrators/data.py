@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -9,6 +10,9 @@ import numpy as np
 
 from linkwork.arguments import is_number, is_text, whole
 from linkwork.errors import OptionError
+
+#: Of coefficients as tables have them, relative.
+ROUNDING = 1e-9
 
 
 def check_name(name: Any) -> None:
@@ -33,6 +37,22 @@ def check_rows(name: str, **fields: Any) -> None:
     for field, given in fields.items():
         _check_list(name, field, given)
         check_numbers(name, **{f"{field}[{row}]": numbers for row, numbers in enumerate(given)})
+
+
+def check_nodes(name: str, A: Sequence[Sequence[float]], c: Sequence[float], lead: str = "") -> None:
+    """OptionError: a stage is at another time than its state is.
+
+    c_i = sum_j A_ij: else functions of time are read at other times than the motion, with the order of no
+    tableau but on autonomous systems.
+    """
+    for i, (row, node) in enumerate(zip(A, c, strict=True)):
+        total = math.fsum(row)
+        if abs(total - node) > ROUNDING * max(1.0, *(abs(part) for part in (node, *row))):
+            raise OptionError(
+                f"integrator '{name}': {lead}c[{i}] is {float(node):.9g}, but the numbers in row {i} of "
+                f"{lead}A add up to {total:.9g}: these must be the same",
+                code="tableau",
+            )
 
 
 def check_order(name: str, most: int, **fields: Any) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 from linkwork import _core
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError
-from linkwork.integrators.data import check_numbers, check_order, check_rows
+from linkwork.integrators.data import check_nodes, check_numbers, check_order, check_rows
 from linkwork.integrators.runge_kutta import ButcherTableau
 
 
@@ -48,6 +48,7 @@ class EmbeddedPair(ButcherTableau):
                 f"{stages + 1 + extra} rows, and row i of extra_A {stages + 1} + i numbers",
                 code="tableau",
             )
+        check_nodes(self.name, self.extra_A, self.extra_c, "extra_")
         columns = len(self.interpolant[0])
         if any(len(row) != columns for row in self.interpolant):
             raise OptionError(

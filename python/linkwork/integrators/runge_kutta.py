@@ -10,7 +10,7 @@ import numpy as np
 from linkwork import _core
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError
-from linkwork.integrators.data import check_name, check_numbers, check_order, check_rows
+from linkwork.integrators.data import check_name, check_nodes, check_numbers, check_order, check_rows
 from linkwork.integrators.growth import damped_roots, held_growth, stability
 
 
@@ -20,8 +20,9 @@ class ButcherTableau:
 
     Y_i = y + h sum_j A_ij f(t + c_j h, Y_j),   y_next = y + h sum_i b_i f(t + c_i h, Y_i)
 
-    `A` holds the strictly lower triangle, row i with i numbers. OptionError: sizes that do not fit, what is
-    no number, an order that so many stages cannot have.
+    `A` holds the strictly lower triangle, row i with i numbers, which add up to c_i (Hairer, Norsett and
+    Wanner I, eq. II.1.9). OptionError: sizes that do not fit, what is no number, another c, an order that so
+    many stages cannot have.
     """
 
     name: str
@@ -42,6 +43,7 @@ class ButcherTableau:
                 "and i numbers in row i of A",
                 code="tableau",
             )
+        check_nodes(self.name, self.A, self.c)
         check_order(self.name, stages, order=self.order)
 
     @property

@@ -68,12 +68,19 @@ class Model(ModelBuilder):
 
         return files.read(arguments.path(path, "model file"), cls).model
 
-    def save(self, path: str | os.PathLike[str], *, simulation: Mapping[str, Any] | None = None) -> None:
+    def save(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        simulation: Mapping[str, Any] | None = None,
+        overwrite: bool = False,
+    ) -> None:
         """Write the model to a file (.yaml, .yml, .json), exactly: what is loaded has the same bits.
 
             model.save("crank.yaml", simulation={"t_end": 2.0, "step": 1e-3})
 
         simulation  arguments of `simulate` that the file recommends, such as {"t_end": 2.0, "step": 1e-3}
+        overwrite   whether a file that is there may be replaced
 
         ModelError: a Python function in the model, which a file cannot hold. FileError: it cannot be written.
         """
@@ -83,7 +90,8 @@ class Model(ModelBuilder):
             raise OptionError(
                 f"simulation {simulation!r:.80} is no mapping of names to values", code="option"
             )
-        files.write(self, arguments.path(path, "model file"), {} if simulation is None else simulation)
+        settings = {} if simulation is None else simulation
+        files.write(self, arguments.path(path, "model file"), settings, overwrite)
 
     def with_initial_state(self, q: ArrayLike, v: ArrayLike, history: ArrayLike = ()) -> Model:
         """The same mechanism from another state, such as a frame of a result.

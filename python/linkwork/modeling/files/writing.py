@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from linkwork import _core
+from linkwork.arguments import check_new
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError, nearest, unwritable
 from linkwork.functions import Sum, Table, TimeFunction
@@ -33,9 +34,12 @@ _COMMENT = """\
 """
 
 
-def write(model: ModelBuilder, path: str | os.PathLike[str], simulation: Mapping[str, Any]) -> None:
+def write(
+    model: ModelBuilder, path: str | os.PathLike[str], simulation: Mapping[str, Any], overwrite: bool
+) -> None:
     """ModelError: what a file cannot hold. OptionError: no argument of simulate. FileError: not writable."""
     suffix = check_suffix(path)
+    check_new(path, "model", overwrite)
     for name in simulation:
         if name not in (known := schema.setting_names()):
             raise OptionError(f"simulation: no option '{name}'{nearest(name, known)}", code="option")
