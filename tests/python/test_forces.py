@@ -390,3 +390,30 @@ def test_an_error_in_a_users_function_reaches_the_user() -> None:
     model.user_force(broken)
     with pytest.raises(ZeroDivisionError, match="my own"):
         run(model, 1.0)
+
+
+@pytest.mark.parametrize("kind", ["spring_damper", "translational_spring_damper"])
+def test_a_road_moves_a_spring_and_with_a_force_its_damper(kind: str) -> None:
+    """A free length as the road's profile, with the damper's part by `force`, is a wheel on a driven plate."""
+    functions = lw.functions
+    road, rate = functions.harmonic(0.1, 7.0), functions.harmonic(0.7, 7.0, np.pi / 2)
+    height = []
+    for driven in (False, True):
+        model = lw.Model(gravity=(0, 0, 0))
+        car = model.body("car", mass=1.0, inertia=(1, 1, 1), position=(0, 0, 2))
+        model.translational("ground", car, at=(0, 0, 0), axis=(0, 0, 1))
+        common = {"stiffness": 100.0, "damping": 4.0}
+        if driven:
+            plate = model.body("plate", mass=1.0, inertia=(1, 1, 1), velocity=(0, 0, 0.7))
+            model.translational("ground", plate, at=(0, 0, 0), axis=(0, 0, 1), name="lift")
+            model.drive("lift", position=road)
+            model.spring_damper(plate, car, at=((0, 0, 0), (0, 0, 2)), free_length=2.0, **common)
+        elif kind == "spring_damper":
+            at = ((0, 0, 0), (0, 0, 2))
+            model.spring_damper("ground", car, at=at, free_length=2.0 + road, force=-4.0 * rate, **common)
+        else:
+            model.translational_spring_damper("ground", car, at=(0, 0, 2), axis=(0, 0, 1),
+                                              free_displacement=road, force=4.0 * rate, **common)  # fmt: skip
+        result = lw.simulate(model, 1.0, rtol=1e-9, times=[0.5, 1.0], progress=False)
+        height.append(result.body("car").position[:, 2])
+    np.testing.assert_allclose(height[0], height[1], atol=1e-7)

@@ -57,14 +57,18 @@ class TimeFunction(ABC):
         return self.scaled(-1.0)
 
     def __sub__(self, other: TimeFunction | float) -> TimeFunction:
-        return self + -other if isinstance(other, TimeFunction) or is_number(other) else NotImplemented
+        if not isinstance(other, TimeFunction) and not is_number(other):
+            return NotImplemented
+        return self + -other
 
     def __rsub__(self, other: float) -> TimeFunction:
         return -self + other
 
     def __mul__(self, factor: float) -> TimeFunction:
         """ModelError: the product is not finite."""
-        return self.scaled(float(factor)) if is_number(factor) else NotImplemented
+        if not is_number(factor):
+            return NotImplemented
+        return self.scaled(float(factor))
 
     __rmul__ = __mul__
 
@@ -270,8 +274,11 @@ class Callback(TimeFunction):
         return " ".join(map(law, (self.value, self.rate, self.acceleration))).encode()
 
     def scaled(self, factor: float) -> TimeFunction:
-        laws = (self.value, self.rate, self.acceleration)
-        return Callback(*(_times(factor, it) for it in laws), what=self.what)  # type: ignore[arg-type]
+        value, rate, acceleration = (
+            None if it is None else _times(factor, it) for it in (self.value, self.rate, self.acceleration)
+        )
+        assert value is not None
+        return Callback(value, rate, acceleration, self.what)
 
 
 @dataclass(frozen=True)
@@ -305,9 +312,9 @@ class Broken(TimeFunction):
         return Broken(self.function.scaled(factor), self.times)
 
 
-def _times(factor: float, function: Callable[[float], float] | None) -> Callable[[float], float] | None:
+def _times(factor: float, function: Callable[[float], float]) -> Callable[[float], float]:
     """A function of Python, of t alone, times a number."""
-    return None if function is None else lambda t: factor * function(t)
+    return lambda t: factor * function(t)
 
 
 def with_breaks(function: TimeFunctionLike, breaks: ArrayLike) -> TimeFunction:

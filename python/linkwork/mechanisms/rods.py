@@ -20,9 +20,10 @@ def square_rod(mass: Number, length: Number, side: Number) -> tuple[float, float
 
 
 def thin_rod(mass: Number, length: Number) -> tuple[float, float, float]:
-    """Principal moments [kg m2] of a rod in plane motion: m l^2 / 12 twice.
+    """Principal moments [kg m2] of a rod in plane motion: m l^2 / 1200 about its own axis, m l^2 / 12 twice.
 
-    The moment about its own axis, which the motion never feels, is not zero: the mass matrix stays regular.
+    Plane motion never feels the first, which is a choice: it is not zero, so that the mass matrix stays
+    regular. Motion in space does; there `square_rod` has that of a real section.
 
         model.body("bar", mass=0.3, inertia=lw.mechanisms.thin_rod(0.3, length=1.0))
     """
