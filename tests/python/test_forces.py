@@ -394,7 +394,7 @@ def test_an_error_in_a_users_function_reaches_the_user() -> None:
 
 @pytest.mark.parametrize("kind", ["spring_damper", "translational_spring_damper"])
 def test_a_road_moves_a_spring_and_with_a_force_its_damper(kind: str) -> None:
-    """A free length as the road's profile, with the damper's part by `force`, is a wheel on a driven plate."""
+    """Free length and force as a road has them are a spring and a damper on a plate that is driven."""
     functions = lw.functions
     road, rate = functions.harmonic(0.1, 7.0), functions.harmonic(0.7, 7.0, np.pi / 2)
     height = []
