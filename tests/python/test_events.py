@@ -561,3 +561,40 @@ def test_what_touches_zero_does_not_pass_it() -> None:
         lift = lw.Event(lambda t, state: state.body("ball").position[2], direction=1, name="lifts off")
         result = run(ball(height), 1.2, floor(0.8), lift, rtol=1e-8)
         assert {it.name for it in result.events} == {"floor"}
+
+
+def test_what_a_state_does_not_have_cannot_be_set() -> None:
+    def by_body(t: float, state: Any) -> None:
+        state.body("ball").angular_velocity = (0, 0, 0)
+
+    def by_state(t: float, state: Any) -> None:
+        state.velocity = 0.0
+
+    for change, name in ((by_body, "angular_velocity"), (by_state, "velocity")):
+        with pytest.raises(AttributeError, match=f"'{name}'"):
+            run(ball(), 0.5, clock(0.2, change=change))
+
+
+@pytest.mark.parametrize("answer", [True, np.bool_(False)])
+def test_a_function_that_says_whether_instead_of_how_far_is_refused(answer: Any) -> None:
+    below = lw.Event(lambda t, state: answer, name="below", terminal=True)
+    with pytest.raises(
+        lw.OptionError,
+        match=f"'below': its function returned {answer!r}.*passes zero".replace("(", r"\(").replace(
+            ")", r"\)"
+        ),
+    ):
+        run(ball(), 0.8, below)
+
+
+@pytest.mark.parametrize("orientation", [(0, 0, 0, 0), (1, np.nan, 0, 0)])
+@pytest.mark.parametrize("hinged", [True, False])
+def test_a_change_to_no_orientation_is_refused_by_name(orientation: Any, hinged: bool) -> None:
+    def change(t: float, state: lw.State) -> None:
+        state.body("ball").orientation = orientation
+
+    model = ball()
+    if hinged:
+        model.revolute("ground", "ball", at=(0, 0, 0), axis=(0, 1, 0))
+    with pytest.raises(lw.OptionError, match="event 'at 0.2 s': its change leaves body 'ball'"):
+        run(model, 0.5, clock(0.2, change=change))

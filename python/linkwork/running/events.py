@@ -37,8 +37,14 @@ class _Part:
         getattr(state, self._array)[self._part] = value
 
 
+#: Euler parameters that a change leaves: their length counts for nothing, as long as there is one.
+SHORTEST = 1e-6
+
+
 class BodyState:
     """Of one body: what is assigned to it, whole or in part, changes the state that it is of."""
+
+    __slots__ = ("_q", "_v")
 
     position = _Part("_q", np.s_[:3], "Center of mass (3,), inertial [m].")
     orientation = _Part("_q", np.s_[3:], "Euler parameters (4,), scalar first.")
@@ -51,6 +57,8 @@ class BodyState:
 
 class State:
     """Positions and velocities of all bodies: q (n, 7) and v (n, 6) as in `Result`, or `body(name)`."""
+
+    __slots__ = ("_model", "_q", "_v")
 
     q = _Part("_q", np.s_[:], "Poses (n, 7): position, then Euler parameters.")
     v = _Part("_v", np.s_[:], "Velocities (n, 6): inertial velocity, then body-fixed angular velocity.")
@@ -141,6 +149,12 @@ class Event:
 
         def function(t: float, y: Floats) -> float:
             value = self.function(t, State(model, y))
+            if isinstance(value, bool | np.bool_):
+                raise OptionError(
+                    f"event '{self.label}': its function returned {value!r}; give what passes zero, such as a "
+                    "height, and not whether it has",
+                    code="event",
+                )
             try:
                 return float(value)
             except UNREADABLE as error:
@@ -159,6 +173,7 @@ class Event:
                     "to end the run",
                     code="event",
                 )
+            self._check_changed(model, t, changed)
             return changed, bool(ends)
 
         return _core.Event(
@@ -168,6 +183,21 @@ class Event:
             bool(self.terminal),
             None if self.change is None else change,
             self.tolerance,
+        )
+
+    def _check_changed(self, model: Model, t: float, y: Floats) -> None:
+        """OptionError: a body is nowhere, or has no orientation."""
+        split = 7 * model.body_count
+        q, v = y[:split].reshape(-1, 7), y[split:].reshape(-1, 6)
+        finite = np.logical_and(np.isfinite(q).all(axis=1), np.isfinite(v).all(axis=1))
+        wrong = np.flatnonzero(~finite | ~(np.linalg.norm(q[:, 3:], axis=1) >= SHORTEST))
+        if not len(wrong):
+            return
+        body = int(wrong[0])
+        name = model.compiled().body_name(body)
+        what = "a state that is not finite" if body in np.flatnonzero(~finite) else "no orientation"
+        raise OptionError(
+            f"event '{self.label}': its change leaves body '{name}' {what} (t = {t:g} s)", code="event"
         )
 
 
