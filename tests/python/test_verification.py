@@ -255,3 +255,32 @@ def test_a_verified_result_is_saved_over_its_own_file(tmp_path: Path) -> None:
     found = lw.Result.load(path)
     assert found.verified and found.finished
     np.testing.assert_array_equal(found.error_of("q"), error)
+
+
+def test_events_that_count_are_not_run_twice() -> None:
+    passed: list[float] = []
+
+    def third(t: float, state: lw.State) -> bool:
+        passed.append(t)
+        return len(passed) == 3
+
+    bottom = lw.Event(lambda t, state: state.body("bob").position[0], "bottom", change=third)
+    with pytest.warns(lw.LinkworkWarning, match="no second run was made, as 'change of event bottom"):
+        result = quick(lw.mechanisms.pendulum(), 10.0, rtol=1e-9, events=bottom, verify=True)
+    assert len(passed) == len(result.events) == 3
+    assert not result.verified
+
+
+def test_a_second_run_that_fails_loses_nothing() -> None:
+    """A force that is not known at odd multiples of a quarter of the step, where only a finer run asks."""
+    model, step = lw.Model(), 1e-2
+    body = model.body("weight", mass=1.0, inertia=(0.1, 0.1, 0.1))
+
+    def gust(t: float) -> float:
+        return np.nan if t > 0.05 and abs(t / (step / 2) % 1.0 - 0.5) < 0.01 else 1.0
+
+    model.force(body, force=(gust, 0, 0), name="gust")
+    with pytest.warns(lw.LinkworkWarning, match="verify: the second run failed.*gust"):
+        result = quick(model, 0.1, step=step, verify=True)
+    assert not result.verified
+    assert result.t[-1] == 0.1

@@ -25,7 +25,7 @@ from linkwork.accuracy.verdict import (
 from linkwork.accuracy.verification import Finer, joined, state_error
 from linkwork.arrays import Floats
 from linkwork.equations.system import System
-from linkwork.errors import AccuracyError, warn
+from linkwork.errors import AccuracyError, LinkworkError, warn
 from linkwork.integrators import METHODS, EmbeddedPair, Integrator
 from linkwork.modeling.model import Model
 from linkwork.motion.records import Snapshot
@@ -36,7 +36,7 @@ from linkwork.running import callbacks, pulses
 from linkwork.running.schedule import Adaptive, Fixed
 from linkwork.running.time_scale import size
 
-__all__ = ["ErrorEstimator", "apply_policy", "strict", "warn_of_memory"]
+__all__ = ["ErrorEstimator", "apply_policy", "no_second_run", "strict", "warn_of_memory"]
 
 #: Takes the steps of integrators of the user's own again.
 TRUSTED = "dop853"
@@ -127,13 +127,16 @@ class ErrorEstimator:
     ) -> None:
         """Adds a finer run, made by `run` with such arguments, to the result and its file.
 
-        LinkworkWarning: there is none, as a function of the user's remembers calls.
+        LinkworkWarning: there is none, as a function of the user's remembers calls, or it failed.
         """
         stateful = callbacks.changed(self._contents, self._functions)
         stateful += callbacks.changed(self._own_contents, self._own)
         if stateful:
-            return warn(f"verify: no second run was made, as '{stateful[0]}' may remember the calls before")
-        found = self._second_run(result, run)
+            return warn(no_second_run(stateful[0]))
+        try:
+            found = self._second_run(result, run)
+        except LinkworkError as error:
+            return warn(f"verify: the second run failed, so that nothing is known by it: {error}")
         order = self._resolution().order
         gain = 2.0**order if isinstance(self._plan, Fixed) else 10.0
         finer = Finer.of(result, found, gain / (gain - 1) if gain > 1 else 2.0)
@@ -253,6 +256,10 @@ def strict(options: Options) -> Options:
     for name in ("penalty", "tolerance", "max_iterations"):
         out.pop(name, None)  # type: ignore[misc]
     return out
+
+
+def no_second_run(name: str) -> str:
+    return f"verify: no second run was made, as '{name}' may remember the calls before"
 
 
 def warn_of_memory(verdict: Verdict | None) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import NamedTuple, overload
+from typing import Any, NamedTuple, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -151,8 +151,8 @@ class Event:
             value = self.function(t, State(model, y))
             if isinstance(value, bool | np.bool_):
                 raise OptionError(
-                    f"event '{self.label}': its function returned {value!r}; give what passes zero, such as a "
-                    "height, and not whether it has",
+                    f"event '{self.label}': its function returned {value!r}; give what passes zero, such as "
+                    "a height, and not whether it has",
                     code="event",
                 )
             try:
@@ -207,6 +207,17 @@ class Watched(NamedTuple):
     label: str
     compiled: _core.Event
     laws: tuple[str, str]  #: of its function and its change, see linkwork.fingerprints.law
+
+
+def functions_of(events: object) -> dict[str, Callable[..., Any]]:
+    """What events call, by the name of the event."""
+    listed = events if isinstance(events, Iterable) else [] if events is None else [events]
+    found: dict[str, Callable[..., Any]] = {}
+    for place, event in enumerate(it for it in listed if isinstance(it, Event)):
+        found[f"event {event.label}" if place == 0 else f"event {event.label}, {place + 1}"] = event.function
+        if event.change is not None:
+            found[f"change of event {event.label}, {place + 1}"] = event.change
+    return found
 
 
 def compile_events(events: object, model: Model) -> list[Watched]:

@@ -17,7 +17,7 @@ from linkwork import _core, integrators
 from linkwork.arguments import check_new
 from linkwork.equations.assembly import Assembly
 from linkwork.equations.system import System
-from linkwork.errors import OptionError, unwritable
+from linkwork.errors import OptionError, unwritable, warn
 from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.modeling.model import Model
 from linkwork.motion.header import Header
@@ -25,8 +25,17 @@ from linkwork.motion.records import Snapshot
 from linkwork.options import TABLE, Options, Policy, check_name, check_option, names
 from linkwork.options.types import IntegratorName, described
 from linkwork.results.result import Result
-from linkwork.running import breakpoints, checks, estimation, forecast, recording, resuming, schedule
-from linkwork.running.events import Event, Watched, compile_events
+from linkwork.running import (
+    breakpoints,
+    callbacks,
+    checks,
+    estimation,
+    forecast,
+    recording,
+    resuming,
+    schedule,
+)
+from linkwork.running.events import Event, Watched, compile_events, functions_of
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.manifest import manifest
 from linkwork.running.progress import ProgressOption, check_progress, preparing, reporting, sharing
@@ -143,15 +152,19 @@ def simulate(
                              in_file=output is not None)  # fmt: skip
         _check_output(output, overwrite)
         prepared = _looked_ahead(prepared, output)
+    called = functions_of(events) if verify else {}
+    contents = callbacks.contents(called)
     with Interrupts() as interrupts, path:
         result, estimator = _carried_out(prepared, output, progress, started, interrupts)
-    if verify:
+    if verify and not (remembers := callbacks.changed(contents, called)):
         again: dict[str, Any] = {"t_end": t_end, "integrator": prepared.method, "events": events,
                                  "breaks": breaks, "start": start, "assemble": assemble}  # fmt: skip
         estimator.verify(result, output, lambda finer: simulate(
             model, **{**again, **finer}, progress=progress, on_inaccurate="pass",
             **estimation.strict(options),
         ))  # fmt: skip
+    elif verify:
+        warn(estimation.no_second_run(remembers[0]))
     estimation.apply_policy(result, on_inaccurate)
     return result
 
