@@ -21,6 +21,7 @@ from linkwork.options import TABLE
 from linkwork.results.last_state import LastState
 from linkwork.results.result import Result
 from linkwork.running import checks, estimation, recording, schedule
+from linkwork.running.folded_joints import warn_of_folded_joints
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.manifest import manifest
 from linkwork.running.simulation import (
@@ -281,6 +282,7 @@ def _ended(it: _Ready, frames: Mapping[str, Any], method: Method) -> Member:
         result = _result(it, frames, method, poses)
         with remarked() as more:
             warn_of_tilted_axes(result)
+            warn_of_folded_joints(result)
         return Member(result, remarks=[*it.remarks, *more])
     verdict, _ = _judged(it, frames, method, poses)
     return Member(None, remarks=it.remarks, last=LastState(frames, verdict, {"model": it.model.name}))

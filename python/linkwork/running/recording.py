@@ -23,6 +23,7 @@ from linkwork.modeling.model import Model
 from linkwork.motion.header import Header, frame_shapes, record_reactions
 from linkwork.motion.records import Checkpoint, Occurrence, Snapshot
 from linkwork.results.result import Result
+from linkwork.running.folded_joints import warn_of_folded_joints
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.progress import Report
 from linkwork.running.tilted_axes import warn_of_tilted_axes
@@ -265,6 +266,7 @@ def _abandon(
             if result is not None:
                 result.statistics.update(run.statistics(), failed=True)
                 warn_of_tilted_axes(result)
+                warn_of_folded_joints(result)
         elif isinstance(error, Exception):  # of the user's own function
             error.add_note(f"linkwork: in the step after t = {run.t:.6g} s")
 

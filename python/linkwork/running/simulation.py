@@ -36,6 +36,7 @@ from linkwork.running import (
     schedule,
 )
 from linkwork.running.events import Event, Watched, compile_events, functions_of
+from linkwork.running.folded_joints import warn_of_folded_joints
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.manifest import manifest
 from linkwork.running.progress import ProgressOption, check_progress, preparing, reporting, sharing
@@ -384,6 +385,7 @@ def _carried_out(
     result = recorder.result({**statistics, "seconds": seconds, **spent, **found})
     checks.warn_of_contradiction(result.statistics)
     warn_of_tilted_axes(result)
+    warn_of_folded_joints(result)
     return result, estimator
 
 

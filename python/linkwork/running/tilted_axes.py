@@ -8,7 +8,7 @@ whose other axis is x_b. Elsewhere it depends on which direction of b is x_b, an
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -19,7 +19,7 @@ from linkwork.errors import warn
 from linkwork.motion.header import Header
 from linkwork.results.result import Result
 
-__all__ = ["warn_of_tilted_axes"]
+__all__ = ["Elements", "axes_of", "warn_of_tilted_axes"]
 
 #: Kinds that measure this angle, or its rate.
 ABOUT_AN_AXIS = frozenset(
@@ -40,7 +40,9 @@ ELEMENTS, LOOKS = 100_000, 200_000
 NAMED = 3
 
 
-class _Elements(NamedTuple):
+class Elements(NamedTuple):
+    """Joints or force elements, with axes on two bodies."""
+
     names: Sequence[str]
     bodies: Indices  # (e, 2)
     frame: Floats  # (e, 2, 3, 3), axes in the bodies as columns
@@ -52,7 +54,8 @@ def warn_of_tilted_axes(result: Result) -> None:
     if not elements.names or not len(result):
         return
     every = _every(len(result), len(elements.names))
-    x_b, z_b, z_a = _axes(result, elements, every)
+    axis = axes_of(result, elements, every)
+    x_b, z_b, z_a = axis(1, 0), axis(1, 2), axis(0, 2)
     out = np.arcsin(np.clip(np.abs(np.einsum("kei,kei->ke", x_b, z_a)), 0.0, 1.0))
     least = max(NO_TILT, VIOLATIONS * float(result.violation[:, 0].max()))
     tilted = np.flatnonzero(out.max(axis=0) > least).tolist()
@@ -71,12 +74,12 @@ def warn_of_tilted_axes(result: Result) -> None:
     )
 
 
-def _about_an_axis(header: Header) -> _Elements:
+def _about_an_axis(header: Header) -> Elements:
     forces, drivers = (
         [k for k, kind in enumerate(kinds) if kind in ABOUT_AN_AXIS][:ELEMENTS]
         for kinds in (header.force_kinds, header.joint_kinds)
     )
-    return _Elements(
+    return Elements(
         [header.force_names[k] for k in forces] + [header.joint_names[k] for k in drivers],
         np.concatenate([header.force_bodies[forces], header.joint_bodies[drivers]]),
         np.concatenate([header.force_frame[forces], header.joint_frame[drivers]]),
@@ -88,8 +91,8 @@ def _every(frames: int, elements: int) -> int:
     return -(-frames // max(1, LOOKS // elements))
 
 
-def _axes(result: Result, elements: _Elements, every: int) -> tuple[Floats, Floats, Floats]:
-    """x_b, z_b and z_a (k, e, 3) in every so manyth frame and the last one."""
+def axes_of(result: Result, elements: Elements, every: int) -> Callable[[int, int], Floats]:
+    """What gives an axis (side, which) of each (k, e, 3) in every so manyth frame and the last one."""
     bodies = np.unique(elements.bodies[elements.bodies >= 0])
     sampled = result.recorded_of("q", bodies, every)
     q = np.concatenate([sampled, result.recorded("q", np.s_[-1:])[:, bodies]])
@@ -101,7 +104,7 @@ def _axes(result: Result, elements: _Elements, every: int) -> tuple[Floats, Floa
         found: Floats = np.einsum("keij,ej->kei", A[:, place[:, side]], elements.frame[:, side, :, which])
         return found
 
-    return axis(1, 0), axis(1, 2), axis(0, 2)
+    return axis
 
 
 def _listed(names: Sequence[str]) -> str:
