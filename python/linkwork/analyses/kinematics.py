@@ -23,6 +23,7 @@ from linkwork.motion.header import Header
 from linkwork.motion.records import Snapshot
 from linkwork.results.result import Result
 from linkwork.running import checks
+from linkwork.running.folded_joints import warn_of_folded_joints
 from linkwork.running.manifest import manifest
 from linkwork.running.tilted_axes import warn_of_tilted_axes
 
@@ -90,6 +91,7 @@ def kinematics(
     result = frames.result(continuation, t, began)
     _check_work(result)
     warn_of_tilted_axes(result)
+    warn_of_folded_joints(result)
     return result
 
 
