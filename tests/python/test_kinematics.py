@@ -554,3 +554,20 @@ def test_work_that_frames_are_too_few_for_is_told() -> None:
     assert np.abs(coarse.energy_error).max() > 0.1 * coarse.kinetic_energy.max()
     fine = lw.kinematics(model, np.linspace(0, 2.0, 400))
     assert np.abs(fine.energy_error).max() < 1e-4 * fine.kinetic_energy.max()
+
+
+@pytest.mark.parametrize("turn", [0.51, 0.5, 0.503, 0.999])
+def test_work_over_times_at_which_accelerations_jump_is_what_the_bar_has(turn: float) -> None:
+    """Driven at 60 rad/s2, then at -60: W = T + U at every frame, which a spline over the jump misses."""
+    model = lw.Model()
+    bar = model.body("bar", mass=1.0, inertia=(0.003, 0.03, 0.03), position=(0.3, 0, 0))
+    model.revolute("ground", bar, at=(0, 0, 0), axis=(0, 1, 0), name="hinge")
+    acceleration = lw.functions.piecewise_polynomial([-1, turn, 9], [[60.0], [-60.0]])
+    model.drive("hinge", acceleration=acceleration)
+    result = lw.kinematics(model, np.linspace(0, 1, 201))
+    t = result.t
+    rate = np.where(t < turn, 60 * t, 60 * turn - 60 * (t - turn))
+    after = np.maximum(t - turn, 0.0)
+    angle = 30 * np.minimum(t, turn) ** 2 + 60 * turn * after - 30 * after**2
+    expected = 0.5 * (0.03 + 0.09) * rate**2 - 9.81 * 0.3 * np.sin(angle)
+    assert np.abs(result.work - expected).max() < 1e-4 * expected.max()

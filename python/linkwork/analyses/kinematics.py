@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, Literal
 
 import numpy as np
@@ -22,7 +22,7 @@ from linkwork.modeling.model import Model
 from linkwork.motion.header import Header
 from linkwork.motion.records import Snapshot
 from linkwork.results.result import Result
-from linkwork.running import checks
+from linkwork.running import breakpoints, checks
 from linkwork.running.folded_joints import warn_of_folded_joints
 from linkwork.running.manifest import manifest
 from linkwork.running.tilted_axes import warn_of_tilted_axes
@@ -103,7 +103,8 @@ def _check_work(result: Result) -> None:
     if made > WRONG:
         warn(
             f"kinematics: the work is about {100 * min(made, 1.0):.2g} % off, as it is an integral over the "
-            "frames and these are too far apart: take more times (poses, forces and reactions are exact)"
+            "frames and these are too far apart, or a driver's velocity jumps, whose impact is between frames: "
+            "take more times, or `simulate` with rtol (poses, forces and reactions are exact)"
         )
 
 
@@ -259,7 +260,8 @@ class _Frames:
         t, power = arrays["t"], arrays.pop("power")
         states = (arrays["q"].reshape(len(t), -1), arrays["v"].reshape(len(t), -1))
         kinetic = self.system.compiled().kinetic_energies(*states)
-        return {**arrays, "kinetic": kinetic, "work": _integral(t, power)}
+        breaks = breakpoints.of_run(self.system.model, (), float(t[0]), float(t[-1]))
+        return {**arrays, "kinetic": kinetic, "work": _integral(t, power, breaks)}
 
     def _matrix(self, rows: Mapping[str, Any], count: int) -> Sparse:
         from scipy.sparse import csr_array
@@ -286,14 +288,27 @@ def _multipliers(dynamics: _core.Dynamics, it: MotionState) -> Floats:
         return np.zeros(dynamics.row_count)
 
 
-def _integral(t: Floats, power: Floats) -> Floats:
-    """Of the cubic spline through the powers, from the first time on."""
+def _integral(t: Floats, power: Floats, breaks: Sequence[float]) -> Floats:
+    """Of cubic splines through the powers, from the first time on, each from one of the breaks to the next.
+
+    At a break frames are of what follows; up to there the spline before it goes on.
+    """
     from scipy.interpolate import CubicSpline
 
     if len(t) < 2 or not np.isfinite(power).all():
         known = np.where(np.isfinite(power), power, 0.0)
         steps = np.diff(t) * (known[1:] + known[:-1]) / 2
         return np.concatenate([[0.0], np.cumsum(steps)])
-    spline = CubicSpline(t, power).antiderivative()
-    work: Floats = spline(t) - spline(t[0])
+    inside = [time for time in breaks if t[0] < time <= t[-1]]
+    begins = np.unique(np.searchsorted(t, inside))  # of the parts that have frames
+    edges = [t[0], *(next(time for time in reversed(inside) if time <= t[k]) for k in begins), t[-1]]
+    work, done = np.zeros(len(t)), 0.0
+    for begin, end, frames in zip(edges[:-1], edges[1:], np.split(np.arange(len(t)), begins), strict=True):
+        if len(frames) < 2:
+            spent = power[frames[0]] * (np.array([t[frames[0]], end]) - begin)
+        else:
+            spline = CubicSpline(t[frames], power[frames]).antiderivative()
+            spent = spline(np.append(t[frames], end)) - spline(begin)
+        work[frames] = done + spent[:-1]
+        done += spent[-1]
     return work
