@@ -103,7 +103,7 @@ def _check_work(result: Result) -> None:
     if made > WRONG:
         warn(
             f"kinematics: the work is about {100 * min(made, 1.0):.2g} % off, as it is an integral over the "
-            "frames and these are too far apart, or a driver's velocity jumps, whose impact is between frames: "
+            "frames and these are too far apart, or the velocity of a driver jumps between them: "
             "take more times, or `simulate` with rtol (poses, forces and reactions are exact)"
         )
 
