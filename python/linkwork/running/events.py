@@ -148,20 +148,7 @@ class Event:
                 )
 
         def function(t: float, y: Floats) -> float:
-            value = self.function(t, State(model, y))
-            if isinstance(value, bool | np.bool_):
-                raise OptionError(
-                    f"event '{self.label}': its function returned {value!r}; give what passes zero, such as "
-                    "a height, and not whether it has",
-                    code="event",
-                )
-            try:
-                return float(value)
-            except UNREADABLE as error:
-                raise OptionError(
-                    f"event '{self.label}': its function returned {value!r}, no number (t = {t:g} s)",
-                    code="event",
-                ) from error
+            return self._number(t, self.function(t, State(model, y)))
 
         def change(t: float, y: Floats) -> tuple[ArrayLike, bool]:
             changed = np.array(y)
@@ -184,6 +171,18 @@ class Event:
             None if self.change is None else change,
             self.tolerance,
         )
+
+    def _number(self, t: float, value: object) -> float:
+        """What its function returned. OptionError: no number, or whether it has passed zero."""
+        who = f"event '{self.label}': its function returned {value!r}"
+        if isinstance(value, bool | np.bool_):
+            raise OptionError(
+                f"{who}; give what passes zero, such as a height, and not whether it has", code="event"
+            )
+        try:
+            return float(value)  # type: ignore[arg-type]
+        except UNREADABLE as error:
+            raise OptionError(f"{who}, no number (t = {t:g} s)", code="event") from error
 
     def _check_changed(self, model: Model, t: float, y: Floats) -> None:
         """OptionError: a body is nowhere, or has no orientation."""
