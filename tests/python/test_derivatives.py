@@ -103,6 +103,27 @@ def test_derivatives_that_are_wrong_later_are_refused_before_a_run(order: int, w
     lw.simulate(model, 5.0, 0.01)
 
 
+@pytest.mark.parametrize("wrong", [1.0, 1.01, -1.0])
+@pytest.mark.parametrize("k", [5.0, 20.0, 50.0, 100.0])
+@pytest.mark.parametrize("center", [0.45, 2.3, 4.9])
+def test_what_rounding_leaves_of_a_derivative_is_no_disagreement(
+    k: float, center: float, wrong: float
+) -> None:
+    """k (1 - tanh²) is a few 1e-16 of k, or nothing, where it should be 1e-20 of it."""
+
+    def step(t: float) -> float:
+        return math.tanh(k * (t - center))
+
+    def rate(t: float) -> float:
+        return k * (1 - step(t) ** 2)
+
+    def change(t: float) -> float:
+        return -2 * k * step(t) * rate(t)
+
+    assert (disagreement(step, lambda t: wrong * rate(t)) is None) == (wrong == 1.0)
+    assert (disagreement(rate, lambda t: wrong * change(t)) is None) == (wrong == 1.0)
+
+
 @st.composite
 def smooth(draw: Callable[..., float]) -> tuple[Function, Function]:
     """A sum of a polynomial and waves of any size and speed, with its derivative."""

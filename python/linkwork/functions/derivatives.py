@@ -7,6 +7,7 @@ where f' is smooth, in the function's own size. Where it does not converge, the 
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
@@ -39,6 +40,9 @@ HALVINGS, CONCENTRATED = 8, 0.25
 
 #: Of a function's values.
 ROUNDOFF = 2e-14
+
+#: Times at which a function is evaluated to see where it changes most, and how great it becomes.
+SOME, MANY = 101, 1001
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 
@@ -79,17 +83,27 @@ def disagreement(f: Function, derivative: Function, starts: Iterable[float] = ST
 
     Times at which one of them is not defined, or not smooth enough to tell, are passed over.
     """
-    for start in starts:
-        length = LONGEST
-        while length >= SHORTEST:
-            whole = _interval(f, derivative, start, start + length)
-            if whole is not None and whole.error <= CONVERGED * whole.size:
-                for end in (start + length, start + PART * length):
-                    found = _interval(f, derivative, start, end)
-                    if found and found.wrong and _everywhere(f, derivative, start, end, found.miss):
-                        return Disagreement(start, end, found.change, found.integral)
-                break
-            length /= 4
+    starts = list(starts)
+    end = max(starts, default=0.0) + LONGEST
+    for start in [*starts, _steepest(f, end)]:
+        found = _from(f, derivative, start)
+        if found and abs(found.change - found.integral) > ROUNDOFF * _greatest(f, end):
+            return found
+    return None
+
+
+def _from(f: Function, derivative: Function, start: float) -> Disagreement | None:
+    """Where they do not agree in the longest interval from `start` over which both are smooth."""
+    length = LONGEST
+    while length >= SHORTEST:
+        whole = _interval(f, derivative, start, start + length)
+        if whole is not None and whole.error <= CONVERGED * whole.size:
+            for end in (start + length, start + PART * length):
+                found = _interval(f, derivative, start, end)
+                if found and found.wrong and _everywhere(f, derivative, start, end, found.miss):
+                    return Disagreement(start, end, found.change, found.integral)
+            break
+        length /= 4
     return None
 
 
@@ -109,6 +123,33 @@ def _interval(f: Function, derivative: Function, a: float, b: float) -> _Interva
         return None
     rounding = ROUNDOFF * float(np.abs(ends).max())
     return _Interval(float(ends[1] - ends[0]), integral, abs(float(parts[0]) - integral), size, rounding)
+
+
+def _steepest(f: Function, end: float) -> float:
+    """When before `end` f changes most [s]: a step may be over between two of the starts."""
+    times = [float(t) for t in np.linspace(0.0, end, SOME)]
+    values = [_value(f, t) for t in times]
+    a, b, fa, fb = max(
+        zip(times, times[1:], values, values[1:], strict=False), key=lambda it: abs(it[3] - it[2])
+    )
+    for _ in range(HALVINGS):
+        middle = (a + b) / 2
+        fm = _value(f, middle)
+        a, b, fa, fb = (a, middle, fa, fm) if abs(fm - fa) > abs(fb - fm) else (middle, b, fm, fb)
+    return a
+
+
+def _greatest(f: Function, end: float) -> float:
+    """Of |f| from 0 to `end`: what 1 - tanh² loses in rounding is a part of it, where it fades, too."""
+    return max(abs(_value(f, float(t))) for t in np.linspace(0.0, end, MANY))
+
+
+def _value(f: Function, t: float) -> float:
+    """Of f at t; 0 where it is not defined."""
+    with contextlib.suppress(Exception):
+        value = float(f(t))
+        return value if np.isfinite(value) else 0.0
+    return 0.0
 
 
 def _nodes(a: float, b: float) -> Floats:
