@@ -571,3 +571,43 @@ def test_work_over_times_at_which_accelerations_jump_is_what_the_bar_has(turn: f
     angle = 30 * np.minimum(t, turn) ** 2 + 60 * turn * after - 30 * after**2
     expected = 0.5 * (0.03 + 0.09) * rate**2 - 9.81 * 0.3 * np.sin(angle)
     assert np.abs(result.work - expected).max() < 1e-4 * expected.max()
+
+
+def struck_bar(jumps: list[float], rates: list[float]) -> lw.Model:
+    """Hinged at its end, of moment of inertia 0.12; driven at `rates` from 0 and each of `jumps` on."""
+    model = lw.Model()
+    bar = model.body("bar", mass=1.0, inertia=(0.003, 0.03, 0.03), position=(0.3, 0, 0))
+    model.revolute("ground", bar, at=(0, 0, 0), axis=(0, 1, 0), name="hinge")
+    pieces = [[rate] for rate in rates]
+    velocity = lw.functions.piecewise_polynomial([-1, *jumps, 9], pieces)
+    model.drive("hinge", velocity=velocity, name="drive")
+    return model
+
+
+@pytest.mark.parametrize("jumps", [[0.5], [0.503], [0.25, 0.7501], [0.505, 0.5051]])
+@pytest.mark.parametrize("frames", [21, 201])
+def test_work_over_blows_is_what_the_bar_has(jumps: list[float], frames: int) -> None:
+    rates = [2.0, -1.0, 3.0][: len(jumps) + 1]
+    result = lw.kinematics(struck_bar(jumps, rates), np.linspace(0, 1, frames))
+    edges = [0.0, *jumps]
+    rate = np.array(rates)[np.searchsorted(jumps, result.t, side="right")]
+    ends = np.append(jumps, np.inf)
+    angle = sum(w * np.clip(result.t - a, 0, b - a) for w, a, b in zip(rates, edges, ends, strict=True))
+    gained = 0.06 * (rate**2 - rates[0] ** 2) - 9.81 * 0.3 * np.sin(angle)
+    assert np.abs(result.work - gained).max() < (2e-3 if frames == 21 else 1e-7)
+    assert list(result.t) == list(np.linspace(0, 1, frames))
+
+
+@pytest.mark.parametrize("size", [0.3, 1e-3])
+@pytest.mark.parametrize("when", [0.5, 1.0])
+def test_positions_that_jump_are_refused_by_every_analysis_and_run(size: float, when: float) -> None:
+    model = struck_bar([], [0.0]).without("drive")
+    step = lw.functions.piecewise_polynomial([-1, when, 9], [[0.0], [size]])
+    model.drive("hinge", position=step, name="step")
+    for run in (
+        lambda: lw.kinematics(model, np.linspace(0, 1, 11)),
+        lambda: lw.simulate(model, 1.0, 0.01),
+        lambda: lw.simulate(model, 1.0, rtol=1e-6),
+    ):
+        with pytest.raises(lw.ModelError, match=rf"'step'.* jumps by {size:.4g} at t = {when:.6g} s"):
+            run()

@@ -68,7 +68,8 @@ def kinematics(
     checks.check_tables(model, float(t[-1]))
     continuation = Continuation(Equations(model), float(t[-1]))
     continuation.prepare()
-    frames = _Frames(model)
+    frames = _Frames(model, t)
+    t = frames.times
     fast = _CompiledContinuation(continuation, frames)
     if not fast.start():
         continuation.begin()
@@ -82,13 +83,13 @@ def kinematics(
                 fast.resume()
             previous, k = continuation.at, k + (taken or 1)
     except LinkworkError as error:
-        error.result = frames.result(continuation, t, began, failed=True) if frames.rows else None
+        error.result = frames.result(continuation, began, failed=True) if frames.rows else None
         at = continuation.at
         error.state = Snapshot(at.t, at.q.reshape(-1, 7), at.v.reshape(-1, 6), at.history)
         if error.result is not None:
             warn_of_tilted_axes(error.result)
         raise
-    result = frames.result(continuation, t, began)
+    result = frames.result(continuation, began)
     _check_work(result)
     warn_of_tilted_axes(result)
     warn_of_folded_joints(result)
@@ -103,7 +104,7 @@ def _check_work(result: Result) -> None:
     if made > WRONG:
         warn(
             f"kinematics: the work is about {100 * min(made, 1.0):.2g} % off, as it is an integral over the "
-            "frames and these are too far apart, or the velocity of a driver jumps between them: "
+            "frames and these are too far apart, or a driver jumps where its function has no break: "
             "take more times, or `simulate` with rtol (poses, forces and reactions are exact)"
         )
 
@@ -208,12 +209,21 @@ def _crossing(continuation: Continuation, first: MotionState, second: MotionStat
 
 
 class _Frames:
-    """The frames of a Result."""
+    """The frames of a Result, and those beside times at which drivers demand another velocity at once."""
 
-    def __init__(self, model: Model) -> None:
-        self.model = model
+    def __init__(self, model: Model, asked: Floats) -> None:
+        self.model, self.asked = model, asked
         self.system = System(model)
         self.rows: dict[str, list[Any]] = {}
+        jumps = breakpoints.velocity_jumps(model, 0.0, float(asked[-1]))
+        #: The last time before each of these, and the first after it, once each.
+        self.struck = sorted(
+            {breakpoints.on_either_side(jump.time) for jump in jumps if jump.time > asked[0]}
+        )
+
+    @property
+    def times(self) -> Floats:
+        return np.union1d(self.asked, np.ravel(self.struck))
 
     def add(self, continuation: Continuation) -> None:
         self.extend({name: [value] for name, value in self._values(continuation.at).items()})
@@ -223,9 +233,9 @@ class _Frames:
         for name, values in found.items():
             self.rows.setdefault(name, []).append(values)
 
-    def result(self, continuation: Continuation, t: Floats, began: float, failed: bool = False) -> Result:
+    def result(self, continuation: Continuation, began: float, failed: bool = False) -> Result:
         fields, dynamics = self._fields(), self.system.compiled()
-        given = {"times": t}
+        given = {"times": self.asked}
         chosen = {"analysis": "kinematics", "integrator": "kinematics"}
         facts = manifest(self.model, self.model.hash(), given, chosen)
         header = Header.of(self.model.compiled(), dynamics, facts, None, self.model.shapes, self.model.curves)
@@ -261,7 +271,22 @@ class _Frames:
         states = (arrays["q"].reshape(len(t), -1), arrays["v"].reshape(len(t), -1))
         kinetic = self.system.compiled().kinetic_energies(*states)
         breaks = breakpoints.of_run(self.system.model, (), float(t[0]), float(t[-1]))
-        return {**arrays, "kinetic": kinetic, "work": _integral(t, power, breaks)}
+        found = {**arrays, "kinetic": kinetic, "work": self._work(t, power, kinetic, breaks)}
+        return {name: values[np.isin(t, self.asked)] for name, values in found.items()}
+
+    def _work(self, t: Floats, power: Floats, kinetic: Floats, breaks: Sequence[float]) -> Floats:
+        """The integral of the power, and where bodies are struck what they gain or lose by it."""
+        clusters = [np.flatnonzero((t >= before) & (t <= after)) for before, after in self.struck]
+        within = np.concatenate([np.zeros(0, dtype=int), *(cluster[1:-1] for cluster in clusters)])
+        kept = np.setdiff1d(np.arange(len(t)), within)
+        work = np.zeros(len(t))
+        work[kept] = _integral(t[kept], power[kept], breaks)
+        for cluster in clusters:
+            work[cluster[1:-1]] = work[cluster[:1]]
+        blows = np.zeros(len(t))
+        for cluster in clusters:
+            blows[cluster[1:]] = np.diff(kinetic[cluster])
+        return work + np.cumsum(blows)
 
     def _matrix(self, rows: Mapping[str, Any], count: int) -> Sparse:
         from scipy.sparse import csr_array

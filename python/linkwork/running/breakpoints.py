@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -45,32 +46,55 @@ def beside(model: Model, known: Sequence[float], t_start: float, t_end: float) -
     return sorted({*at_start, *(t for t in known if t >= t_start)})
 
 
-def check_drivers(model: Model, t_start: float, t_end: float, *, adaptive: bool) -> None:
-    """ModelError: the position that a driver demands jumps in the run, which no force can bring about.
+class Jump(NamedTuple):
+    """Of the velocity that a driver demands, by `size`."""
 
-    LinkworkWarning: its velocity jumps, and the steps are fixed. With steps that follow tolerances the bodies
-    are struck there.
+    what: str
+    time: float  # [s]
+    size: float
+
+
+def velocity_jumps(model: Model, t_start: float, t_end: float) -> list[Jump]:
+    """That the drivers demand, after the start and before the end [s].
+
+    ModelError: the position that one demands jumps there, or at the end, which no force can bring about.
     """
-    struck = []
+    found = []
     for what, signal in model.drivers:
-        inside = [t for t in signal.break_points if t_start < t < t_end]
+        inside = [t for t in signal.break_points if t_start < t <= t_end]
         for last, t, following in zip([t_start, *inside], inside, [*inside[1:], t_end], strict=False):
-            level, size = _jump(signal, last, t, following)
-            if level == 0:
+            order, size = _jump(signal, last, t, following)
+            if order == 0:
                 raise ModelError(
                     f"{what} jumps by {size:.4g} at t = {t:.6g} s: it drives a joint, and no force moves "
                     "bodies in no time; give it a ramp, such as functions.cycloidal",
                     code="position_jump",
                     time=t,
                 )
-            if level == 1:
-                struck.append(f"the rate of {what} jumps by {size:.4g} at t = {t:.6g} s")
+            if order == 1 and t < t_end:
+                found.append(Jump(what, t, size))
+    return found
+
+
+def check_drivers(model: Model, t_start: float, t_end: float, *, adaptive: bool) -> None:
+    """ModelError: the position that a driver demands jumps in the run, which no force can bring about.
+
+    LinkworkWarning: its velocity jumps, and the steps are fixed. With steps that follow tolerances the bodies
+    are struck there.
+    """
+    struck = velocity_jumps(model, t_start, t_end)
     if struck and not adaptive:
-        more = f", and {len(struck) - 1} more do" if len(struck) > 1 else ""
+        first, more = struck[0], f", and {len(struck) - 1} more do" if len(struck) > 1 else ""
         warn(
-            f"{struck[0]}{more}: an impact, which fixed steps smear over some steps; with rtol the bodies "
-            "are struck at that time"
+            f"the rate of {first.what} jumps by {first.size:.4g} at t = {first.time:.6g} s{more}: an impact, "
+            "which fixed steps smear over some steps; with rtol the bodies are struck at that time"
         )
+
+
+def on_either_side(t: float) -> tuple[float, float]:
+    """Of a break: the last time before it, and the first after it, in spite of rounding [s]."""
+    beside = max(BESIDE * float(np.finfo(float).eps) * abs(t), LEAST)
+    return t - beside, t + beside
 
 
 def _jump(signal: TimeFunction, last: float, t: float, following: float) -> tuple[int, float]:
@@ -78,8 +102,9 @@ def _jump(signal: TimeFunction, last: float, t: float, following: float) -> tupl
 
     last, following: the breaks, or ends of the run, next to it [s].
     """
-    beside = max(BESIDE * float(np.finfo(float).eps) * abs(t), LEAST)
-    before, after = signal.evaluate(t - beside), signal.evaluate(t + beside)
+    sides = on_either_side(t)
+    before, after = (signal.evaluate(at) for at in sides)
+    beside = t - sides[0]
     for level in (0, 1):
         size = abs(after[level] - before[level])
         slope = max(abs(before[level + 1]), abs(after[level + 1]))
