@@ -86,6 +86,65 @@ def test_a_result_of_a_free_body_has_tables_too() -> None:
     assert result.to_xarray().sizes["joint"] == 0
 
 
+@pytest.fixture(scope="module")
+def sprung() -> lw.Result:
+    """A load on a spring along a slide, and a pin with a spring about its axis."""
+    model = lw.Model()
+    load = model.body("load", mass=1.0, inertia=(0.1, 0.1, 0.1))
+    model.translational("ground", load, at=(0, 0, 0), axis=(0, 0, 1), name="slide")
+    model.spring_damper("ground", load, at=((0, 0, 1), (0, 0, 0)), stiffness=100.0, damping=1.0,
+                        free_length=0.9, name="spring")  # fmt: skip
+    wheel = model.body("wheel", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+    model.revolute("ground", wheel, at=(1, 0, 0), axis=(0, 0, 1), name="pin")
+    model.rotational_spring_damper(
+        "ground", wheel, axis=(0, 0, 1), stiffness=0.5, free_angle=0.3, name="twist"
+    )
+    return lw.simulate(model, t_end=1.0, rtol=1e-8)
+
+
+def test_tables_have_what_force_elements_do(sprung: lw.Result) -> None:
+    frame = sprung.to_frame()
+    z, rate = sprung.coordinate("slide").value, sprung.coordinate("slide").rate
+    tension = 100.0 * (1 - z - 0.9) - 1.0 * rate  # the spring hangs from z = 1
+    assert frame["spring.force.z [N]"].to_numpy() == pytest.approx(tension, abs=1e-9)
+    assert frame["spring.deflection [m]"].to_numpy() == pytest.approx(0.1 - z, abs=1e-12)
+    turned = sprung.coordinate("pin").value
+    assert frame["twist.torque.z [N m]"].to_numpy() == pytest.approx(0.5 * (0.3 - turned), abs=1e-9)
+    assert frame["twist.deflection_angle [rad]"].to_numpy() == pytest.approx(turned - 0.3, abs=1e-12)
+    assert "spring.deflection_angle [rad]" not in frame and "twist.deflection [m]" not in frame
+    assert np.array_equal(frame["spring.power [W]"], sprung.force("spring").power)
+    chosen = sprung.to_frame(forces=["twist"], quantities=["potential"])
+    assert list(chosen.columns) == ["twist.potential [J]"]
+    found = sprung.to_xarray()
+    assert np.array_equal(found.force.sel(force_element="spring"), sprung.force("spring").force)
+    assert found.deflection_angle.sel(force_with_deflection_angle="twist").dims == ("time",)
+    with pytest.raises(lw.ModelError, match="no force element named 'sprung'"):
+        sprung.to_csv(forces=["sprung"])
+
+
+def test_tables_of_files_are_without_forces_and_say_so_where_they_are_asked(
+    sprung: lw.Result, tmp_path: Path
+) -> None:
+    sprung.save(tmp_path / "run.h5")
+    loaded = lw.Result.load(tmp_path / "run.h5")
+    gone = set(sprung.to_frame().columns) - set(loaded.to_frame().columns)
+    assert gone and all(name.startswith(("spring.", "twist.")) for name in gone)
+    for asked in ({"forces": ["spring"]}, {"quantities": ["power"]}):
+        with pytest.raises(lw.OptionError, match="a result from a file has no laws of forces"):
+            loaded.to_frame(**asked)
+
+
+def test_pictures_show_what_force_elements_do(sprung: lw.Result) -> None:
+    upper, lower = sprung.plot(kind="forces").axes
+    drawn = {line.get_label(): line.get_ydata() for line in (*upper.lines, *lower.lines)}
+    assert drawn["spring"] == pytest.approx(np.abs(sprung.force("spring").force[:, 2]))
+    assert drawn["twist"] == pytest.approx(np.abs(sprung.force("twist").torque[:, 2]))
+    (line,) = sprung.plot(kind="forces", forces=["twist"]).axes[1].lines
+    assert line.get_label() == "twist"
+    with pytest.raises(lw.OptionError, match="plot 'energy' shows no forces"):
+        sprung.plot(kind="energy", forces=["twist"])
+
+
 def test_datasets_of_a_file_name_their_units(result: lw.Result, tmp_path: Path) -> None:
     result.save(tmp_path / "run.h5")
     with h5py.File(tmp_path / "run.h5") as file:
@@ -141,7 +200,7 @@ def test_commands_write_pictures_movies_and_tables_of_a_file(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     result.save("run.h5")
-    for kind in KINDS:
+    for kind in KINDS.keys() - {"forces"}:
         assert words(capsys, "plot", "run.h5", "--kind", kind)[0] == 0
         assert Path(f"run.{kind}.png").stat().st_size > 5000
     assert words(capsys, "movie", "run.h5", "-o", "run.gif", "--seconds", "0.2", "--size", "64", "64")[0] == 0

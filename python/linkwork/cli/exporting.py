@@ -17,13 +17,13 @@ __all__ = ["export", "movie", "plot"]
 def _kinds() -> list[str]:
     from linkwork.plots.kinds import KINDS
 
-    return list(KINDS)
+    return [kind for kind in KINDS if kind != "forces"]  # files know no laws of forces
 
 
 def _quantities() -> list[str]:
     from linkwork.results.tables import QUANTITIES
 
-    return [*QUANTITIES, "coordinate"]
+    return [*QUANTITIES, "coordinate"]  # files know no laws of forces
 
 
 def _chosen(command: Any) -> Any:

@@ -183,14 +183,19 @@ def plot_reactions(
         ax.plot(result.t, magnitude, color=color, ls=line, label=label)
         plot_band(ax, result, magnitude, color, partial(_reaction_error, result, j, part))
     if not chosen:
-        ax.set_yticks([])
-        ax.text(0.5, 0.5, "none", transform=ax.transAxes, ha="center", color="0.5")
+        write_none(ax)
     which = (
         ""
         if joints
         else share(len(chosen), len(result.joint_names), f"joints, those with the largest {part}")
     )
     legend(ax, which)
+
+
+def write_none(ax: Axes) -> None:
+    """Where there is nothing to draw."""
+    ax.set_yticks([])
+    ax.text(0.5, 0.5, "none", transform=ax.transAxes, ha="center", color="0.5")
 
 
 def plot_band(ax: Axes, result: Result, values: Floats, color: str, error: Callable[[], Floats]) -> None:

@@ -16,6 +16,7 @@ from linkwork.errors import ModelError, OptionError
 from linkwork.modeling.coordinates import known_coordinates
 from linkwork.plots import figures
 from linkwork.plots.figures import BODIES, COLORS, JOINTS
+from linkwork.results.forces import force_name
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -31,10 +32,11 @@ UNITS |= {"angle_a": UNITS["angle"], "angle_b": UNITS["angle"]}
 
 @dataclass(frozen=True)
 class Chosen:
-    """Bodies and joints by index; empty: those that tell the most."""
+    """Bodies and joints by index, force elements by name; empty: those that tell the most."""
 
     bodies: Sequence[int]
     joints: Sequence[int]
+    forces: Sequence[str] = ()
 
 
 def plot(
@@ -43,19 +45,24 @@ def plot(
     kind: str = "overview",
     bodies: Sequence[Named] = (),
     joints: Sequence[Named] = (),
+    forces: Sequence[str | int] = (),
 ) -> Figure:
     """One figure of a kind in KINDS.
 
-    OptionError: no such kind, or it does not show what is chosen, or too much is. ModelError: no such body or
-    joint.
+    OptionError: no such kind, or it does not show what is chosen, or too much is. ModelError: no such body,
+    joint or force element.
     """
     one_of(kind, KINDS, "plot kind")
-    for what, names in (("bodies", bodies), ("joints", joints)):
+    for what, names in (("bodies", bodies), ("joints", joints), ("forces", forces)):
         if not isinstance(names, Iterable) or isinstance(names, str):
             raise ModelError(f"{what} {names!r:.80} is no list of names, indices or handles", code="names")
     if not len(result):
         raise OptionError("the result has no frames: there is nothing to plot", code="empty")
-    chosen = Chosen([result.index("body", it) for it in bodies], [result.index("joint", it) for it in joints])
+    chosen = Chosen(
+        [result.index("body", it) for it in bodies],
+        [result.index("joint", it) for it in joints],
+        [force_name(result, it) for it in forces],
+    )
     _check_choice(kind, chosen)
     figure = KINDS[kind](result, chosen)
     figure.suptitle(figures.title_of(result), fontsize=11)
@@ -64,7 +71,8 @@ def plot(
 
 def _check_choice(kind: str, chosen: Chosen) -> None:
     """OptionError: a picture of this kind does not show them, or not so many."""
-    for what, count in (("bodies", len(chosen.bodies)), ("joints", len(chosen.joints))):
+    for what in ("bodies", "joints", "forces"):
+        count = len(getattr(chosen, what))
         if count and what not in SHOWN[kind]:
             kinds = ", ".join(f"'{name}'" for name, shown in SHOWN.items() if what in shown)
             raise OptionError(f"plot '{kind}' shows no {what} by themselves: {kinds} do", code="choice")
@@ -137,6 +145,25 @@ def _reactions(result: Result, chosen: Chosen) -> Figure:
     figure, (upper, lower) = _over_time(2)
     figures.plot_reactions(upper, result, "force", "N", chosen.joints)
     figures.plot_reactions(lower, result, "torque", "N m", chosen.joints)
+    return figure
+
+
+def _forces(result: Result, chosen: Chosen) -> Figure:
+    """Magnitudes of what force elements do to their second bodies."""
+    found = {name: result.force(name) for name in chosen.forces or result.header.force_names}
+    figure, axes = _over_time(2)
+    for ax, (part, unit) in zip(axes, (("force", "N"), ("torque", "N m")), strict=True):
+        figures.style(ax, f"{part} of elements [{unit}]")
+        sizes = {name: np.linalg.norm(getattr(it, part), axis=-1) for name, it in found.items()}
+        most = np.array([size.max(initial=0.0) for size in sizes.values()])
+        places = figures.largest_places(most, len(most) if chosen.forces else JOINTS)
+        shown = [list(sizes)[k] for k in places if chosen.forces or most[k] > 0.0]
+        for color, name in zip(figures.colors(len(shown)), shown, strict=True):
+            ax.plot(result.t, sizes[name], color=color, label=figures.literal(name))
+        if not shown:
+            figures.write_none(ax)
+        which = f"force elements, those with the largest {part}"
+        figures.legend(ax, "" if chosen.forces else figures.share(len(shown), len(sizes), which))
     return figure
 
 
@@ -225,6 +252,7 @@ KINDS: dict[str, Callable[[Result, Chosen], Figure]] = {
     "accelerations": _accelerations,
     "coordinates": _coordinates,
     "reactions": _reactions,
+    "forces": _forces,
     "phase": _phase,
     "step": _step,
 }
@@ -233,7 +261,7 @@ KINDS: dict[str, Callable[[Result, Chosen], Figure]] = {
 SHOWN: dict[str, tuple[str, ...]] = {
     "overview": ("bodies", "joints"), "energy": (), "violation": (), "positions": ("bodies",),
     "velocities": ("bodies",), "accelerations": ("bodies",), "coordinates": ("bodies", "joints"),
-    "reactions": ("joints",), "phase": ("bodies", "joints"), "step": (),
+    "reactions": ("joints",), "forces": ("forces",), "phase": ("bodies", "joints"), "step": (),
 }  # fmt: skip
 EITHER = ("coordinates", "phase")
 

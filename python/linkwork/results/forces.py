@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from linkwork.modeling.model import Model
     from linkwork.results.result import Result
 
-__all__ = ["force"]
+__all__ = ["force", "force_name"]
 
 #: Breaks that are one, and where functions are evaluated beside one, relative to the time; as steps do it.
 SAME, BESIDE = 64 * np.finfo(float).eps, 4 * np.finfo(float).eps
@@ -33,6 +33,11 @@ def force(result: Result, name: str | int, model: Model | None) -> ForceResult:
     state = (result.q.reshape(k, -1), result.v.reshape(k, -1), result._field("vdot").reshape(k, -1))
     on_force, torque, power, potential, turned = law(place, _clock(result), *state, result.history)
     return ForceResult(on_force, torque, power, potential, _deflection(result, place, turned))
+
+
+def force_name(result: Result, name: str | int) -> str:
+    """Of the force element of that name or index. ModelError: there is none."""
+    return result.header.force_names[_place(result, name, None)]
 
 
 def _clock(result: Result) -> Floats:

@@ -613,7 +613,12 @@ class Result:
         return result
 
     def to_frame(
-        self, *, bodies: Sequence[Named] = (), joints: Sequence[Named] = (), quantities: Sequence[str] = ()
+        self,
+        *,
+        bodies: Sequence[Named] = (),
+        joints: Sequence[Named] = (),
+        quantities: Sequence[str] = (),
+        forces: Sequence[str | int] = (),
     ) -> pandas.DataFrame:
         """A pandas.DataFrame over the time, a column a number, such as "crank.position.x [m]".
 
@@ -622,14 +627,17 @@ class Result:
         bodies, joints  by name, index or handle; without, all
         quantities      of position, orientation, velocity, omega, acceleration, angular_acceleration,
                         reaction_force, reaction_torque, kinetic_energy, potential_energy, work, energy_error,
-                        violation, coordinate (of joints, with their rates); without, all
+                        violation, coordinate (of joints, with their rates), and of force elements force,
+                        torque, power, potential, deflection, deflection_angle (see ForceResult); without, all
+        forces          elements by name or index; without, all. A result from a file knows no laws of forces:
+                        its columns are without them
 
         `attrs` has the model and the unit of each column. OptionError: no such quantity, or no pandas:
-        pip install 'linkwork[pandas]'. ModelError: no such body or joint.
+        pip install 'linkwork[pandas]'. ModelError: no such body, joint or force element.
         """
         from linkwork.results import tables
 
-        return tables.to_frame(self, tables.Choice(bodies, joints, quantities))
+        return tables.to_frame(self, tables.Choice(bodies, joints, quantities, forces))
 
     def to_csv(
         self,
@@ -638,6 +646,7 @@ class Result:
         bodies: Sequence[Named] = (),
         joints: Sequence[Named] = (),
         quantities: Sequence[str] = (),
+        forces: Sequence[str | int] = (),
         overwrite: bool = False,
     ) -> str:
         """The columns of `to_frame` as CSV, every digit kept; written to `path` when given.
@@ -648,22 +657,27 @@ class Result:
         """
         from linkwork.results import tables
 
-        return tables.to_csv(self, path, tables.Choice(bodies, joints, quantities), overwrite)
+        return tables.to_csv(self, path, tables.Choice(bodies, joints, quantities, forces), overwrite)
 
     def to_xarray(
-        self, *, bodies: Sequence[Named] = (), joints: Sequence[Named] = (), quantities: Sequence[str] = ()
+        self,
+        *,
+        bodies: Sequence[Named] = (),
+        joints: Sequence[Named] = (),
+        quantities: Sequence[str] = (),
+        forces: Sequence[str | int] = (),
     ) -> xarray.Dataset:
         """An xarray.Dataset with named axes: `found.position.sel(body="crank", xyz="x")` over the time.
 
             result.to_xarray().position.sel(body="rod", xyz="z")
 
         Every variable has its `units` and `long_name`, the data set the manifest. Angles and displacements of
-        joints, and their rates, are over the joints that have them. Arguments and errors as for `to_frame`;
-        pip install 'linkwork[xarray]'.
+        joints, and their rates, are over the joints that have them, deflections over springs. Arguments and
+        errors as for `to_frame`; pip install 'linkwork[xarray]'.
         """
         from linkwork.results import tables
 
-        return tables.to_xarray(self, tables.Choice(bodies, joints, quantities))
+        return tables.to_xarray(self, tables.Choice(bodies, joints, quantities, forces))
 
     def plot(
         self,
@@ -672,6 +686,7 @@ class Result:
         *,
         bodies: Sequence[Named] = (),
         joints: Sequence[Named] = (),
+        forces: Sequence[str | int] = (),
     ) -> Figure:
         """A figure of the run, written to `path` when given.
 
@@ -679,19 +694,20 @@ class Result:
 
         kind    "overview": energy, violation, positions and reactions; or one of "energy", "violation",
                 "positions", "velocities", "accelerations" (of bodies, the last two with those of rotations),
-                "coordinates" (angles and displacements of joints), "reactions", "phase" (rates over
-                coordinates), "step" (sizes of steps)
+                "coordinates" (angles and displacements of joints), "reactions", "forces" (of force elements),
+                "phase" (rates over coordinates), "step" (sizes of steps)
         bodies  by name, index or handle; without, those that move most
         joints  likewise; without, those with the largest reactions, or the first with a coordinate
+        forces  by name or index; without, the largest. A result from a file knows no laws of forces
 
         Reactions that do not follow from the motion are dashed and marked. OptionError: no such kind, or it
-        does not show what is chosen, or more than 20 of it. ModelError: no such body or joint. FileError:
-        `path` cannot be written.
+        does not show what is chosen, or more than 20 of it. ModelError: no such body, joint or force element.
+        FileError: `path` cannot be written.
         """
         from linkwork.plots import kinds
 
         path = None if path is None else check_suffix(path, "picture")
-        return kinds.plot(self, path, kind, bodies, joints)
+        return kinds.plot(self, path, kind, bodies, joints, forces)
 
     def index(self, what: Literal["body", "joint"], name: Named) -> int:
         """Place of a body or a joint in the arrays, by name, index or handle.

@@ -9,7 +9,7 @@ import csv
 import io
 import json
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
@@ -19,9 +19,12 @@ from linkwork.arguments import check_new, is_iterable, one_of, optional_package
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError
 from linkwork.modeling.coordinates import known_coordinates
+from linkwork.modeling.elements import KINDS
 from linkwork.modeling.handles import Named
 from linkwork.motion.header import VIOLATION_UNITS
+from linkwork.motion.records import ForceResult
 from linkwork.replacement import replacing
+from linkwork.results.forces import force_name
 
 if TYPE_CHECKING:
     import pandas
@@ -29,7 +32,7 @@ if TYPE_CHECKING:
 
     from linkwork.results.result import Result
 
-__all__ = ["QUANTITIES", "Choice", "to_csv", "to_frame", "to_xarray"]
+__all__ = ["FORCES", "QUANTITIES", "Choice", "to_csv", "to_frame", "to_xarray"]
 
 XYZ, EULER = ("x", "y", "z"), ("e0", "e1", "e2", "e3")
 
@@ -43,6 +46,14 @@ class Quantity:
     unit: str
     long_name: str
     values: Callable[[Result], Floats]  #: (k, bodies or joints, components)
+
+
+class OfForces(NamedTuple):
+    """What a ForceResult has, by the name of its attribute."""
+
+    components: tuple[str, ...]
+    unit: str
+    long_name: str
 
 
 QUANTITIES: dict[str, Quantity] = {
@@ -77,22 +88,45 @@ QUANTITIES: dict[str, Quantity] = {
 COORDINATES = {"angle": "rad", "angle_a": "rad", "angle_b": "rad", "displacement": "m"}
 
 
+FORCES: dict[str, OfForces] = {
+    "force": OfForces(XYZ, "N", "of a force element on its second body, inertial axes"),
+    "torque": OfForces(
+        XYZ, "N m", "of a force element on its second body about its point there, inertial axes"
+    ),
+    "power": OfForces((), "W", "that a force element gives to the bodies"),
+    "potential": OfForces((), "J", "energy stored in a force element"),
+    "deflection": OfForces((), "m", "of springs beyond what they have when free"),
+    "deflection_angle": OfForces((), "rad", "of springs about an axis beyond what they have when free"),
+}
+
+
 @dataclass(frozen=True)
 class Choice:
-    """Which part of a result: names of bodies, joints and quantities; all where there are none.
+    """Which part of a result: names of bodies, joints, forces and quantities; all where there are none.
 
-    Beside those of QUANTITIES there is "coordinate": angles and displacements of joints, with their rates.
+    Beside those of QUANTITIES and FORCES there is "coordinate": angles and displacements of joints, with
+    their rates. Files have no laws of forces: these are not among all of theirs.
     """
 
     bodies: Sequence[Named] = ()
     joints: Sequence[Named] = ()
     quantities: Sequence[str] = ()
+    forces: Sequence[str | int] = ()
 
-    def names(self) -> list[str]:
+    def names(self, result: Result) -> list[str]:
         """OptionError: no such quantity."""
-        known = [*QUANTITIES, "coordinate"]
+        known = [*QUANTITIES, "coordinate", *FORCES]
         _check_list("quantities", self.quantities)
-        return [one_of(name, known, "quantity") for name in self.quantities] or known
+        without = () if self.forces or result.header.force_element is not None else FORCES
+        return [one_of(name, known, "quantity") for name in self.quantities] or [
+            name for name in known if name not in without
+        ]
+
+    def of_forces(self, result: Result) -> dict[str, ForceResult]:
+        """ModelError: no such force element. OptionError: a file, which has no laws."""
+        _check_list("forces", self.forces)
+        chosen = [force_name(result, it) for it in self.forces] or result.header.force_names
+        return {name: result.force(name) for name in chosen}
 
     def places(self, result: Result, of: Literal["body", "joint"]) -> list[int]:
         """ModelError: no such body or joint."""
@@ -122,9 +156,14 @@ class Column(NamedTuple):
 
 def columns(result: Result, choice: Choice) -> Iterator[Column]:
     """Without the time."""
-    for name in choice.names():
+    names = choice.names(result)
+    forces = choice.of_forces(result) if FORCES.keys() & names else {}
+    for name in names:
         if name == "coordinate":
             yield from _coordinates(result, choice)
+            continue
+        if name in FORCES:
+            yield from _forces(result, name, forces)
             continue
         it = QUANTITIES[name]
         values, parts = it.values(result), [f".{component}" for component in it.components] or [""]
@@ -133,10 +172,10 @@ def columns(result: Result, choice: Choice) -> Iterator[Column]:
             for k, part in enumerate(parts):
                 yield Column(name + part, units[k], values.reshape(len(result), -1)[:, k])
             continue
-        names = result.body_names if it.of == "body" else result.joint_names
+        owners = result.body_names if it.of == "body" else result.joint_names
         for place in choice.places(result, it.of):
             for k, part in enumerate(parts):
-                yield Column(f"{names[place]}.{name}{part}", it.unit, values[:, place, k])
+                yield Column(f"{owners[place]}.{name}{part}", it.unit, values[:, place, k])
 
 
 def _coordinates(result: Result, choice: Choice) -> Iterator[Column]:
@@ -145,6 +184,26 @@ def _coordinates(result: Result, choice: Choice) -> Iterator[Column]:
             found, name = result.coordinate(place, which), f"{result.joint_names[place]}.{which}"
             yield Column(name, COORDINATES[which], found.value)
             yield Column(f"{name}_rate", f"{COORDINATES[which]}/s", found.rate)
+
+
+def _forces(result: Result, quantity: str, forces: Mapping[str, ForceResult]) -> Iterator[Column]:
+    it = FORCES[quantity]
+    parts = [f".{component}" for component in it.components] or [""]
+    for name, found in forces.items():
+        values = _of_force(result, name, found, quantity)
+        if values is not None:
+            for k, part in enumerate(parts):
+                yield Column(f"{name}.{quantity}{part}", it.unit, values.reshape(len(result), -1)[:, k])
+
+
+def _of_force(result: Result, name: str, found: ForceResult, quantity: str) -> Floats | None:
+    """None: it has none."""
+    if not quantity.startswith("deflection"):
+        values: Floats = getattr(found, quantity)
+        return values
+    kind = result.header.force_kinds[list(result.header.force_names).index(name)]
+    about_an_axis = "free_angle" in KINDS["force"][kind].parameters
+    return found.deflection if about_an_axis == (quantity == "deflection_angle") else None
 
 
 def to_frame(result: Result, choice: Choice) -> pandas.DataFrame:
@@ -180,9 +239,14 @@ def to_xarray(result: Result, choice: Choice) -> xarray.Dataset:
         "body": choice.places(result, "body"), "joint": choice.places(result, "joint"),
     }  # fmt: skip
     variables = {}
-    for name in choice.names():
+    names = choice.names(result)
+    forces = choice.of_forces(result) if FORCES.keys() & names else {}
+    for name in names:
         if name == "coordinate":
             variables.update(_coordinate_variables(result, choice))
+            continue
+        if name in FORCES:
+            variables.update(_force_variables(result, name, forces))
             continue
         it = QUANTITIES[name]
         values = it.values(result) if it.of == "run" else it.values(result)[:, places[it.of]]
@@ -196,7 +260,7 @@ def to_xarray(result: Result, choice: Choice) -> xarray.Dataset:
         "joint": [result.joint_names[k] for k in places["joint"]],
     }  # fmt: skip
     coordinates |= {
-        dims[1]: about.pop("joints") for dims, _, about in variables.values() if "joints" in about
+        dims[1]: about.pop("owners") for dims, _, about in variables.values() if "owners" in about
     }
     used = {dim for dims, *_ in variables.values() for dim in dims}
     attributes = {
@@ -208,7 +272,7 @@ def to_xarray(result: Result, choice: Choice) -> xarray.Dataset:
 
 
 def _coordinate_variables(result: Result, choice: Choice) -> dict[str, Any]:
-    """`angle`, `angle_rate`, ... over the joints that have it, which the attribute `joints` names."""
+    """`angle`, `angle_rate`, ... over the joints that have it, which the attribute `owners` names."""
     found: dict[str, Any] = {}
     for which, unit in COORDINATES.items():
         kinds = result.header.joint_kinds
@@ -220,6 +284,19 @@ def _coordinate_variables(result: Result, choice: Choice) -> dict[str, Any]:
         for suffix, values, units in (
             ("", [it.value for it in motions], unit), ("_rate", [it.rate for it in motions], f"{unit}/s"),
         ):  # fmt: skip
-            about = {"units": units, "long_name": f"{which} of joints", "joints": names}
+            about = {"units": units, "long_name": f"{which} of joints", "owners": names}
             found[which + suffix] = (dims, np.stack(values, axis=1), about)
     return found
+
+
+def _force_variables(result: Result, quantity: str, forces: Mapping[str, ForceResult]) -> dict[str, Any]:
+    """Over the force elements, or those that have it."""
+    it = FORCES[quantity]
+    found = {name: _of_force(result, name, force, quantity) for name, force in forces.items()}
+    known = {name: values for name, values in found.items() if values is not None}
+    if not known:
+        return {}
+    over = f"force_with_{quantity}" if quantity.startswith("deflection") else "force_element"
+    dims = ("time", over, *(("xyz",) if it.components else ()))
+    about = {"units": it.unit, "long_name": it.long_name, "owners": list(known)}
+    return {quantity: (dims, np.stack(list(known.values()), axis=1), about)}
