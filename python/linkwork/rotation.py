@@ -14,8 +14,11 @@ from linkwork.errors import ModelError
 
 __all__ = ["about", "between", "from_axes", "from_matrix", "matrix", "perpendicular"]
 
-#: Of the products of a rotation matrix' columns, beyond which it is none.
+#: Of the products of a rotation matrix' columns, beyond which it is none; of squares of unit vectors.
 ORTHONORMAL = 1e-3
+
+#: 1 + cos of the angle between vectors that are opposite to each other.
+OPPOSITE = 1e-14
 
 
 def matrix(p: ArrayLike) -> Floats:
@@ -24,8 +27,12 @@ def matrix(p: ArrayLike) -> Floats:
         x_axes = lw.rotation.matrix(result.body("rod").orientation)[..., 0]
 
     A = (2 e0^2 - 1) I + 2 (e e^T + e0 e~)
+    ModelError: p of another length.
     """
     p = _vectors(p, 4, "p")
+    if p.size and np.abs(np.einsum("...i,...i->...", p, p) - 1).max() > ORTHONORMAL:
+        raise ModelError(f"rotation.matrix: p {p!r:.80} is no unit quaternion: divide it by its length",
+                         code="euler_parameters")  # fmt: skip
     if p.ndim == 1:
         return _matrix(p)
     result: Floats = np.empty((*p.shape[:-1], 3, 3))
@@ -54,11 +61,18 @@ def from_matrix(A: ArrayLike) -> Floats:
         p = lw.rotation.from_matrix(np.eye(3))
 
     4 p p^T follows from the entries of A; its longest column is the one to divide by (Shepperd 1978).
+    ModelError: another matrix, a reflection among them, as eigenvectors may be.
     """
     A = array(A, "rotation.from_matrix: A", ModelError)
-    if A.shape[-2:] != (3, 3) or (np.abs(A @ np.swapaxes(A, -1, -2) - np.eye(3)) > ORTHONORMAL).any():
+    if A.shape[-2:] != (3, 3) or not (np.abs(A @ np.swapaxes(A, -1, -2) - np.eye(3)) <= ORTHONORMAL).all():
         raise ModelError(
             f"rotation.from_matrix: A {A!r:.80} is no rotation matrix (..., 3, 3)", code="rotation"
+        )
+    if (np.linalg.det(A) < 0).any():
+        raise ModelError(
+            f"rotation.from_matrix: A {A!r:.80} is a reflection, of determinant -1: change the sign of one "
+            "of its columns",
+            code="rotation",
         )
     trace = np.trace(A, axis1=-2, axis2=-1)[..., None, None]
     antisymmetric = A - np.swapaxes(A, -1, -2)
@@ -101,12 +115,24 @@ def between(a: ArrayLike, b: ArrayLike) -> Floats:
     The shortest rotation (..., 3, 3) that turns unit vectors a (..., 3) into b, not opposite to a.
 
         A = lw.rotation.between((1, 0, 0), (0, 1, 0))
+
+    ModelError: vectors of other lengths, or opposite to each other.
     """
     a, b = _vectors(a, 3, "between: a"), _vectors(b, 3, "between: b")
-    if not np.isfinite(np.sum(a * b)):
+    cos = np.sum(a * b, axis=-1)
+    if not np.isfinite(cos).all():
         raise ModelError("rotation.between: a or b is not finite", code="not_finite")
+    for what, vector in (("a", a), ("b", b)):
+        if (np.abs(np.sum(vector * vector, axis=-1) - 1) > ORTHONORMAL).any():
+            raise ModelError(f"rotation.between: {what} {vector!r:.80} is no unit vector", code="unit_vector")
+    if (1 + cos < OPPOSITE).any():
+        raise ModelError(
+            "rotation.between: a and b are opposite to each other: half a turn about which axis? "
+            "Give rotation.about(axis, np.pi)",
+            code="opposite",
+        )
     tilde = _skew(np.cross(a, b))
-    turn: Floats = np.eye(3) + tilde + tilde @ tilde / (1 + np.sum(a * b, axis=-1))[..., None, None]
+    turn: Floats = np.eye(3) + tilde + tilde @ tilde / (1 + cos)[..., None, None]
     return turn
 
 

@@ -300,3 +300,32 @@ def test_light_bodies_beside_stiff_springs_come_to_rest(stiffness: float, mass: 
     rest = lw.equilibrium(model)
     assert abs(rest.model.compiled().q0.reshape(-1, 7)[1, 0]) < 1e-8
     assert rest.imbalance < 1e-9
+
+
+def in_units_of(length: float) -> lw.Model:
+    """A bar of one such length on a hinge, held by a spring, and a rope of five bars."""
+    model = lw.Model(gravity=(0, 0, -9.81 * length))
+    bar = model.body("bar", mass=1.0, inertia=np.array([0.01, 0.1, 0.1]) * length**2,
+                     position=(0.5 * length, 0, 0))  # fmt: skip
+    model.revolute("ground", bar, at=(0, 0, 0), axis=(0, 1, 0), name="hinge")
+    model.spring_damper("ground", bar, at=((length, 0, length), (length, 0, 0)), stiffness=30.0,
+                        damping=0.0, free_length=0.5 * length, name="spring")  # fmt: skip
+    for k in range(5):
+        link = model.body(f"link {k}", mass=0.1, inertia=np.array([1e-4, 1e-2, 1e-2]) * length**2,
+                          position=((1.5 + k) * length, 0, 0))  # fmt: skip
+        model.revolute(bar, link, at=((1 + k) * length, 0, 0), axis=(0, 1, 0), name=f"pin {k}")
+        bar = link
+    return model
+
+
+def test_equilibrium_takes_the_same_way_in_any_unit_of_length() -> None:
+    def found(length: float) -> lw.Equilibrium:
+        return lw.equilibrium(in_units_of(length))
+
+    meter = found(1.0)
+    for length in (1e-8, 1e-6, 1e-3, 1e3):
+        other = found(length)
+        assert other.iterations == meter.iterations
+        assert other.model.compiled().q0.reshape(-1, 7)[:, :3] / length == pytest.approx(
+            meter.model.compiled().q0.reshape(-1, 7)[:, :3], abs=1e-7
+        )

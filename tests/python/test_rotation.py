@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import rotation
@@ -45,3 +46,27 @@ def test_perpendiculars_are_unit_and_perpendicular() -> None:
     x = rotation.perpendicular(z)
     assert np.abs(np.linalg.norm(x, axis=1) - 1).max() < 1e-15
     assert np.abs(np.sum(x * z, axis=1)).max() < 1e-15
+
+
+@pytest.mark.parametrize("Q", [np.diag([1.0, 1, -1]), -np.eye(3), np.eye(3)[[1, 0, 2]], np.linalg.eigh(
+    np.array([[0.03, 0.004, 0.002], [0.004, 0.05, -0.003], [0.002, -0.003, 0.06]]))[1] @ np.diag([1.0, 1, -1])])  # fmt: skip
+def test_reflections_are_no_rotations(Q: Floats) -> None:
+    reflection = Q if np.linalg.det(Q) < 0 else -Q
+    with pytest.raises(lw.ModelError, match="is a reflection"):
+        rotation.from_matrix(reflection)
+    with pytest.raises(lw.ModelError, match="is a reflection"):
+        rotation.from_matrix([np.eye(3), reflection])
+    assert rotation.matrix(rotation.from_matrix(-reflection)) == pytest.approx(-reflection, abs=1e-14)
+
+
+def test_what_is_no_rotation_is_refused() -> None:
+    for A in (np.full((3, 3), np.nan), np.diag([1, 1, 1.01])):
+        with pytest.raises(lw.ModelError, match="no rotation matrix"):
+            rotation.from_matrix(A)
+    for p in ((2, 0, 0, 0), (0, 0, 0, 0), (0.9, 0.1, 0, 0)):
+        with pytest.raises(lw.ModelError, match="no unit quaternion"):
+            rotation.matrix(p)
+    with pytest.raises(lw.ModelError, match="a .* is no unit vector"):
+        rotation.between((3, 0, 0), (0, 1, 0))
+    with pytest.raises(lw.ModelError, match="opposite to each other"):
+        rotation.between((0, 0, 1), (0, 0, -1))

@@ -258,7 +258,7 @@ class _Search:
         from scipy.sparse import diags_array
 
         own = np.abs(K.diagonal()).reshape(-1, 3).max(axis=1).repeat(3)
-        return diags_array(np.maximum(own, self.acting * self.eq.scale / self.eq.length)).tocsr()
+        return diags_array(np.maximum(own, self.acting / (self.eq.scale * self.eq.length))).tocsr()
 
     def _rounded(self, q: Floats, r: Floats, K: Sparse) -> bool:
         """Whether r, or the way to the pose in balance, is what positions have no digits for."""
