@@ -289,6 +289,7 @@ def test_sums_and_multiples_have_the_derivatives_of_their_terms(name: str) -> No
         f - 2 * g: (1, -2, 0),
         3.0 - f * np.float64(0.5): (-0.5, 0, 3),
         -f + 1: (-1, 0, 1),
+        +f / 4 - g / np.float32(0.5): (0.25, -2, 0),
     }
     for found, (a, b, c) in sums.items():
         for t in (0.0, 0.45, 1.7):
@@ -311,6 +312,20 @@ def test_a_sum_of_many_functions_goes_through_a_file(tmp_path: Path) -> None:
     assert again.hash() == model.hash()
 
 
+@pytest.mark.parametrize("suffix", ["yaml", "json"])
+def test_functions_with_breaks_go_through_a_file(tmp_path: Path, suffix: str) -> None:
+    pulse = functions.with_breaks(functions.harmonic(1.0, 2.0), (0.5, 0.7))
+    bent = functions.with_breaks(functions.expression("sqrt((t-1)**2)"), [1.0]) / 2 + 3.0
+    model = lw.Model()
+    body = model.body("body", mass=1.0, inertia=(1, 1, 1))
+    model.force(body, force=(pulse, bent, functions.with_breaks(pulse + bent, 0.9)), name="push")
+    model.force(body, force=(functions.harmonic(1.0, 3.0), 0, 0), breaks=0.3, name="late")
+    model.save(tmp_path / f"model.{suffix}")
+    again = lw.Model.load(tmp_path / f"model.{suffix}")
+    assert again.hash() == model.hash()
+    assert [f.break_points for _, f in again.signals] == [f.break_points for _, f in model.signals]
+
+
 def test_a_motion_of_two_parts_drives_a_joint() -> None:
     model = lw.Model(gravity=(0, 0, 0))
     body = model.body("body", mass=1.0, inertia=(1, 1, 1))
@@ -329,3 +344,13 @@ def test_functions_are_not_multiplied_with_each_other() -> None:
             wrong()
     with pytest.raises(lw.ModelError, match="not finite"):
         f * 1e308
+    for not_finite in (
+        lambda: math.nan * f,
+        lambda: f + np.inf,
+        lambda: f - np.float32(np.nan),
+        lambda: f / np.inf,
+    ):
+        with pytest.raises(lw.ModelError, match="is not finite"):
+            not_finite()
+    with pytest.raises(lw.ModelError, match="divided by zero"):
+        f / 0

@@ -43,7 +43,7 @@ class TimeFunction(ABC):
     def __add__(self, other: TimeFunction | float) -> TimeFunction:
         """ModelError: a number that is not finite."""
         if not isinstance(other, TimeFunction):
-            if not is_number(other):
+            if not _is_factor(other):
                 return NotImplemented
             if other == 0:
                 return self
@@ -53,11 +53,14 @@ class TimeFunction(ABC):
 
     __radd__ = __add__
 
+    def __pos__(self) -> TimeFunction:
+        return self
+
     def __neg__(self) -> TimeFunction:
         return self.scaled(-1.0)
 
     def __sub__(self, other: TimeFunction | float) -> TimeFunction:
-        if not isinstance(other, TimeFunction) and not is_number(other):
+        if not isinstance(other, TimeFunction) and not _is_factor(other):
             return NotImplemented
         return self + -other
 
@@ -66,11 +69,19 @@ class TimeFunction(ABC):
 
     def __mul__(self, factor: float) -> TimeFunction:
         """ModelError: the product is not finite."""
-        if not is_number(factor):
+        if not _is_factor(factor):
             return NotImplemented
         return self.scaled(float(factor))
 
     __rmul__ = __mul__
+
+    def __truediv__(self, divisor: float) -> TimeFunction:
+        """ModelError: the quotient is not finite."""
+        if not _is_factor(divisor):
+            return NotImplemented
+        if divisor == 0:
+            raise ModelError("a function of time cannot be divided by zero", code="time_function")
+        return self.scaled(1.0 / float(divisor))
 
     def scaled(self, factor: float) -> TimeFunction:
         """`factor` times the function. ModelError: it is not known."""
@@ -310,6 +321,13 @@ class Broken(TimeFunction):
 
     def scaled(self, factor: float) -> TimeFunction:
         return Broken(self.function.scaled(factor), self.times)
+
+
+def _is_factor(given: Any) -> bool:
+    """Whether it is a number. ModelError: one that is not finite."""
+    if isinstance(given, float | np.floating) and not math.isfinite(given):
+        raise ModelError(f"{given} is not finite: functions of time take finite numbers", code="not_finite")
+    return is_number(given)
 
 
 def _times(factor: float, function: Callable[[float], float]) -> Callable[[float], float]:

@@ -25,7 +25,7 @@ from linkwork.errors import (
     about,
     nearest,
 )
-from linkwork.functions import Sum, TimeFunction, constant
+from linkwork.functions import Sum, TimeFunction, constant, with_breaks
 from linkwork.modeling.elements import KINDS
 from linkwork.modeling.files import packed, schema
 from linkwork.modeling.files.batches import Placed, add_batch, batch_key
@@ -445,6 +445,8 @@ def function_of(record: Any) -> TimeFunction:
     with about(name):
         if name == "sum":
             return Sum(tuple(map(function_of, arguments)))
+        if name == "with_breaks":
+            return with_breaks(function_of(arguments.function), arguments.breaks)
         constructor = schema.constructors()[name]
         if isinstance(arguments, schema.Record):
             return constructor(**{what: getattr(arguments, what) for what in type(arguments).model_fields})

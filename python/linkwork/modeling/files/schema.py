@@ -151,7 +151,8 @@ def _argument_type(parameter: inspect.Parameter) -> Any:
     return Numbers
 
 
-#: How deep sums can be in each other: the integral of an integral of a sum, and what it starts from.
+#: How deep sums, and functions with breaks, can be in each other: the integral of an integral of a sum, and
+#: what it starts from.
 SUMS = 4
 
 
@@ -162,14 +163,24 @@ def _has_one(constructor: Callable[..., Any]) -> bool:
 
 @cache
 def _function_type(sums: int = SUMS) -> Any:
-    """A mapping with one key, the name of a function, and its arguments; a sum has a list of functions."""
+    """A mapping with one key, the name of a function, and its arguments; a sum has a list of functions, and
+    what has breaks of its own a function."""
     variants = [Annotated[_variant(name), Tag(name)] for name in constructors()]
     if sums:
         fields: dict[str, Any] = {"sum": (_list(_function_type(sums - 1), 1), ...)}
         label = "sum" if sums == SUMS else f"sum {sums}"
         total = create_model(label, __base__=Record, __doc__="The sum of functions.", **fields)
         variants.append(Annotated[total, Tag("sum")])
-    known = {*constructors(), "sum"} if sums else set(constructors())
+        inner: dict[str, Any] = {
+            "function": (_function_type(sums - 1), ...),
+            "breaks": (Annotated[list[Number], Len(1), FIRST], ...),
+        }
+        arguments = create_model(f"{label} broken", __base__=Record, **inner)
+        broken: dict[str, Any] = {"with_breaks": (arguments, ...)}
+        what = "A function that is not smooth at these times [s], either."
+        made = create_model(f"with_breaks {label}", __base__=Record, __doc__=what, **broken)
+        variants.append(Annotated[made, Tag("with_breaks")])
+    known = {*constructors(), "sum", "with_breaks"} if sums else set(constructors())
 
     def name_of(value: Any) -> str | None:
         names = [name for name in value if name in known] if isinstance(value, dict) else []

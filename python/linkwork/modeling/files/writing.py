@@ -18,7 +18,7 @@ from linkwork import _core
 from linkwork.arguments import check_new
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError, nearest, unwritable
-from linkwork.functions import Sum, Table, TimeFunction
+from linkwork.functions import Broken, Sum, Table, TimeFunction
 from linkwork.modeling.builder import ModelBuilder
 from linkwork.modeling.elements import KINDS, Role
 from linkwork.modeling.files import packed, schema
@@ -219,6 +219,9 @@ def function_record(function: TimeFunction, who: str) -> dict[str, Any]:
         return {"piecewise_polynomial": {"breaks": breaks, "coefficients": rows}}
     if isinstance(function, Sum):
         return {"sum": [function_record(term, who) for term in function.terms]}
+    if isinstance(function, Broken):
+        inner = function_record(function.function, who)
+        return {"with_breaks": {"function": inner, "breaks": list(function.times)}}
     if not is_data(function):
         raise ModelError(
             f"{who} is a Python function, which a file cannot hold: give it as one of linkwork.functions, "
@@ -238,6 +241,8 @@ def is_data(function: TimeFunction) -> bool:
     """Whether a file can hold it."""
     if isinstance(function, Sum):
         return all(map(is_data, function.terms))
+    if isinstance(function, Broken):
+        return is_data(function.function)
     known = dataclasses.is_dataclass(function) and _constructor(function) in schema.constructors()
     return isinstance(function, Table) or known
 
