@@ -348,6 +348,22 @@ def test_fixed_steps_of_half_a_turn_are_refused_by_name() -> None:
         run(spring().model, 1.0, step=0.03)
 
 
+@pytest.mark.parametrize("integrator", ["euler", "rk4", "ab4", "semi_implicit_euler"])
+@pytest.mark.parametrize("beside", [False, True])
+def test_laws_of_joints_that_turn_half_a_turn_in_a_step_are_refused_by_name(
+    integrator: str, beside: bool
+) -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("rotor", mass=1.0, inertia=(0.1, 0.1, 0.1), omega=(0, 0, 400.0))
+    model.revolute("ground", "rotor", at=(0, 0, 0), axis=(0, 0, 1), name="shaft")
+    if beside:
+        model.linear_damping("ground", "rotor", at=(0, 0, 0), damping=1e-6, name="air")
+    model.joint_force("shaft", lambda t, angle, rate: 0.1, name="motor")
+    with pytest.raises(lw.StepSizeError, match=r"force 'motor': its angle turns by about") as refused:
+        lw.simulate(model, 1.0, 0.01, integrator=integrator)
+    assert refused.value.forces == ["motor"]
+
+
 def test_adaptive_steps_stay_below_half_a_turn() -> None:
     """A spring that is too soft to limit the steps of a wheel that the method turns exactly enough."""
     model = wheel(100.0)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import linkwork as lw
 import numpy as np
 import pytest
@@ -611,3 +613,57 @@ def test_positions_that_jump_are_refused_by_every_analysis_and_run(size: float, 
     ):
         with pytest.raises(lw.ModelError, match=rf"'step'.* jumps by {size:.4g} at t = {when:.6g} s"):
             run()
+
+
+def folding(pairs: int) -> lw.Model:
+    """Parallelograms of cranks of 0.3 m beside each other, all driven at 2 rad/s from 0.3 rad on."""
+    model = lw.Model()
+    for k in range(pairs):
+        y, bodies = 0.5 * k, []
+        start = lw.rotation.about((0, 1, 0), -0.3)
+        along, up = 0.3 * np.cos(0.3), 0.3 * np.sin(0.3)
+        for n, x in enumerate((0.0, 1.0)):
+            crank = model.body(f"crank {k} {n}", mass=1.0, inertia=(0.01, 0.02, 0.02), orientation=start,
+                               position=(x + along / 2, y, up / 2))  # fmt: skip
+            model.revolute("ground", crank, at=(x, y, 0), axis=(0, -1, 0), name=f"shaft {k} {n}")
+            bodies.append(crank)
+        rod = model.body(f"rod {k}", mass=1.0, inertia=(0.01, 0.1, 0.1), position=(0.5 + along, y, up))
+        for n, crank in enumerate(bodies):
+            at = (n + along, y, up)
+            model.revolute(crank, rod, at=at, axis=(0, -1, 0), name=f"pin {k} {n}")
+        model.drive(f"shaft {k} 0", position=lw.functions.polynomial(0.0, 2.0), name=f"motor {k}")
+    return model
+
+
+@every_way
+@pytest.mark.filterwarnings("ignore:kinematics. the work")
+@pytest.mark.parametrize("pairs", [1, 2, 3])
+@pytest.mark.parametrize("frames", [2, 8, 61])
+def test_poses_in_which_any_number_of_parallelograms_fold_are_told(pairs: int, frames: int) -> None:
+    t_end = 3.5
+    with pytest.warns(lw.LinkworkWarning, match=r"singular pose at t = (1.420|2.99)"):
+        result = lw.kinematics(folding(pairs), np.linspace(0, t_end, frames))
+    folds = [(np.pi - 0.3) / 2, (2 * np.pi - 0.3) / 2]
+    assert [pose.t for pose in result.singular_poses] == pytest.approx(folds, abs=1e-5)
+    rod = result.body("rod 0").position
+    assert rod[:, 2] == pytest.approx(0.3 * np.sin(0.3 + 2 * result.t), abs=1e-9)
+    with pytest.raises(lw.SingularSystemError, match=r"singular pose at t = 1.420"):
+        lw.kinematics(folding(pairs), np.linspace(0, t_end, frames), on_singular="stop")
+
+
+@every_way
+@pytest.mark.filterwarnings("ignore:kinematics. the work")
+@pytest.mark.parametrize("times", [[0.0, 1.0, 2.0], [0.2, 1.0], np.linspace(0, 2, 21)])
+def test_what_drivers_do_between_two_frames_counts(times: Sequence[float]) -> None:
+    """A turn of 0.3 s between two rests, halved by a belt, winds a spring by a turn."""
+    model = lw.Model(gravity=(0, 0, 0))
+    for name, x in (("a", 0.0), ("b", 3.0)):
+        wheel = model.body(name, mass=1.0, inertia=(0.01, 0.02, 0.03), position=(x, 0, 0))
+        model.revolute("ground", wheel, at=(x, 0, 0), axis=(0, 0, 1), name=f"pin {name}")
+    model.coupler([("pin a", 0.5), ("pin b", -1.0)], name="belt")
+    model.rotational_spring_damper("ground", "a", at=(0, 0, 0), axis=(0, 0, 1), stiffness=1.0, name="spring")
+    model.drive("pin a", position=lw.functions.cycloidal(2 * np.pi, 0.3, start=0.25), name="drive")
+    effort = lw.inverse_dynamics(model, times)
+    k = list(times).index(1.0) if 1.0 in times else -1
+    assert effort.motion.body("b").orientation[k] == pytest.approx((0, 0, 0, 1), abs=1e-9)
+    assert effort.effort("drive")[k] == pytest.approx(2 * np.pi, abs=1e-9)

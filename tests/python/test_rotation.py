@@ -48,8 +48,11 @@ def test_perpendiculars_are_unit_and_perpendicular() -> None:
     assert np.abs(np.sum(x * z, axis=1)).max() < 1e-15
 
 
-@pytest.mark.parametrize("Q", [np.diag([1.0, 1, -1]), -np.eye(3), np.eye(3)[[1, 0, 2]], np.linalg.eigh(
-    np.array([[0.03, 0.004, 0.002], [0.004, 0.05, -0.003], [0.002, -0.003, 0.06]]))[1] @ np.diag([1.0, 1, -1])])  # fmt: skip
+#: Of an inertia about the center of mass; NumPy gives them any sign.
+PRINCIPAL_AXES = np.linalg.eigh([[0.03, 0.004, 0.002], [0.004, 0.05, -0.003], [0.002, -0.003, 0.06]])[1]
+
+
+@pytest.mark.parametrize("Q", [np.diag([1.0, 1, -1]), -np.eye(3), np.eye(3)[[1, 0, 2]], PRINCIPAL_AXES])
 def test_reflections_are_no_rotations(Q: Floats) -> None:
     reflection = Q if np.linalg.det(Q) < 0 else -Q
     with pytest.raises(lw.ModelError, match="is a reflection"):

@@ -159,6 +159,17 @@ def test_large_baumgarte_gains_are_a_warning() -> None:
         lw.simulate(lw.mechanisms.pendulum(), 0.01, 1e-3, stabilization="baumgarte", **gains)
 
 
+def test_baumgarte_gains_that_are_not_given_are_told_and_checked() -> None:
+    result = lw.simulate(lw.mechanisms.pendulum(), 0.01, 1e-3, stabilization="baumgarte")
+    assert {name: result.manifest["options"][f"baumgarte_{name}"] for name in ("alpha", "beta")} == {
+        "alpha": 5.0, "beta": 5.0
+    }  # fmt: skip
+    with pytest.warns(lw.LinkworkWarning, match=r"alpha 5 1/s .* are above 0.1 / step: .* loses its order"):
+        lw.simulate(lw.mechanisms.pendulum(), 0.1, 0.025, stabilization="baumgarte", on_inaccurate="pass")
+    with pytest.raises(lw.OptionError, match="alpha 5 1/s .* unstable with integrator 'euler' and step 0.5"):
+        lw.simulate(lw.mechanisms.pendulum(), 1.0, 0.5, stabilization="baumgarte", integrator="euler")
+
+
 def test_consistent_mechanisms_run_without_a_warning() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")

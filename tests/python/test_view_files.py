@@ -15,9 +15,11 @@ import linkwork as lw
 import numpy as np
 import pytest
 from drawn_words import HOSTILE, words_of
+from linkwork.arrays import Floats
 from linkwork.cli import run
 from linkwork.errors import FileError, ModelError, OptionError
 from linkwork.view.encoding import STEPS, Pack
+from linkwork.view.poses import page_origin, stream_piece
 from linkwork.view.run import Choice, document
 from PIL import Image
 
@@ -96,6 +98,57 @@ def test_a_knock_leaves_the_other_numbers_of_its_curve_as_they_are() -> None:
     assert np.abs(result.reaction("pin").force).max() > 2e4
     found, block, _ = document(result, "")
     np.testing.assert_allclose(singles(found, block, "force")[2, :100], 9.81, rtol=1e-6)
+
+
+#: Far off along x and y [m].
+FAR = np.array([2.0**20, 2.0**20, 0.0])
+
+
+def cranks_at(place: Floats) -> lw.Result:
+    """A crank with a rod, a spring and a box on the ground."""
+    model = lw.Model()
+
+    def at(x: float, z: float = 0.0) -> Floats:
+        return place + np.array([x, 0.0, z])
+
+    model.shape("ground", lw.Box((0.4, 0.4, 0.1), position=at(0, -0.5)))
+    for name, x in (("crank", 0.25), ("rod", 0.75)):
+        model.body(name, mass=1.0, inertia=(1e-3, 0.1, 0.1), position=at(x),
+                   shape=lw.Box((0.5, 0.02, 0.02)))  # fmt: skip
+    model.revolute("ground", "crank", at=at(0), axis=(0, 1, 0), name="pin")
+    model.revolute("crank", "rod", at=at(0.5), axis=(0, 1, 0), name="knee")
+    model.spring_damper("ground", "rod", at=(at(1, 1), at(1)), stiffness=20.0, damping=0.0, free_length=0.5,
+                        name="spring")  # fmt: skip
+    return lw.simulate(model, t_end=0.5, rtol=1e-9, times=np.linspace(0, 0.5, 11))
+
+
+@pytest.mark.parametrize("streamed", [False, True])
+def test_pages_of_mechanisms_that_are_far_off_show_what_they_would_at_the_origin(streamed: bool) -> None:
+    """Pictures are drawn in single precision: at 1e6 m that has steps of 6 cm."""
+    near, far = (document(cranks_at(place), "", streamed=streamed) for place in (0 * FAR, FAR))
+    origin = np.array(far.facts["origin"])
+    shift = origin - FAR
+    assert near.facts["origin"] == [0, 0, 0] and np.abs(shift).max() < 1
+    assert np.array(far.facts["extent"]) + shift == pytest.approx(np.array(near.facts["extent"]), abs=1e-6)
+    assert far.facts["precision"] < 1e-4
+    compared = 0
+    for name, where in near.facts["arrays"].items():
+        if name.endswith((".place", ".ends")) or name == "joints.origin":
+            one, other = (
+                np.frombuffer(zlib.decompress(base64.b64decode(it.block)), np.float32,
+                              int(np.prod(where["shape"])), it.facts["arrays"][name]["offset"])
+                for it in (near, far)
+            )  # fmt: skip
+            assert np.abs(one - other).max() < np.abs(shift).max() + 1e-5
+            compared += 1
+    assert compared > 3
+
+
+def test_a_server_gives_out_poses_from_the_origin_of_its_page() -> None:
+    far = cranks_at(FAR)
+    origin = page_origin(far)
+    piece = np.frombuffer(stream_piece(far, 0, origin), "<f4").reshape(11, 2, 7)
+    assert piece[..., :3] + origin == pytest.approx(far.position, abs=1e-6)
 
 
 def test_energy_error_of_a_run_that_goes_on_begins_with_zero() -> None:

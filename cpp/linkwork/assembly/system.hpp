@@ -126,7 +126,8 @@ class System {
   const std::vector<HistoryOwner>& history_owners() const { return history_owners_; }
   /// Of each switch the history variable of the contact that begins where it becomes positive, or -1.
   const std::vector<int>& switches() const { return switches_; }
-  std::string history_name(int variable) const;  ///< such as "force 'mainspring'"
+  std::string history_element(int variable) const;  ///< the name of its joint, force element or law of a joint's force
+  std::string history_name(int variable) const;     ///< such as "force 'mainspring'"
   /// That of the model, or of a motion that begins: angles within half a turn of zero, no contacts. Where a joint is
   /// placed is known, whether spheres touch is not: see Dynamics::initial_history.
   const VectorXd& initial_history() const { return initial_history_; }

@@ -265,12 +265,16 @@ void System::add_history(HistoryKind kind, bool joint, int element, int count) {
   history_owners_.insert(history_owners_.end(), count, {kind, joint, element});
 }
 
-std::string System::history_name(int variable) const {
+std::string System::history_element(int variable) const {
   const HistoryOwner& owner = history_owners_[variable];
-  if (owner.joint) return "joint '" + model_.joint_name(owner.element) + "'";
+  if (owner.joint) return model_.joint_name(owner.element);
   if (const auto k = static_cast<std::size_t>(owner.element); k >= model_.forces().size())
-    return "force '" + model_.joint_forces()[k - model_.forces().size()].name + "'";
-  return "force '" + model_.force_names().name(owner.element) + "'";
+    return model_.joint_forces()[k - model_.forces().size()].name;
+  return model_.force_names().name(owner.element);
+}
+
+std::string System::history_name(int variable) const {
+  return (history_owners_[variable].joint ? "joint '" : "force '") + history_element(variable) + "'";
 }
 
 void System::begin_history() {

@@ -91,7 +91,7 @@ void LaneStepper::hold(const LaneSpans& spans, const double* share) {
   const Options& options = mechanism(0).options();
   const double lag = tableau_.b.dot(tableau_.c);
   for (int l = 0; l < width(); ++l) {
-    Gains gains = textbook_gains;
+    Gains gains{};
     if (sampled()) gains = deadbeat_gains(lag, spans.h[l]);
     if (sampled() && share[l] < 1.0) gains = {gains.alpha * share[l], gains.beta * share[l]};
     const double alpha = options.baumgarte_alpha.value_or(gains.alpha);

@@ -391,7 +391,7 @@ void Dynamics::add_correction(double h, MutableVector y) {
 void Dynamics::rates(MutableVector y_dot) {
   const bool continuous = kind_ == StabilizationKind::baumgarte;
   if (!continuous && !held_) return rates(at_.gamma, y_dot);
-  const Gains gains = continuous ? gains_or(textbook_gains) : Gains{};
+  const Gains gains = continuous ? gains_or({}) : Gains{};
   b_.resize(system_.row_count());
   in_pieces(system_.threads(), b_.size(), [&](Eigen::Index first, Eigen::Index count) {
     const auto of = [&](const VectorXd& rows) { return rows.segment(first, count); };

@@ -126,6 +126,9 @@ void resolve_gains(Options& options) {
   } else if (alpha != beta) {
     conflict(std::string(alpha ? "baumgarte_alpha" : "baumgarte_beta") +
              " is given alone: give baumgarte_alpha and baumgarte_beta");
+  } else if (!alpha && stabilization_info(options.stabilization).kind == StabilizationKind::baumgarte) {
+    options.baumgarte_alpha = textbook_gains.alpha;
+    options.baumgarte_beta = textbook_gains.beta;
   }
 }
 

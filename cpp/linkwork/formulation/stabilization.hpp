@@ -44,7 +44,7 @@ constexpr bool projects_velocities(StabilizationKind kind) {
   return kind == StabilizationKind::projection || kind == StabilizationKind::velocity_projection;
 }
 
-/// Textbook gains of continuous Baumgarte stabilization.
+/// Of continuous Baumgarte stabilization where none are given.
 constexpr Gains textbook_gains{5.0, 5.0};
 
 /// Gains that make sampled stabilization dead-beat for a one-step method. Under a held u the violation obeys, with

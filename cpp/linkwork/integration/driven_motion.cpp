@@ -102,7 +102,7 @@ bool DrivenMotion::start(const ConstVector& q, const ConstVector& history) {
 bool DrivenMotion::begins_regular() {
   std::uniform_real_distribution<double> any(-1.0, 1.0);
   for (double& entry : right_) entry = any(random_);
-  return regular(first_iterations);
+  return regular(first_iterations, left_);
 }
 
 DrivenFrames DrivenMotion::follow(const std::vector<double>& times, double seconds) {
@@ -154,7 +154,10 @@ bool DrivenMotion::step(double t) {
   DrivenState next{t, displaced(now_.q, x), now_.v + h * now_.v_dot, now_.v_dot, {}};
   const int sign = lu_.sign(), pivots = pivots_;
   if (!correct(t, next.q, largest_correction)) return false;
-  if (!factorize(there_) || !same_side(sign, pivots) || !regular(1)) return false;
+  VectorXd left;
+  if (!factorize(there_) || !same_side(sign, pivots) || !regular(1, left)) return false;
+  if (left.dot(left_) < 0.0) return false;  // two singular values at once keep the sign of the determinant
+  left_ = left;
   complete(next);
   now_ = std::move(next);
   std::swap(here_, there_);
@@ -255,14 +258,15 @@ bool DrivenMotion::choose_pivots(const Evaluation& at) {
 }
 
 // The smallest singular value by inverse iteration.
-bool DrivenMotion::regular(int iterations) {
+bool DrivenMotion::regular(int iterations, VectorXd& left) {
   std::uniform_real_distribution<double> any(-1.0, 1.0);
   const double part = noise / std::sqrt(static_cast<double>(right_.size()));
   for (double& entry : right_) entry += part * any(random_);
   double sigma = 0.0;
   for (int k = 0; k < iterations; ++k) {
     lu_.solve_transposed(right_.normalized(), b_);
-    lu_.solve(b_.normalized(), right_);
+    left = b_.normalized();
+    lu_.solve(left, right_);
     sigma = 1.0 / right_.norm();
     right_ *= sigma;
   }

@@ -45,8 +45,8 @@ struct SparsePattern {
 /// M v_dot - D^T lambda = g.
 ///
 /// D is scaled: its columns of rotations by `length`, each row to length 1. Where its smallest singular value comes
-/// below `regular` of `unit`, where its determinant changes its sign, or where a step is not to be trusted, nothing is
-/// decided: `follow` ends before that frame.
+/// below `regular` of `unit`, where it or the determinant changes its sign, or where a step is not to be trusted, nothing
+/// is decided: `follow` ends before that frame.
 class DrivenMotion {
  public:
   /// `length` is the size of the mechanism [m], `row_lengths` (m) what residuals are relative to, `rounding` that of
@@ -77,7 +77,7 @@ class DrivenMotion {
   bool same_side(int sign_before, int pivots_before);
   void scale(const Evaluation& at);
   bool factorize(const Evaluation& at);
-  bool regular(int iterations);
+  bool regular(int iterations, VectorXd& left);
   bool choose_pivots(const Evaluation& at);
   bool begins_regular();
   void solve(const VectorXd& residual, VectorXd& x);
@@ -99,7 +99,7 @@ class DrivenMotion {
   VectorXd row_scale_, column_scale_;
   DrivenState now_;
   Evaluation here_, there_;  ///< where the mechanism is, and at what a step tries
-  VectorXd right_;           ///< singular vector of the smallest singular value
+  VectorXd right_, left_;    ///< singular vectors of the smallest singular value, D^T left = sigma right
   VectorXd rest_, b_, dx_;
   std::minstd_rand random_;
   std::int64_t steps_ = 0, evaluations_ = 0, factorizations_ = 0;

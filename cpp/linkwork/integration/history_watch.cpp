@@ -49,10 +49,8 @@ void TurnGuard::refuse(double h, double angle) const {
   char shorter[32];
   std::snprintf(shorter, sizeof shorter, "%.1g", 0.5 * limit / angle * h);
   const System& system = dynamics_.system();
-  const HistoryOwner& owner = system.history_owners()[fastest_];
   ErrorDetails details;
-  if (owner.joint) details.joints = {system.model().joint_name(owner.element)};
-  else details.forces = {system.model().force_names().name(owner.element)};
+  (system.history_owners()[fastest_].joint ? details.joints : details.forces) = {system.history_element(fastest_)};
   throw StepSizeError("turns",
                       system.history_name(fastest_) + ": its angle turns by about " + numbers +
                           ", and full turns cannot be counted in steps of nearly half a turn; use a step of " +

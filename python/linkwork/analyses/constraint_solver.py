@@ -86,11 +86,12 @@ class Constraints:
         chosen: NDArray[np.intp] = order[share[order] > 0.1 * share[order[0]]]
         return chosen
 
-    def orientation(self, other: Any) -> float:
-        """The sign of det(D_1^T D_2) with another one of the kind: negative where D has lost its rank between
-        two poses that are near."""
-        sign, _ = np.linalg.slogdet(self.U.T @ other.scaled @ self.V)
-        return float(sign)
+    def turns(self, other: Any) -> bool:
+        """Whether D may have lost its rank between two poses that are near: singular values that passed
+        through zero are negative in U^T D_2 V, be they an even number, which its determinant does not tell.
+        """
+        there = self.U.T @ other.scaled @ self.V
+        return bool(np.linalg.eigvalsh(there + there.T)[:1].sum() < 0)
 
 
 @dataclass(frozen=True)
@@ -177,25 +178,10 @@ class SparseConstraints:
         chosen: NDArray[np.intp] = self.rows[order[share[order] > 0.1 * share[order[0]]]]
         return chosen
 
-    def orientation(self, other: Any) -> float:
-        """As that of Constraints: the product of the signs of two determinants."""
-        return self._sign() * float(other._sign())
-
-    def _sign(self) -> float:
-        """Of det(R D S)."""
-        pivots = np.prod(np.sign(self.factor.U.diagonal()))
-        return float(pivots * _parity(self.factor.perm_r) * _parity(self.factor.perm_c))
-
-
-def _parity(permutation: NDArray[np.integer[Any]]) -> float:
-    """1 for an even number of exchanges, -1 for an odd one: n less the number of cycles."""
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-
-    n = len(permutation)
-    graph = coo_array((np.ones(n), (np.arange(n), permutation)), shape=(n, n))
-    cycles, _ = connected_components(graph, directed=False)
-    return -1.0 if (n - cycles) % 2 else 1.0
+    def turns(self, other: Any) -> bool:
+        """As that of Constraints, by the smallest singular value."""
+        same_rows = np.array_equal(self.rows, other.rows)
+        return same_rows and float(self.left @ other.factor.solve(self.right, "T")) < 0
 
 
 def constraints_of(equations: Equations, D: Sparse, unit: float = 1.0) -> Constraints | SparseConstraints:

@@ -91,6 +91,7 @@ class Continuation:
     at: MotionState = field(init=False)
     unit: float = 1.0  # of singular values
     beside: bool = False  # a singular pose, which is left on both of its sides
+    watch: Callable[[MotionState, MotionState], None] | None = None  # told of the ends of each step
     crossings: list[dict[str, Any]] = field(default_factory=list)
     counts: dict[str, int] = field(
         default_factory=lambda: {"steps": 0, "evaluations": 0, "factorizations": 0}
@@ -145,13 +146,17 @@ class Continuation:
                 if h < smallest:
                     self._refuse_to_go_on(start, t)
             else:
+                before = self.at
                 self._accept(found)
                 self.counts["steps"] += 1
                 h *= 2
+                if self.watch is not None:
+                    self.watch(before, found)
 
     def soon_after(self, first: MotionState, t: float) -> MotionState | None:
         """The mechanism soon after `first`, without going there."""
-        kept = self.at
+        kept, watch = self.at, self.watch
+        self.watch = None
         self._accept(first)
         try:
             self.go_to(t)
@@ -160,6 +165,7 @@ class Continuation:
             return None
         finally:
             self._accept(kept)
+            self.watch = watch
 
     def _step(self, t: float) -> MotionState | None:
         """q + h v + h^2 v_dot / 2, corrected; None: the step is too long for the predictor to be trusted."""

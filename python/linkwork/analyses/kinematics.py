@@ -73,15 +73,19 @@ def kinematics(
     fast = _CompiledContinuation(continuation, frames)
     if not fast.start():
         continuation.begin()
+    watch = _Watch(continuation, on_singular)
+    continuation.watch = watch.look
     try:
-        previous, k = continuation.at, 0
+        k = 0
+        if not fast.ready:
+            watch.look(continuation.at, continuation.at)
         while k < len(t):
             if not (taken := fast.follow(t[k:])):
                 continuation.go_to(float(t[k]))
-                _watch(continuation, previous, on_singular)
+                watch.warn()
                 frames.add(continuation)
                 fast.resume()
-            previous, k = continuation.at, k + (taken or 1)
+            k += taken or 1
     except LinkworkError as error:
         error.result = frames.result(continuation, began, failed=True) if frames.rows else None
         at = continuation.at
@@ -163,38 +167,49 @@ class _CompiledContinuation:
         return int(count)
 
 
-def _watch(continuation: Continuation, first: MotionState, on_singular: str) -> None:
-    """Note a singular pose between two frames, or at the second one."""
-    eq, second, count = continuation.equations, continuation.at, continuation.freedoms
-    values = [state.constraints.smallest(count) for state in (first, second)]
-    crossed = first is not second and first.constraints.orientation(second.constraints) < 0
-    found: MotionState | None = None
-    if values[1] < SINGULAR:
-        found = second
-    elif crossed and values[0] >= SINGULAR:
-        found = _crossing(continuation, first, second)
-    if found is None:
-        return
-    rows = found.constraints.weakest_rows(count)
-    names = eq.joints(rows)
-    pivot = found.constraints.smallest(count)
-    continuation.crossings.append(
-        {"t": found.t, "joints": names[:16], "pivot": pivot, "rows_changed": False,
-         "fallback_evaluations": int(found is second)}
-    )  # fmt: skip
-    if on_singular == "pass":
-        return
-    message = (
-        f"kinematics: singular pose at t = {found.t:.6g} s: the equations of {named(names)} depend on each "
-        "other for a state, where the motion could go on in several ways"
-    )
-    if on_singular == "stop":
-        raise SingularSystemError(message, code="singular_pose", joints=names, time=found.t)
-    warn(message)
+class _Watch:
+    """Notes singular poses within steps, or at their ends."""
+
+    def __init__(self, continuation: Continuation, on_singular: str) -> None:
+        self.continuation, self.on_singular = continuation, on_singular
+        self.messages: list[str] = []
+
+    def look(self, first: MotionState, second: MotionState) -> None:
+        """SingularSystemError: there is one, with on_singular="stop"."""
+        continuation = self.continuation
+        eq, count = continuation.equations, continuation.freedoms
+        if first is not second and first.constraints.smallest(count) < SINGULAR:  # which has been noted
+            return
+        found: MotionState | None = None
+        if second.constraints.smallest(count) < SINGULAR:
+            found = second
+        elif first is not second and first.constraints.turns(second.constraints):
+            found = _crossing(continuation, first, second)
+        if found is None:
+            return
+        names = eq.joints(found.constraints.weakest_rows(count))
+        continuation.crossings.append(
+            {"t": found.t, "joints": names[:16], "pivot": found.constraints.smallest(count),
+             "rows_changed": False, "fallback_evaluations": int(found is second)}
+        )  # fmt: skip
+        message = (
+            f"kinematics: singular pose at t = {found.t:.6g} s: the equations of {named(names)} depend on "
+            "each other for a state, where the motion could go on in several ways"
+        )
+        if self.on_singular == "stop":
+            raise SingularSystemError(message, code="singular_pose", joints=names, time=found.t)
+        if self.on_singular == "warn":
+            self.messages.append(message)
+
+    def warn(self) -> None:
+        """Of those that were passed: where the motion ends in one, the error says so."""
+        for message in self.messages:
+            warn(message)
+        self.messages.clear()
 
 
-def _crossing(continuation: Continuation, first: MotionState, second: MotionState) -> MotionState:
-    """The pose between two moments where D comes nearest to losing its rank, by bisection of the time."""
+def _crossing(continuation: Continuation, first: MotionState, second: MotionState) -> MotionState | None:
+    """The pose between two moments where D loses its rank, by bisection of the time; None: it does not."""
     low, high, best = first, second, second
     for _ in range(40):
         middle = continuation.soon_after(low, (low.t + high.t) / 2)
@@ -202,28 +217,28 @@ def _crossing(continuation: Continuation, first: MotionState, second: MotionStat
             break
         best = middle
         if middle.constraints.smallest(continuation.freedoms) < SINGULAR:
-            break
-        crossed = low.constraints.orientation(middle.constraints) < 0
-        low, high = (low, middle) if crossed else (middle, high)
+            return best
+        low, high = (low, middle) if low.constraints.turns(middle.constraints) else (middle, high)
+        if not low.constraints.turns(high.constraints):
+            return None
     return best
 
 
 class _Frames:
-    """The frames of a Result, and those beside times at which drivers demand another velocity at once."""
+    """The frames of a Result, and those beside breaks of drivers: a driver may turn and rest in between."""
 
     def __init__(self, model: Model, asked: Floats) -> None:
         self.model, self.asked = model, asked
         self.system = System(model)
         self.rows: dict[str, list[Any]] = {}
-        jumps = breakpoints.velocity_jumps(model, 0.0, float(asked[-1]))
-        #: The last time before each of these, and the first after it, once each.
-        self.struck = sorted(
-            {breakpoints.on_either_side(jump.time) for jump in jumps if jump.time > asked[0]}
-        )
+        breakpoints.velocity_jumps(model, 0.0, float(asked[-1]))  # those of positions are refused
+        breaks = {t for _, signal in model.drivers for t in signal.break_points if 0.0 < t < asked[-1]}
+        #: The last time before each of these, and the first after it.
+        self.sides = [breakpoints.on_either_side(t) for t in sorted(breaks)]
 
     @property
     def times(self) -> Floats:
-        return np.union1d(self.asked, np.ravel(self.struck))
+        return np.union1d(self.asked, np.ravel(self.sides))
 
     def add(self, continuation: Continuation) -> None:
         self.extend({name: [value] for name, value in self._values(continuation.at).items()})
@@ -267,26 +282,25 @@ class _Frames:
 
     def _fields(self) -> Mapping[str, Floats]:
         arrays = {name: np.concatenate(values, dtype=float) for name, values in self.rows.items()}
+        arrays = {name: values[arrays["t"] >= self.asked[0]] for name, values in arrays.items()}
         t, power = arrays["t"], arrays.pop("power")
         states = (arrays["q"].reshape(len(t), -1), arrays["v"].reshape(len(t), -1))
         kinetic = self.system.compiled().kinetic_energies(*states)
-        breaks = breakpoints.of_run(self.system.model, (), float(t[0]), float(t[-1]))
-        found = {**arrays, "kinetic": kinetic, "work": self._work(t, power, kinetic, breaks)}
+        found = {**arrays, "kinetic": kinetic, "work": self._work(t, power, kinetic)}
         return {name: values[np.isin(t, self.asked)] for name, values in found.items()}
 
-    def _work(self, t: Floats, power: Floats, kinetic: Floats, breaks: Sequence[float]) -> Floats:
-        """The integral of the power, and where bodies are struck what they gain or lose by it."""
-        clusters = [np.flatnonzero((t >= before) & (t <= after)) for before, after in self.struck]
-        within = np.concatenate([np.zeros(0, dtype=int), *(cluster[1:-1] for cluster in clusters)])
-        kept = np.setdiff1d(np.arange(len(t)), within)
+    def _work(self, t: Floats, power: Floats, kinetic: Floats) -> Floats:
+        """The integral of the power, and what bodies gain or lose where drivers demand another velocity."""
+        blows, within = np.zeros(len(t)), np.zeros(len(t), dtype=bool)
+        for before, after in self.sides:
+            there = np.flatnonzero((t >= before) & (t <= after))
+            within |= (t > before) & (t < after)
+            blows[there[1:]] = np.diff(kinetic[there])
+        breaks = breakpoints.of_run(self.system.model, (), float(t[0]), float(t[-1]))
         work = np.zeros(len(t))
-        work[kept] = _integral(t[kept], power[kept], breaks)
-        for cluster in clusters:
-            work[cluster[1:-1]] = work[cluster[:1]]
-        blows = np.zeros(len(t))
-        for cluster in clusters:
-            blows[cluster[1:]] = np.diff(kinetic[cluster])
-        return work + np.cumsum(blows)
+        work[~within] = _integral(t[~within], power[~within], breaks)
+        last = np.maximum.accumulate(np.where(within, 0, np.arange(len(t))))
+        return work[last] + np.cumsum(blows)
 
     def _matrix(self, rows: Mapping[str, Any], count: int) -> Sparse:
         from scipy.sparse import csr_array

@@ -15,8 +15,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from linkwork.arguments import check_suffix, is_number
+from linkwork.arrays import Floats
 from linkwork.errors import OptionError, warn
 from linkwork.replacement import replacing
+from linkwork.view.poses import page_origin
 from linkwork.view.run import LIMIT, Document, document
 
 if TYPE_CHECKING:
@@ -89,14 +91,21 @@ def view(results: Sequence[Result], labels: Sequence[str] = (), limit: float = L
         raise OptionError(f"limit {limit!r:.80} is not a finite number of bytes", code="limit")
     each = limit / len(results)
     _compare(results)
-    return _page([document(result, label, each) for result, label in _labelled(results, labels)])
+    origin = page_origin(results[0])
+    return _page(
+        [document(result, label, each, origin=origin) for result, label in _labelled(results, labels)]
+    )
 
 
-def streamed_page(results: Sequence[Result], labels: Sequence[str] = ()) -> tuple[Page, list[int]]:
-    """The same for a server, which gives out so many pieces of poses of each run. See `stream_piece`."""
+def streamed_page(results: Sequence[Result], labels: Sequence[str], origin: Floats) -> tuple[Page, list[int]]:
+    """The same for a server, which gives out so many pieces of poses of each run, from `origin` (3,) [m] on.
+    See `stream_piece`."""
     each = LIMIT / len(results)
     _compare(results)
-    documents = [document(result, label, each, streamed=True) for result, label in _labelled(results, labels)]
+    documents = [
+        document(result, label, each, streamed=True, origin=origin)
+        for result, label in _labelled(results, labels)
+    ]
     return _page(documents), [it.facts["pieces"]["count"] for it in documents]
 
 

@@ -22,12 +22,27 @@ if TYPE_CHECKING:
 #: Numbers of one array; of more there are pieces, each of not more, or of a frame.
 MOST_NUMBERS = 4_000_000
 
+#: How many times its own extent a mechanism may be off the inertial origin.
+FAR = 100.0
+
 #: Numbers of a piece that a server gives out: few, as a page that jumps to a time waits for one.
 STREAMED_NUMBERS = 1_000_000
 
 
+def page_origin(result: Result) -> Floats:
+    """Where a page has its origin (3,) [m]: amid the bodies at the start, where that is far off against their
+    extent, as pictures are drawn in single precision; else the inertial one."""
+    r = result.recorded("q", 0)[:, :3] if len(result) else np.zeros((0, 3))
+    if not len(r):
+        return np.zeros(3)
+    low, high = r.min(axis=0), r.max(axis=0)
+    size = max(float((high - low).max()), float(np.abs(result.header.joint_origin[:, 1]).max(initial=0.0)))
+    middle: Floats = (low + high) / 2
+    return middle if np.abs(middle).max() > FAR * size else np.zeros(3)
+
+
 def add_poses(
-    pack: Pack, result: Result, frames: Sequence[int], followed: NDArray[np.intp]
+    pack: Pack, result: Result, frames: Sequence[int], followed: NDArray[np.intp], origin: Floats
 ) -> tuple[list[str], float]:
     """Pieces, none where all fit into the pack, and the error of positions [m].
 
@@ -36,18 +51,18 @@ def add_poses(
     bodies = result.header.body_count
     each = frames_of_piece(bodies)
     if not in_pieces(len(frames), bodies):
-        whole = np.concatenate(list(_chunks(result, frames, each)))
+        whole = np.concatenate(list(_chunks(result, frames, each, origin)))
         error = pack.add_quantized("q", whole)
         return [], float(error[:, :3].max(initial=0.0))
     extremes, tracks = Extremes(), []
-    for q in _chunks(result, frames, each):
+    for q in _chunks(result, frames, each, origin):
         extremes.add(q)
         tracks.append(q[:, followed])
     channels = extremes.channels()
     channels.add_to(pack, "q")
     pack.add_quantized("track", np.concatenate(tracks))
     pieces = []
-    for q in _chunks(result, frames, each):
+    for q in _chunks(result, frames, each, origin):
         piece = Pack()
         piece.add("q", channels.differences(q), "u2")
         pieces.append(piece.text())
@@ -73,10 +88,16 @@ def pieces_of_stream(result: Result) -> int:
     return -(-len(result) // frames_of_stream(result.header.body_count))
 
 
-def stream_piece(result: Result, number: int) -> bytes:
+def stream_piece(result: Result, number: int, origin: Floats) -> bytes:
     """The poses of some frames, 7 numbers a body, float32, frame by frame. FileError: the file changed."""
     each = frames_of_stream(result.header.body_count)
-    return result.recorded("q", slice(each * number, each * (number + 1))).astype("<f4").tobytes()
+    q = from_origin(result.recorded("q", slice(each * number, each * (number + 1))), origin)
+    return q.astype("<f4").tobytes()
+
+
+def from_origin(q: Floats, origin: Floats) -> Floats:
+    """Poses (..., 7) with positions from `origin` (3,) on."""
+    return q - np.concatenate([origin, np.zeros(4)]) if origin.any() else q
 
 
 def stream_precision(low: Floats, high: Floats) -> float:
@@ -84,11 +105,11 @@ def stream_precision(low: Floats, high: Floats) -> float:
     return float(np.spacing(np.float32(max(np.abs(low).max(), np.abs(high).max())))) / 2
 
 
-def _chunks(result: Result, frames: Sequence[int], each: int) -> Iterator[Floats]:
+def _chunks(result: Result, frames: Sequence[int], each: int, origin: Floats) -> Iterator[Floats]:
     """q (k, n, 7) of so many frames at a time, with Euler parameters that go on without a jump of sign."""
     before: Floats | None = None
     for first in range(0, len(frames), each):
-        found = _read(result, frames[first : first + each])
+        found = from_origin(_read(result, frames[first : first + each]), origin)
         q = continuous(found if before is None else np.concatenate([before[None], found]))
         before = q[-1]
         yield q[len(q) - len(found) :]

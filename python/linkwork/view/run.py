@@ -27,7 +27,9 @@ from linkwork.view.poses import (
     continuous,
     frames_of_piece,
     frames_of_stream,
+    from_origin,
     in_pieces,
+    page_origin,
     pieces_of_stream,
     stream_precision,
 )
@@ -116,9 +118,15 @@ class Document(NamedTuple):
 
 
 def document(
-    result: Result, label: str, limit: float = LIMIT, *, streamed: bool = False
+    result: Result,
+    label: str,
+    limit: float = LIMIT,
+    *,
+    streamed: bool = False,
+    origin: Floats | None = None,
 ) -> Document:  # Long: 35 lines are the facts.
-    """What goes into a page of a result; `streamed`: a server gives the poses of all frames out.
+    """What goes into a page of a result; `streamed`: a server gives the poses of all frames out; `origin` of
+    the page (3,) [m], or its own.
 
     OptionError: a result without frames, a limit that is too small.
     """
@@ -127,11 +135,13 @@ def document(
     header = result.header
     choice, pack = (Choice.streamed if streamed else Choice.of)(result, limit), Pack()
     drawn = scene(result)
-    low, high = _extent(result, drawn)
-    pieces, precision = _add_frames(pack, result, choice)
+    origin = page_origin(result) if origin is None else origin
+    low, high = (end - origin for end in _extent(result, drawn))
+    pieces, precision = _add_frames(pack, result, choice, origin)
     coordinates = _add_coordinates(pack, result, choice)
     pack.add("joints.bodies", header.joint_bodies, "i4")
-    pack.add("joints.origin", header.joint_origin, "f4")
+    on_ground = (header.joint_bodies < 0)[..., None]
+    pack.add("joints.origin", header.joint_origin - np.where(on_ground, origin, 0.0), "f4")
     manifest = result.manifest
     facts = {
         "label": label,
@@ -143,6 +153,7 @@ def document(
         "frames": {"recorded": len(result), "shown": pack.directory["t"]["shape"][0], "every": choice.every},
         "precision": stream_precision(low, high) if streamed else precision,
         "gravity": np.asarray(header.gravity, float).tolist(),
+        "origin": origin.tolist(),
         "extent": [low.tolist(), high.tolist()],
         "bodies": {"names": list(header.body_names), "plotted": choice.bodies.tolist()},
         "joints": _joint_facts(header, choice),
@@ -150,8 +161,8 @@ def document(
         "masses": np.asarray(header.mass, float).tolist(),
         "lever": lever(header),
         "forces": {"names": list(header.force_names), "kinds": list(header.force_kinds)},
-        "solids": _add_solids(pack, drawn.solids),
-        "spans": _add_spans(pack, drawn.spans),
+        "solids": _add_solids(pack, drawn.solids, origin),
+        "spans": _add_spans(pack, drawn.spans, origin),
         "events": [{"t": it.t, "name": it.name} for it in result.events[:MOST_EVENTS]]
         + [{"t": it.t, "name": "singular pose"} for it in result.singular_poses],
         "unmarked": max(0, len(result.events) - MOST_EVENTS),
@@ -204,11 +215,11 @@ def _thinned_of(result: Result, name: str, places: NDArray[np.intp], every: int)
     return np.concatenate([values, result.recorded(name, np.s_[-1:])[:, places]])
 
 
-def _add_frames(pack: Pack, result: Result, choice: Choice) -> tuple[list[str], float]:
+def _add_frames(pack: Pack, result: Result, choice: Choice, origin: Floats) -> tuple[list[str], float]:
     """Times, poses, and the series that can be plotted. See `add_poses`."""
     every = choice.every
     pack.add("t", _thinned(result, "t", every), "f8")
-    poses = _add_poses(pack, result, choice)
+    poses = _add_poses(pack, result, choice, origin)
     for name in ("v", "vdot"):
         pack.add_singles(name, _thinned_of(result, name, choice.bodies, every))
     for part in ("force", "torque"):
@@ -222,15 +233,16 @@ def _add_frames(pack: Pack, result: Result, choice: Choice) -> tuple[list[str], 
     return poses
 
 
-def _add_poses(pack: Pack, result: Result, choice: Choice) -> tuple[list[str], float]:
+def _add_poses(pack: Pack, result: Result, choice: Choice, origin: Floats) -> tuple[list[str], float]:
     """As `add_poses`; where a server gives them out the tracks of some bodies, and how far all of them go."""
     if choice.travel is not None:
         pack.add("travel", choice.travel, "f4")
-        pack.add_quantized("track", continuous(_thinned_of(result, "q", choice.bodies, 1)))
+        track = from_origin(_thinned_of(result, "q", choice.bodies, 1), origin)
+        pack.add_quantized("track", continuous(track))
         return [], 0.0
     shown = [*range(0, len(result), choice.every)]
     last = [len(result) - 1] * (shown[-1] != len(result) - 1)
-    return add_poses(pack, result, shown + last, choice.bodies)
+    return add_poses(pack, result, shown + last, choice.bodies, origin)
 
 
 def _add_coordinates(pack: Pack, result: Result, choice: Choice) -> list[str]:
@@ -342,7 +354,7 @@ def _corners(shape: Shape) -> Floats:
 # --- what is drawn -----------------------------------------------------------------------------------------
 
 
-def _add_solids(pack: Pack, drawn: list[Solid]) -> list[dict[str, Any]]:
+def _add_solids(pack: Pack, drawn: list[Solid], origin: Floats) -> list[dict[str, Any]]:
     """Groups of one geometry and layer; each instance is a body, an index, a color, a place and a size."""
     groups: dict[tuple[str, str, int, bool], list[Solid]] = defaultdict(list)
     for solid in drawn:
@@ -352,9 +364,11 @@ def _add_solids(pack: Pack, drawn: list[Solid]) -> list[dict[str, Any]]:
     place = _of_each(_place)
     for number, ((layer, geometry, _, clear), several) in enumerate(groups.items()):
         key = f"solids{number}"
-        pack.add(f"{key}.body", np.array([it.body for it in several]), "i4")
+        bodies, places = np.array([it.body for it in several]), np.array([place(it.shape) for it in several])
+        places[:, :3] -= np.where(bodies[:, None] < 0, origin, 0.0)
+        pack.add(f"{key}.body", bodies, "i4")
         pack.add(f"{key}.index", np.array([it.index for it in several]), "i4")
-        pack.add(f"{key}.place", np.array([place(it.shape) for it in several]), "f4")
+        pack.add(f"{key}.place", places, "f4")
         pack.add(f"{key}.color", _colors(several), "u1")
         if isinstance(mesh_shape := several[0].shape, Mesh):
             pack.add(f"{key}.vertices", mesh_shape.vertices, "f4")
@@ -383,7 +397,7 @@ def _place(shape: Shape) -> list[float]:
     return [*shape.position, *shape.orientation, *size]
 
 
-def _add_spans(pack: Pack, drawn: list[Span]) -> list[dict[str, Any]]:
+def _add_spans(pack: Pack, drawn: list[Span], origin: Floats) -> list[dict[str, Any]]:
     """Groups of one form and layer; each instance is an index, two bodies with a point, a radius, a color."""
     groups: dict[tuple[str, str], list[Span]] = defaultdict(list)
     for span in drawn:
@@ -392,8 +406,9 @@ def _add_spans(pack: Pack, drawn: list[Span]) -> list[dict[str, Any]]:
     for number, ((layer, form), several) in enumerate(groups.items()):
         key = f"spans{number}"
         pack.add(f"{key}.index", np.array([it.index for it in several]), "i4")
-        pack.add(f"{key}.bodies", np.array([it.bodies for it in several]), "i4")
-        pack.add(f"{key}.ends", np.array([it.ends for it in several]), "f4")
+        bodies, ends = np.array([it.bodies for it in several]), np.array([it.ends for it in several])
+        pack.add(f"{key}.bodies", bodies, "i4")
+        pack.add(f"{key}.ends", ends - np.where(bodies[..., None] < 0, origin, 0.0), "f4")
         pack.add(f"{key}.radius", np.array([it.radius for it in several]), "f4")
         pack.add(f"{key}.color", _colors(several), "u1")
         found.append({"key": key, "layer": layer, "form": form})

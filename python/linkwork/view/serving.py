@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from linkwork.errors import LinkworkError
 from linkwork.view.local_server import Answer, LocalServer
 from linkwork.view.page import streamed_page
-from linkwork.view.poses import stream_piece
+from linkwork.view.poses import page_origin, stream_piece
 
 if TYPE_CHECKING:
     from linkwork.results.result import Result
@@ -30,7 +30,8 @@ class Server(LocalServer):
 
     def __init__(self, results: Sequence[Result], labels: Sequence[str] = (), port: int = 0) -> None:
         """OptionError: the port is taken, the labels are no names, or a result has no frames."""
-        page, self._pieces = streamed_page(results, labels)
+        self._origin = page_origin(results[0])
+        page, self._pieces = streamed_page(results, labels, self._origin)
         self._results, self._page = list(results), page.html.encode()
         super().__init__(port)
 
@@ -45,6 +46,6 @@ class Server(LocalServer):
         if run >= len(self._results) or number >= self._pieces[run]:
             return None
         try:
-            return Answer(stream_piece(self._results[run], number), "application/octet-stream")
+            return Answer(stream_piece(self._results[run], number, self._origin), "application/octet-stream")
         except LinkworkError as error:  # the file is gone, or is another by now
             return Answer.of_text(str(error), 410)

@@ -213,7 +213,7 @@ export class Run {
     const xyz = ["x", "y", "z"];
     if (this.bodyCount) {
       found.push(
-        { id: "position", label: "Position", unit: "m", of: "body", every: !this.pieces, parts: xyz, source: "track", width: 7, first: 0 },
+        { id: "position", label: "Position", unit: "m", of: "body", every: !this.pieces, parts: xyz, source: "track", width: 7, first: 0, from: this.origin },
         { id: "velocity", label: "Velocity", unit: "m/s", of: "body", parts: xyz, source: "v", width: 6, first: 0, norm: true },
         { id: "omega", label: "Angular velocity, body axes", unit: "rad/s", of: "body", parts: xyz, source: "v", width: 6, first: 3 },
         { id: "acceleration", label: "Acceleration", unit: "m/s²", of: "body", parts: xyz, source: "vdot", width: 6, first: 0, norm: true },
@@ -272,7 +272,8 @@ export class Run {
     const channels = source.length / this.count;
     const lines = own.parts.map((part, c) => {
       const values = new Float64Array(this.count);
-      for (let k = 0; k < this.count; k++) values[k] = source[k * channels + width * place + first + c];
+      const from = own.from?.[c] ?? 0;
+      for (let k = 0; k < this.count; k++) values[k] = from + source[k * channels + width * place + first + c];
       return [part, own.power ? values.map((x) => 10 ** x) : values];
     });
     if (own.id === "gap") lines.push(["axes askew", Float64Array.from({ length: this.count }, (_, k) => 10 ** this.askew[k * channels + place])]);
