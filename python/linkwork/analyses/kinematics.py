@@ -74,9 +74,8 @@ def kinematics(
     if not fast.start():
         continuation.begin()
     watch = _Watch(continuation, on_singular)
-    continuation.watch = watch.look
+    k = 0
     try:
-        k = 0
         if not fast.ready:
             watch.look(continuation.at, continuation.at)
         while k < len(t):
@@ -173,6 +172,7 @@ class _Watch:
     def __init__(self, continuation: Continuation, on_singular: str) -> None:
         self.continuation, self.on_singular = continuation, on_singular
         self.messages: list[str] = []
+        continuation.watch = self.look
 
     def look(self, first: MotionState, second: MotionState) -> None:
         """SingularSystemError: there is one, with on_singular="stop"."""
