@@ -50,9 +50,9 @@ class Options(TypedDict, total=False):
     ]
     """what factorizes the matrix: auto, block, cholmod, cholmod_simplicial, cholmod_supernodal, umfpack, klu, spqr, eigen_ldlt, dense, default auto"""
     baumgarte_alpha: float | None
-    """gain of the velocity violation, with baumgarte_beta [1/s] (of baumgarte, sampled_baumgarte)"""
+    """gain of the velocity violation, with baumgarte_beta; without both 5, and of sampled_baumgarte what the step takes [1/s] (of baumgarte, sampled_baumgarte)"""
     baumgarte_beta: float | None
-    """gain of the position violation, with baumgarte_alpha [1/s] (of baumgarte, sampled_baumgarte)"""
+    """gain of the position violation, with baumgarte_alpha; without both 5, and of sampled_baumgarte what the step takes [1/s] (of baumgarte, sampled_baumgarte)"""
     penalty: float | None
     """penalty factor of all equations; without it scaled to the inertia of each (of penalty, augmented_lagrangian)"""
     penalty_scale: float | None
