@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import functools
 import os
 import subprocess
@@ -467,3 +468,13 @@ def test_a_force_that_reads_a_long_double_runs_and_counts() -> None:
     two = pushed(np.longdouble(2))
     assert lw.simulate(two, 0.1, 0.01).velocity[-1, 0, 0] == pytest.approx(0.2)
     assert two.hash() == pushed(np.longdouble(2)).hash() != pushed(np.longdouble(3)).hash()
+
+
+def test_a_class_is_the_same_after_an_object_of_it_was_pickled() -> None:
+    class Held:
+        factor = 2.0
+
+    before = digest(Held)
+    copy.copy(Held())  # which, as pickling does, notes the names of slots at the class
+    assert "__slotnames__" in vars(Held)
+    assert digest(Held) == before

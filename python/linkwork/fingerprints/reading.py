@@ -66,6 +66,7 @@ _MADE = {
     "__module__", "__qualname__", "__dict__", "__weakref__", "__doc__", "__annotations__", "__slots__",
     "__abstractmethods__", "_abc_impl", "__dataclass_fields__", "__dataclass_params__", "__match_args__",
     "__parameters__", "__orig_bases__", "__firstlineno__", "__static_attributes__", "_value2member_map_",
+    "__slotnames__",
 }  # fmt: skip
 
 

@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import concurrent.futures as futures
 import math
-from collections.abc import Callable, Generator, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from typing import Any
 
 from linkwork.comparison.workers import Lost, in_processes
 from linkwork.errors import LinkworkError
 from linkwork.running.members import message_of
+from linkwork.studies.agreement import Refusal, Sent
 from linkwork.studies.cases import Answer, Case, Runner
 from linkwork.studies.executors import adapted, workers_of
 from linkwork.studies.lanes import AT_ONCE, PACK
@@ -41,22 +42,29 @@ HANDING_OVER = 1.0
 
 Chunk = Sequence[Case]
 Found = tuple[Chunk, Answer | Lost]
-Pool = Callable[[Runner, Sequence[Chunk]], Iterator[Found]]
+Future = futures.Future[Answer | Refusal]
+Pool = Callable[[Sequence[Chunk]], Iterator[Found]]
 
 
 def run_cases(
     runner: Runner, cases: Sequence[Case], executor: Any, processes: int | None,
     beat: Callable[[], object] = lambda: None, case_seconds: float | None = None, total: int = 0,
+    here: Mapping[str, str] | None = None,
 ) -> Generator[Found, None, None]:  # fmt: skip
     """(cases, what became of them) as they come. What takes longer than `case_seconds`, alone, is lost.
-    `total`: cases of the whole study, of which these may be a shard.
+    `total`: cases of the whole study, of which these may be a shard. `here`: what an executor's processes are
+    to have as this one does.
 
-    LinkworkError: the executor works no more. Closing the iterator gives up what is under way.
+    LinkworkError: the executor works no more, or would run something else. Closing the iterator gives up what
+    is under way.
     """
     workers = workers_of(executor, processes)
     local = executor is None
     together = AT_ONCE if runner.lanes else 1
-    pool = _local(processes, beat, case_seconds, together) if local else _on(adapted(executor), workers, beat)
+    pool = (
+        _local(runner, processes, beat, case_seconds, together) if local
+        else _on(adapted(executor), workers, beat, Sent(runner, here or {}))
+    )  # fmt: skip
     lost: list[Chunk] = []
     rest, mean = cases, 0.0
     for turn in range(3 if runner.lanes else 2):
@@ -68,7 +76,7 @@ def run_cases(
             chunks = chunks[:workers]
         rest = rest[sum(map(len, chunks)) :]
         seconds: list[float] = []
-        for chunk, answer in pool(runner, chunks):
+        for chunk, answer in pool(chunks):
             if isinstance(answer, Lost) and not (answer.late and len(chunk) == 1):
                 lost.extend(_parts(chunk, answer))
                 continue
@@ -80,7 +88,7 @@ def run_cases(
         again, lost = lost, []
         for alone in (False, True):  # apart, as those that are alone have the time of one
             chosen = [chunk for chunk in again if (len(chunk) == 1) is alone]
-            for chunk, answer in pool(runner, chosen) if chosen else ():
+            for chunk, answer in pool(chosen) if chosen else ():
                 if isinstance(answer, Lost) and len(chunk) > 1:
                     lost.extend(_parts(chunk, answer))
                 else:
@@ -109,11 +117,12 @@ def chunked(
 
 
 def _local(
-    processes: int | None, beat: Callable[[], object], case_seconds: float | None, together: int
-) -> Pool:
+    runner: Runner, processes: int | None, beat: Callable[[], object], case_seconds: float | None,
+    together: int,
+) -> Pool:  # fmt: skip
     """Of which `together` cases are run side by side."""
 
-    def run(runner: Runner, chunks: Sequence[Chunk]) -> Iterator[Found]:
+    def run(chunks: Sequence[Chunk]) -> Iterator[Found]:
         seconds = case_seconds
         if seconds is not None:
             seconds += PATIENCE if any(len(chunk) > 1 for chunk in chunks) else HANDING_OVER
@@ -146,19 +155,19 @@ def _judged(
         yield [case for it in good for case in chunk[it]], Answer(answer.machine, runs)
 
 
-def _on(executor: Any, workers: int, beat: Callable[[], object]) -> Pool:
-    def run(runner: Runner, chunks: Sequence[Chunk]) -> Iterator[Found]:
+def _on(executor: Any, workers: int, beat: Callable[[], object], sent: Sent) -> Pool:
+    def run(chunks: Sequence[Chunk]) -> Iterator[Found]:
         todo = list(chunks)[::-1]
-        under_way: dict[futures.Future[Answer], Chunk] = {}
+        under_way: dict[Future, Chunk] = {}
         try:
             while todo or under_way:
                 while todo and len(under_way) < AHEAD * workers:
                     chunk = todo.pop()
-                    under_way[_submitted(executor, runner, chunk)] = chunk
+                    under_way[_submitted(executor, sent, chunk)] = chunk
                 done, _ = futures.wait(under_way, timeout=0.5, return_when=futures.FIRST_COMPLETED)
                 beat()
                 for future in done:
-                    yield under_way.pop(future), _answer(future)
+                    yield under_way.pop(future), _answer(future, sent)
         finally:
             for future in under_way:
                 future.cancel()
@@ -166,16 +175,16 @@ def _on(executor: Any, workers: int, beat: Callable[[], object]) -> Pool:
     return run
 
 
-def _submitted(executor: Any, runner: Runner, chunk: Chunk) -> futures.Future[Answer]:
+def _submitted(executor: Any, sent: Sent, chunk: Chunk) -> Future:
     try:
-        future: futures.Future[Answer] = executor.submit(runner, list(chunk))
+        future: Future = executor.submit(sent, list(chunk))
     except Exception as error:  # every library has its own: it is shut down, its scheduler is gone
         raise _broken(error) from error
     return future
 
 
-def _answer(future: futures.Future[Answer]) -> Answer | Lost:
-    """LinkworkError: nobody is there any more."""
+def _answer(future: Future, sent: Sent) -> Answer | Lost:
+    """LinkworkError: nobody is there any more, or one who would run something else."""
     try:
         error = future.exception()
     except futures.CancelledError as cancelled:  # by the executor: nobody here does before the end
@@ -183,7 +192,10 @@ def _answer(future: futures.Future[Answer]) -> Answer | Lost:
     if isinstance(error, futures.BrokenExecutor):
         raise _broken(error) from error
     if error is None:
-        return future.result()
+        found = future.result()
+        if isinstance(found, Refusal):
+            raise sent.error(found)
+        return found
     return Lost(f"its task ended with {type(error).__name__}: {message_of(error)}")
 
 

@@ -36,6 +36,7 @@ from linkwork.running.manifest import platform_facts
 from linkwork.running.progress import ShowOption, counting
 from linkwork.running.simulation import check_run, simulate
 from linkwork.studies import outputs as wanted
+from linkwork.studies.agreement import contents
 from linkwork.studies.cases import Answer, Case, Runner, check_times, machine
 from linkwork.studies.chunks import run_cases
 from linkwork.studies.collected import Collected, Todo
@@ -127,8 +128,9 @@ def sweep(
 
     OptionError, ModelError: a parameter or output that does not exist, a value of another shape, no cases, a
     sampler without seed, an option that cannot be: before the first case. FileError: `directory` belongs to
-    another study, or cannot be written. LinkworkError: the executor works no more. LinkworkWarning: machines
-    of several instruction sets took part.
+    another study, or cannot be written. LinkworkError: the executor works no more, or its workers have other
+    functions or another version than this process. LinkworkWarning: machines of several instruction sets
+    took part.
     """  # Long: the arguments alone are twenty lines.
     check_number("t_end", t_end, positive=True, unit="s")
     _check_places(shard, gather, directory, processes)
@@ -141,6 +143,7 @@ def sweep(
     wanted_times, run_options = check_times(times, float(t_end), options, asked)
     own = dict.fromkeys(OWN, "a column that every study has")
     check_names(own, list(drawn.columns), [it.label for it in asked])
+    here = {} if executor is None else contents(source, asked, run_options)  # as yet nothing was called
     number, example = _example(model, source, drawn)
     checks.warn_of_opposed_axes(example, example.compiled().q0)
     first = example if number == 0 else None
@@ -166,7 +169,7 @@ def sweep(
     machines = [] if store is None else store.find(known)
     todo: Sequence[Case] = [] if gather else Todo.of(drawn, keys, known, shard)
     found = _Found(known, machines, store)
-    workers = _Workers(executor, processes, case_seconds, len(drawn))
+    workers = _Workers(executor, processes, case_seconds, len(drawn), here)
     lost = _carried_out(runner, todo, found, progress, workers)
     _tell_machines(machines)
     return assembled(drawn, keys, known, lost, runner, {**about, "identity": identity, "machines": machines})
@@ -406,12 +409,14 @@ def _about(runner: Runner, cases: Cases, first: Model | None, seed: int | None) 
 
 
 class _Workers(NamedTuple):
-    """Who runs the cases, for how long at most each [s], and how many the study has, also in other shards."""
+    """Who runs the cases, for how long at most each [s], how many the study has, also in other shards, and
+    what an executor's processes are to have as this one does."""
 
     executor: Any
     processes: int | None
     case_seconds: float | None
     total: int
+    here: Mapping[str, str]
 
 
 @dataclass(frozen=True)
@@ -438,7 +443,7 @@ def _carried_out(
     lost: dict[str, str] = {}
     if not todo:
         return lost
-    executor, processes, seconds, total = workers
+    executor, processes, seconds, total, here = workers
     done, counts, started = 0, Counter[str](), time.monotonic()
     with counting(progress, len(todo)) as report, _telling(todo, to), Interrupts() as interrupts:
 
@@ -446,7 +451,7 @@ def _carried_out(
             interrupts.check()
             report(done, _line(done, len(todo), time.monotonic() - started, counts["failed"] + len(lost)))
 
-        with closing(run_cases(runner, todo, executor, processes, beat, seconds, total)) as found:
+        with closing(run_cases(runner, todo, executor, processes, beat, seconds, total, here)) as found:
             for chunk, answer in interrupts.each(found):
                 done += len(chunk)
                 if isinstance(answer, Lost):
