@@ -167,6 +167,29 @@ def test_paths_lead_to_points_and_parts() -> None:
         Changed.of(model, ["spring.at[0]"])
 
 
+def test_the_point_that_is_on_a_curve_is_varied_in_space() -> None:
+    """As it is given to the joint, though a file has it in coordinates of the body; here turned."""
+
+    def bead(at: float) -> lw.Model:
+        model = lw.Model(gravity=(-9.81, 0, 0))
+        body = model.body("bead", mass=2.0, inertia=(0.1, 0.2, 0.3), position=(1, 0.1, 0),
+                          orientation=lw.rotation.about((0, 0, 1), 0.5))  # fmt: skip
+        model.point_on_curve("ground", body, points=[(0, 0, 0), (3, 0, 0)], at=(at, 0, 0), name="rail")
+        return model
+
+    model = bead(1.2)
+    assert Changed.of(model, ["rail.at"]).value("rail.at") == pytest.approx([1.2, 0, 0], abs=1e-15)
+    study = lw.sweep(model, {"rail.at[0]": [1.2, 0.7]}, "final", **FEW)
+    ensemble = lw.Ensemble(model, {"rail.at[0]": [1.2, 0.7]}).simulate(0.05, step=5e-3)
+    for k, at in enumerate((1.2, 0.7)):
+        alone = lw.simulate(bead(at), 0.05, step=5e-3)
+        assert study.outputs["final.q"][k] == pytest.approx(alone.q[-1], abs=1e-13)
+        assert ensemble.member(k).q[-1] == pytest.approx(alone.q[-1], abs=1e-13)
+    assert study.units["rail.at[0]"] == "m"
+    with pytest.raises(lw.OptionError, match="joint 'rail' has no 'frames'"):
+        Changed.of(model, ["rail.frames"])
+
+
 OWN = ["four_bar", "bricard", "spatial_slider_crank", "double_wishbone", "rolling_disc", "planetary_gear",
        "flyball_governor", "stewart_platform"]  # fmt: skip
 

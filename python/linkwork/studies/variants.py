@@ -34,7 +34,7 @@ Record = dict[str, Any]
 #: Fields of bodies and of the model.
 UNITS = {
     "mass": "kg", "inertia": "kg m2", "position": "m", "velocity": "m/s", "omega": "rad/s",
-    "gravity": "m/s2", "at": "m", "orientation": "1",
+    "gravity": "m/s2", "at": "m", "orientation": "1", "points": "m",
 }  # fmt: skip
 
 #: Parts of fields with a unit of their own; arguments of functions of time with that of the function.
@@ -381,9 +381,10 @@ def _fields(record: Record, where: tuple[Any, ...]) -> dict[str, str]:
     if where[0] == "bodies":
         return {name: UNITS[name] for name in BodyRecord.model_fields if name in UNITS}
     parameters = KINDS[ROLES[where[0]]][it["kind"]].parameters
-    fields = {name: parameters[name].unit if name in parameters else "" for name in _type_of(where, it)}
+    fields = [name for name in _type_of(where, it) if name not in (*NAMES, "frames")]
     placed = {"at": UNITS["at"], ATTACHED: ""} if ATTACHED in it else {}
-    return {**{name: unit for name, unit in fields.items() if name not in NAMES}, **placed}
+    return {**{name: parameters[name].unit if name in parameters else UNITS.get(name, "")
+               for name in fields}, **placed}  # fmt: skip
 
 
 def _type_of(where: tuple[Any, ...], it: Record) -> Mapping[str, Any]:
@@ -414,7 +415,7 @@ def _put(record: Record, address: _Address, value: Any) -> None:
     holder[key] = float(value) if isinstance(value, int) else value
     if address.field == "at":
         it = _object_of(record, address)
-        _attach(record, it, np.array(it.pop("at"), dtype=float))
+        _attach(record, it, np.array(it["at"], dtype=float))
 
 
 def _object_of(record: Record, address: _Address) -> Record:
@@ -465,14 +466,12 @@ def _pose(record: Record, body: str) -> tuple[Floats, Floats]:
 
 def _at(record: Record, it: Record, address: _Address) -> Floats:
     """The point of an element (3,), inertial. OptionError: it has two."""
-    points = [
-        r + A @ np.array(s)
-        for (r, A), s in zip(
-            (_pose(record, it[side]) for side in ("a", "b")), it[ATTACHED]["origin"], strict=True
-        )
-    ]
+    own = {"a": 0, "b": 1} if ATTACHED in it else {}
+    given = {side: it[ATTACHED]["origin"][k] for side, k in own.items()} or {"b": it["at"]}
+    poses = {side: _pose(record, it[side]) for side in given}
+    points = [poses[side][0] + poses[side][1] @ np.array(s) for side, s in given.items()]
     size = max(1.0, *(float(np.abs(point).max()) for point in points))
-    if float(np.abs(points[0] - points[1]).max()) > SAME_POINT * size:
+    if float(np.ptp(points, axis=0).max()) > SAME_POINT * size:
         raise OptionError(
             f"parameter '{address.name}': '{it['name']}' has a point on each of its bodies: "
             f"'{it['name']}.attachment.origin[0]' and [1], in body coordinates",
@@ -482,6 +481,10 @@ def _at(record: Record, it: Record, address: _Address) -> Floats:
 
 
 def _attach(record: Record, it: Record, at: Floats) -> None:
-    """Both bodies to the point `at`, inertial; the axes stay."""
-    poses = (_pose(record, it[side]) for side in ("a", "b"))
-    it[ATTACHED]["origin"] = [(A.T @ (at - r)).tolist() for r, A in poses]
+    """Both bodies to the point `at`, inertial; the axes stay. Of a curve only the body that is on it."""
+    local = {side: (A.T @ (at - r)).tolist() for side in ("a", "b") for r, A in [_pose(record, it[side])]}
+    if ATTACHED in it:
+        del it["at"]
+        it[ATTACHED]["origin"] = [local["a"], local["b"]]
+    else:
+        it["at"] = local["b"]
