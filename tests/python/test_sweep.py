@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import concurrent.futures
 import enum
+import importlib.util
 import json
 import multiprocessing
 import os
@@ -754,6 +755,53 @@ def test_tables_for_other_tools_have_all_of_it(tmp_path: Path) -> None:
     read = xarray.load_dataset(tmp_path / "study.nc")
     assert_array_equal(read["z"].values, study.outputs["z"])
     assert_array_equal(read["status"].values.astype(str), study.status)
+
+
+def test_names_with_a_slash_are_found_again_in_zarr_and_netcdf(tmp_path: Path) -> None:
+    """In both it would divide groups, in which nobody finds them who opens the file."""
+    xarray = pytest.importorskip("xarray")
+    pytest.importorskip("zarr")
+    model = lw.Model(gravity=(0, 0, -9.81))
+    model.body("arm/left", mass=1.0, inertia=(1, 1, 1))
+    outputs = {"z/z": "body('arm/left').position.z.final", "z_z": "energy.max",
+               "a/b": "body('arm/left').position.final"}  # fmt: skip
+    values = {"arm/left.mass": [1.0, 2.0]}
+    study = lw.sweep(model, values, outputs, **FEW)
+    with pytest.warns(lw.LinkworkWarning, match=r"'arm/left.mass' is 'arm_left.mass'.*have no /"):
+        data = study.to_xarray()
+    assert data["arm_left.mass"].attrs["name"] == "arm/left.mass"
+    with pytest.warns(lw.LinkworkWarning, match="have no /"):
+        study.save(tmp_path / "it.nc")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # zarr has more to say
+        data.to_zarr(tmp_path / "it.zarr")
+        back = [xarray.open_zarr(tmp_path / "it.zarr").load(), xarray.load_dataset(tmp_path / "it.nc")]
+    for found in back:
+        assert_array_equal(found["arm_left.mass"], [1.0, 2.0])
+        assert_array_equal(found["z_z_"], study.outputs["z/z"])
+        assert_array_equal(found["z_z"], study.outputs["z_z"])
+        assert found["a_b"].shape == (2, 3)
+    with pytest.warns(lw.LinkworkWarning, match="have no /"):
+        many = lw.simulate_many(model, values, 0.05, step=5e-3, progress=False).to_xarray()
+    assert_array_equal(many["arm_left.mass"], [1.0, 2.0])
+
+
+def seeded(seed: int) -> lw.Model:
+    return rod()
+
+
+def test_large_whole_numbers_come_back_from_netcdf_exactly_or_are_refused(tmp_path: Path) -> None:
+    """SciPy's, of 32 bits, where no other package is there."""
+    xarray = pytest.importorskip("xarray")
+    given = [1, 2**40 + 1, -(2**53)]
+    lw.sweep(seeded, {"seed": given}, "energy.max", **FEW).save(tmp_path / "it.nc")
+    assert [int(it) for it in xarray.load_dataset(tmp_path / "it.nc")["seed"].values] == given
+    beyond = lw.sweep(seeded, {"seed": [1, 2**53 + 1]}, "energy.max", **FEW)
+    if any(importlib.util.find_spec(name) for name in ("netCDF4", "h5netcdf")):
+        beyond.save(tmp_path / "beyond.nc")
+        return
+    with pytest.raises(lw.FileError, match=r"'seed' has whole numbers beyond 2\^53.*install h5netcdf"):
+        beyond.save(tmp_path / "beyond.nc")
 
 
 def test_without_xarray_and_pandas_there_is_a_table(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -15,7 +15,7 @@ from linkwork.arguments import optional_package
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError
 from linkwork.results.result import Result
-from linkwork.studies.study import dimensions
+from linkwork.studies.datasets import dimensions, without_groups
 
 if TYPE_CHECKING:
     import xarray
@@ -124,7 +124,8 @@ class EnsembleResult:
 
     def to_xarray(self) -> xarray.Dataset:
         """A data set of xarray over "member" and "time": parameters, status and why as coordinates, motions
-        or outputs as variables, units as attributes, the manifest as text.
+        or outputs as variables, units as attributes, the manifest as text. Names have "_" for "/", by which
+        files would put them into groups; the attribute `name` has what it was.
 
             many.to_xarray().q.mean("member")
 
@@ -148,8 +149,7 @@ class EnsembleResult:
             dims, unit = TRAJECTORIES[name]
             variables[name] = ("member", "time", *dims), values, {"units": unit}
         attributes = {"manifest": json.dumps(self.manifest, default=str)}
-        found: xarray.Dataset = package.Dataset(variables, coordinates, attributes)
-        return found
+        return without_groups(package.Dataset(variables, coordinates, attributes))
 
     def _variable(self, name: str, values: NDArray[Any]) -> tuple[Any, Any, dict[str, str]]:
         dims = dimensions(name, values.ndim - 1, {*self.parameters, *self.outputs})

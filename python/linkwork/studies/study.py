@@ -7,7 +7,7 @@ import json
 import os
 import warnings
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence, Set
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -21,6 +21,7 @@ from linkwork.replacement import replacing
 from linkwork.results.result import Result
 from linkwork.studies.cases import Runner
 from linkwork.studies.collected import Collected
+from linkwork.studies.datasets import dimensions, for_netcdf, without_groups
 from linkwork.studies.sampling import Cases
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
     from linkwork.studies.pictures import Swing
     from linkwork.view.page import Page
 
-__all__ = ["Study", "array_of", "assembled", "dimensions"]
+__all__ = ["Study", "array_of", "assembled"]
 
 #: Causes of failure that a summary lists.
 LISTED = 3
@@ -254,11 +255,12 @@ class Study:
 
     def to_xarray(self) -> xarray.Dataset:
         """A data set of xarray over the dimension "case": parameters, status, verdict, ... as coordinates,
-        outputs as variables, units as attributes, the manifest as text.
+        outputs as variables, units as attributes, the manifest as text. Names have "_" for "/", by which
+        files would put them into groups; the attribute `name` has what it was.
 
             study.to_xarray().height.max()
 
-        OptionError: xarray is not installed.
+        OptionError: xarray is not installed. LinkworkWarning: a name has a "/".
         """
         package = optional_package("xarray", "xarray", "to_xarray", instead="to_table needs nothing")
         coordinates: dict[str, Any] = {"case": np.arange(len(self))}
@@ -273,8 +275,7 @@ class Study:
         variables = {name: self._variable(name, it, self.described.get(name, ""))
                      for name, it in self.outputs.items()}  # fmt: skip
         attributes = {"manifest": json.dumps(self.manifest, default=str)}
-        found: xarray.Dataset = package.Dataset(variables, coordinates, attributes)
-        return found
+        return without_groups(package.Dataset(variables, coordinates, attributes))
 
     def _variable(self, name: str, values: NDArray[Any], about: str) -> tuple[Any, Any, dict[str, str]]:
         dims = dimensions(name, values.ndim - 1, {*self.parameters, *self.outputs})
@@ -290,7 +291,8 @@ class Study:
 
         overwrite  whether it may replace a file
 
-        A parameter with a space in its name comes back as a variable: netCDF has no such coordinates.
+        A parameter with a space in its name comes back as a variable: netCDF has no such coordinates. Whole
+        numbers of more than 32 bits come back as floats, exactly, where netCDF4 and h5netcdf are not there.
 
         OptionError: xarray is not installed. FileError: there is a file, it has another suffix, or cannot be
         written.
@@ -300,7 +302,7 @@ class Study:
         with replacing(target, "data set") as beside, warnings.catch_warnings():
             warnings.filterwarnings("ignore", "coordinate .* has a space in its name")
             try:
-                data.to_netcdf(beside)
+                for_netcdf(data).to_netcdf(beside)
             except UnicodeEncodeError as error:
                 why = ValueError("a name is not of Latin letters: install h5netcdf, or take to_csv")
                 raise unwritable("data set", target, why) from error
@@ -336,16 +338,6 @@ def assembled(
         runner=runner,
         cases=cases,
     )  # fmt: skip
-
-
-def dimensions(name: str, count: int, taken: Set[str]) -> list[str]:
-    """Of an array, after the first: none has the name of a parameter or output."""
-    found = []
-    for label in (f"{name}_{k + 1}" for k in range(count)):
-        while label in taken:
-            label += "_"
-        found.append(label)
-    return found
 
 
 def array_of(values: Sequence[Any]) -> NDArray[Any]:
