@@ -721,6 +721,71 @@ def test_samplers_fill_their_bounds_and_repeat_by_their_seed() -> None:
         cases_of(bounds, "sobol", 5, 7)
 
 
+def test_distributions_of_every_kind_have_their_quantiles() -> None:
+    from linkwork.studies.sampling import cases_of
+    from scipy import stats
+
+    def drawn(given: Any) -> Any:
+        return np.array(cases_of({"x": given}, None, 400, 3).columns["x"])
+
+    u = drawn(stats.uniform())
+    histogram = stats.rv_histogram(np.histogram([1, 2, 2, 3.0], bins=3))
+    assert_array_equal(drawn(histogram), histogram.ppf(u))
+    if hasattr(stats, "Normal"):  # of SciPy 1.15
+        assert_array_equal(drawn(stats.Normal(mu=2.0, sigma=0.5)), stats.Normal(mu=2.0, sigma=0.5).icdf(u))
+        gamma = stats.make_distribution(stats.gamma)(a=2.0)
+        assert drawn(gamma) == pytest.approx(stats.gamma(2.0).ppf(u), rel=1e-12)
+        with pytest.raises(lw.OptionError, match=r"Normal is a distribution without its numbers: .*mu=1.0"):
+            drawn(stats.Normal)
+    with pytest.raises(lw.OptionError, match=r"norm is a distribution without its numbers: .*loc=1.0"):
+        drawn(stats.norm)
+    with pytest.raises(lw.OptionError, match=r"cases 4: nothing is drawn of a grid.*ppf or icdf"):
+        cases_of({"x": stats.gaussian_kde([1.0, 2.0, 3.0])}, None, 4, 1)
+
+
+def test_an_optimized_engine_gives_the_points_that_a_new_one_has_or_is_refused() -> None:
+    from linkwork.studies.sampling import cases_of
+    from scipy.stats import qmc
+
+    def drawn(engine: Any) -> Any:
+        columns = cases_of({"x": (0.0, 1.0), "y": (0.0, 1.0)}, engine, 8, None).columns
+        return np.stack([columns["x"], columns["y"]], axis=1)
+
+    for kind in (qmc.LatinHypercube, qmc.Halton):
+        new = [kind(2, optimization="random-cd", seed=3) for _ in range(3)]
+        expected = new[0].random(8)
+        assert_array_equal(drawn(new[1]), expected)
+        assert_array_equal(drawn(new[1]), expected)  # nothing was drawn from the engine itself
+        with pytest.raises(lw.OptionError, match="was drawn from before, and its optimization"):
+            drawn(new[0])
+    used = qmc.Sobol(2, optimization="lloyd", seed=3)
+    expected = used.random(8)
+    assert_array_equal(drawn(used), expected)
+
+
+def test_a_manifest_says_what_was_drawn_so_that_it_can_be_drawn_again(tmp_path: Path) -> None:
+    import scipy
+    from scipy import stats
+    from scipy.stats import qmc
+
+    wanted = {"rod.mass": stats.norm(1.0, scale=0.01), "gravity[2]": (-10, -9)}
+    study = lw.sweep(rod(), wanted, "energy.max", **FEW, sampler="sobol", cases=4, seed=5, directory=tmp_path)
+    told = study.manifest["drawn"]
+    assert told["parameters"] == {"rod.mass": "norm(1.0, scale=0.01)", "gravity[2]": "(-10.0, -9.0)"}
+    assert (told["sampler"], told["cases"], told["seed"]) == ("sobol", 4, 5)
+    again = {name: eval(text, {"norm": stats.norm}) for name, text in told["parameters"].items()}
+    same = lw.sweep(rod(), again, "energy.max", **FEW, sampler="sobol", cases=4, seed=5)
+    for name, values in study.parameters.items():
+        assert_array_equal(same.parameters[name], values)
+    stored = json.loads((tmp_path / "study.json").read_text())
+    assert stored["drawn"] == told and stored["versions"]["scipy"] == scipy.__version__
+    engine = qmc.Sobol(2, scramble=True, bits=40, seed=11)
+    made = lw.sweep(rod(), wanted, "energy.max", **FEW, sampler=engine, cases=4).manifest["drawn"]
+    assert made["seed"] == 11 and made["engine"]["bits"] == 40 and made["engine"]["scramble"] is True
+    assert made["generator"] == engine.rng_seed.bit_generator.state
+    assert not lw.sweep(rod(), {"rod.mass": [1.0]}, "energy.max", **FEW).manifest["drawn"]
+
+
 def test_rows_columns_frames_and_arrays_are_the_same_table() -> None:
     import pandas
     from linkwork.studies.sampling import cases_of

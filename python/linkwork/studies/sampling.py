@@ -6,16 +6,17 @@ import copy
 import itertools
 import math
 import warnings
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
-from linkwork.arguments import is_number, one_of, whole
+from linkwork.arguments import one_of, whole
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError, warn
 from linkwork.fingerprints import plain
+from linkwork.studies.distributions import is_distribution, quantile, words
 
 __all__ = ["SAMPLERS", "Cases", "cases_of"]
 
@@ -35,6 +36,7 @@ class Cases:
 
     columns: Mapping[str, Sequence[Any]]
     how: str  # they were made
+    drawn: Mapping[str, Any] = field(default_factory=dict)  # from what, in words; empty where nothing was
 
     def __len__(self) -> int:
         return len(next(iter(self.columns.values())))
@@ -43,7 +45,7 @@ class Cases:
         """The same, of numbers alone: 1 and 1.0 are one case."""
         columns = {name: [np.asarray(value, dtype=float).tolist() for value in values]
                    for name, values in self.columns.items()}  # fmt: skip
-        return Cases(columns, self.how)
+        return Cases(columns, self.how, self.drawn)
 
     def case(self, number: int) -> dict[str, Any]:
         return {name: values[number] for name, values in self.columns.items()}
@@ -58,7 +60,9 @@ def cases_of(parameters: Any, sampler: Any, count: int | None, seed: int | None)
     for name, given in (("cases", count), ("seed", seed)):
         if kind in ("grid", "table") and given is not None:
             raise OptionError(
-                f"{name} {given!r:.40}: nothing is drawn of a {kind}; {name}= is for samplers", code=name
+                f"{name} {given!r:.40}: nothing is drawn of a {kind}; {name}= is for samplers: give "
+                "sampler='random', say, with bounds, or distributions of scipy.stats, which have ppf or icdf",
+                code=name,
             )
     if kind == "grid":
         return _grid({name: _values(name, given, single=True) for name, given in columns.items()})
@@ -119,7 +123,7 @@ def _of_rows(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
 def _kind(parameters: Any, columns: Mapping[str, Any], sampler: Any) -> str:
     if sampler is not None and not isinstance(sampler, str):
         return "engine"
-    drawn = [name for name, given in columns.items() if _is_distribution(given)]
+    drawn = [name for name, given in columns.items() if is_distribution(given)]
     if sampler is None:
         usual = "grid" if isinstance(parameters, Mapping) else "table"
         return "random" if drawn else usual
@@ -169,24 +173,34 @@ def _table(columns: Mapping[str, list[Any]]) -> Cases:
 
 
 def _sampled(columns: Mapping[str, Any], sampler: Any, kind: str, count: int, seed: int | None) -> Cases:
-    quantiles = {name: _quantile(name, given) for name, given in columns.items()}
+    quantiles = {name: quantile(name, given) for name, given in columns.items()}
+    about: dict[str, Any] = {"seed": seed}
     if kind == "engine":
         if seed is not None:
             raise OptionError(
                 f"seed {seed}: an engine of scipy.stats.qmc has its own; leave seed out", code="seed"
             )
         points, kind = _of_engine(sampler, len(columns), count)
+        about = _engine_words(sampler)
     else:
-        drawn = next((name for name in columns if _is_distribution(columns[name])), "")
-        if seed is None:
-            what = f"parameter '{drawn}': is a distribution" if drawn else f"sampler '{kind}' is random"
-            raise OptionError(f"{what}: give a seed, a whole number, so that it can be repeated", code="seed")
+        _check_seed(columns, kind, seed)
+        assert seed is not None
         points = _random(columns, count, seed) if kind == "random" else _scrambled(columns, kind, count, seed)
     # the ends of the unit interval are quantiles at infinity
     inside = np.clip(points, 2.0**-54, 1 - 2.0**-53)
     return Cases(
-        {name: quantile(inside[:, k]).tolist() for k, (name, quantile) in enumerate(quantiles.items())}, kind
-    )
+        {name: inverse(inside[:, k]).tolist() for k, (name, inverse) in enumerate(quantiles.items())}, kind,
+        {"sampler": kind, **about, "cases": count,
+         "parameters": {name: words(given) for name, given in columns.items()}},
+    )  # fmt: skip
+
+
+def _check_seed(columns: Mapping[str, Any], kind: str, seed: int | None) -> None:
+    """OptionError: there is none."""
+    drawn = next((name for name in columns if is_distribution(columns[name])), "")
+    if seed is None:
+        what = f"parameter '{drawn}': is a distribution" if drawn else f"sampler '{kind}' is random"
+        raise OptionError(f"{what}: give a seed, a whole number, so that it can be repeated", code="seed")
 
 
 def _random(columns: Mapping[str, Any], count: int, seed: int) -> Floats:
@@ -215,7 +229,9 @@ def _points(engine: Any, count: int) -> Floats:
 
 
 def _of_engine(engine: Any, dimensions: int, count: int) -> tuple[Floats, str]:
-    """From its beginning, whatever was drawn from it before. OptionError: none, or one without seed."""
+    """From its beginning, whatever was drawn from it before. OptionError: none, one without seed, or one that
+    was drawn from and does not find back.
+    """
     from scipy.stats import qmc
 
     if not isinstance(engine, qmc.QMCEngine):
@@ -233,7 +249,44 @@ def _of_engine(engine: Any, dimensions: int, count: int) -> tuple[Floats, str]:
             "can be repeated",
             code="seed",
         )
-    return _points(copy.deepcopy(engine).reset(), count), type(engine).__name__
+    return _points(_from_beginning(engine, count), count), type(engine).__name__
+
+
+def _from_beginning(engine: Any, count: int) -> Any:
+    """A copy: the engine stays as it is. OptionError: it was drawn from, and `reset` does not lead back, as
+    of those that are optimized by random swaps: these go on with the numbers of a generator that stays.
+    """
+    found = copy.deepcopy(engine)
+    if getattr(engine, "optimization_method", None) is None:
+        return found.reset()
+    if not engine.num_generated:
+        return found
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # told when they are drawn
+        first, second = (found.reset().random(count) for _ in range(2))
+    if not np.array_equal(first, second):
+        raise OptionError(
+            f"sampler {type(engine).__name__}: was drawn from before, and its optimization does not begin "
+            "anew: make a new one with the same seed",
+            code="sampler",
+        )
+    return found.reset()
+
+
+def _engine_words(engine: Any) -> dict[str, Any]:
+    """What it was made with, as far as it tells: numbers, names of methods, the state that it begins at."""
+    found: dict[str, Any] = {}
+    for name, it in sorted(vars(engine).items()):
+        method = getattr(it, "func", getattr(it, "__func__", None))
+        if method is not None:
+            found[name] = getattr(method, "__name__", str(method))
+        elif not name.startswith("_") and isinstance(it, bool | int | float | str):
+            found[name] = it
+    found.pop("num_generated", None)
+    generator = getattr(getattr(engine, "rng_seed", None), "bit_generator", None)
+    entropy = getattr(getattr(generator, "seed_seq", None), "entropy", None)
+    state = {name: plain(it) for name, it in getattr(generator, "state", {}).items()}
+    return {"seed": entropy, "engine": found, "generator": state}
 
 
 def _is_repeatable(engine: Any) -> bool:
@@ -245,34 +298,3 @@ def _is_repeatable(engine: Any) -> bool:
     generator = getattr(getattr(engine, "rng_seed", None), "bit_generator", None)
     entropy = getattr(getattr(generator, "seed_seq", None), "entropy", None)
     return isinstance(entropy, int) and entropy < 2**64
-
-
-def _is_distribution(given: Any) -> bool:
-    """Frozen, of one variable."""
-    return callable(getattr(given, "ppf", None)) and hasattr(given, "dist")
-
-
-def _quantile(name: str, given: Any) -> Callable[[Floats], Floats]:
-    """From the unit interval to values. OptionError: neither bounds nor a distribution."""
-    if _is_distribution(given):
-        with np.errstate(all="ignore"):  # what is wrong is told below
-            middle = given.ppf(0.5)
-        if np.ndim(middle) > 0:
-            raise OptionError(
-                f"parameter '{name}': its distribution is of {np.size(middle)} numbers: give each its own",
-                code="parameters",
-            )
-        if not np.isfinite(middle):
-            raise OptionError(f"parameter '{name}': its distribution is none: check its numbers",
-                              code="parameters")  # fmt: skip
-        return lambda u: np.asarray(given.ppf(u), dtype=float)
-    bounds = given.tolist() if isinstance(given, np.ndarray) else given
-    good = isinstance(bounds, tuple | list) and len(bounds) == 2 and all(map(is_number, bounds))
-    if not good or not bounds[0] < bounds[1]:
-        raise OptionError(
-            f"parameter '{name}': {given!r:.60} is no pair (low, high) and no frozen distribution of "
-            "scipy.stats, which a sampler needs",
-            code="parameters",
-        )
-    low, high = map(float, bounds)
-    return lambda u: low + (high - low) * u

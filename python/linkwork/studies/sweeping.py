@@ -94,8 +94,8 @@ def sweep(
                 "spring.stiffness", "motor pin.at[2]", "gravity[2]"; in the units of `Model.values`. Or a
                 function build(**parameters) -> Model, where the topology changes
     parameters  {name: values}: a grid, full factorial. A list of mappings, a table of pandas, an array with
-                named fields: a case a row. With a sampler {name: (low, high)}, or frozen distributions of
-                scipy.stats
+                named fields: a case a row. With a sampler {name: (low, high)}, or distributions of
+                scipy.stats: norm(1.0, 0.01), Normal(mu=1.0, sigma=0.01), rv_histogram(...)
     outputs     names of quantities of a Result, with what becomes of them over the recorded frames (max, min,
                 abs_max, mean, rms, range, final): "reaction('pin').force.max". Of vectors in space all but
                 final are those of the magnitude; .x, .y, .z are components. "final": the last q and v.
@@ -397,10 +397,14 @@ def _check_example(source: Built, store: Store) -> None:
 
 def _about(runner: Runner, cases: Cases, first: Model | None, seed: int | None) -> dict[str, Any]:
     """For the manifest; `first` is the model of the first case, if it has one."""
+    import scipy
+
+    facts = platform_facts()
     return {
         "example": {"values": cases.case(0), "model": _hash_of(runner.source, cases.case(0), first)},
-        "sampler": cases.how, "cases": len(cases), "seed": seed, "lanes": runner.lanes,
-        "outputs": [it.label for it in runner.outputs], **platform_facts(), "machine": machine(),
+        "sampler": cases.how, "cases": len(cases), "seed": seed, "drawn": dict(cases.drawn),
+        "lanes": runner.lanes, "outputs": [it.label for it in runner.outputs],
+        **facts, "versions": {**facts["versions"], "scipy": scipy.__version__}, "machine": machine(),
         "started": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
     }  # fmt: skip
 
