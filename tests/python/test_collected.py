@@ -56,3 +56,14 @@ def test_cases_with_one_key_are_one_and_what_is_lost_says_so() -> None:
     assert found.status(lost, keys).tolist() == ["finished", "failed", "finished", "skipped", "skipped"]
     assert found.errors(lost, keys)[1]["code"] == "lost" and found.remarks() == {0: "slow", 2: "slow"}
     assert found.level.tolist() == ["good", "", "good", "", ""]
+
+
+def test_of_two_tries_the_one_that_finished_counts_whichever_comes_first() -> None:
+    good, bad = run("a", {"x": 5.0}), Run("a", "failed", error={"message": "m"}, remarks="late", seconds=2.0)
+    for tries in ([good, bad], [bad, good], [bad, bad, good, bad]):
+        found = Collected(["a", "b"])
+        for it in tries:
+            if found.wants(it):
+                found.add(it)
+        assert found.status({}, "ab").tolist() == ["finished", "skipped"]
+        assert found.errors({}, "ab") == {} and found.remarks() == {} and found.level[0] == "good"

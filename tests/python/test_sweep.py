@@ -466,6 +466,51 @@ def test_failed_cases_are_kept_with_their_reason(tmp_path: Path) -> None:
     assert again.errors[1] == study.errors[1]
 
 
+def from_file(mass: float) -> lw.Model:
+    """Of 2 kg and more only where the file is there; never of 4 kg."""
+    if mass == 4.0 or (mass >= 2.0 and not Path(os.environ["NEEDED"]).exists()):
+        raise OSError("the file is missing")
+    return rod().replaced("rod", mass=mass)
+
+
+@pytest.mark.parametrize("masses", [[1.0, 2.0, 3.0, 4.0], [2.0, 1.0, 3.0, 4.0]])
+def test_cases_that_failed_are_tried_again_where_that_is_wanted(
+    masses: list[float], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    needed, where = tmp_path / "needed", tmp_path / "study"
+    monkeypatch.setenv("NEEDED", str(needed))
+
+    def found(**how: Any) -> lw.Study:
+        more = {} if how.get("gather") else {"processes": 1}
+        return lw.sweep(from_file, {"mass": masses}, "final", **RUN, **more, directory=where, **how)
+
+    expected = ["finished" if mass == 1.0 else "failed" for mass in masses]
+    assert found().status.tolist() == expected
+    needed.touch()
+    assert found().status.tolist() == expected
+    part = found(retry=True, shard=(2, 4))  # the third of them: the others are what they were
+    assert part.status.tolist() == [*expected[:2], "finished", "failed"]
+    again = found(retry=True)
+    assert again.status.tolist() == [*["finished"] * 3, "failed"] and set(again.errors) == {3}
+    for study in (found(), found(gather=True)):  # whichever of two tries is read first
+        same(study, again)
+        assert set(study.errors) == {3}
+    same(again, lw.sweep(from_file, {"mass": masses}, "final", **FEW))
+
+
+def test_a_run_that_is_interrupted_amid_failed_cases_counts_them_as_open(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lw.sweep(rod(), {"rod.mass": [-1.0, -2.0, 1.0]}, "final", **FEW, directory=tmp_path)
+
+    def interrupted(*_: Any) -> Any:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("linkwork.studies.chunks.in_processes", interrupted)
+    with pytest.raises(KeyboardInterrupt, match="0 of 2 cases are done, and kept in"):
+        lw.sweep(rod(), {"rod.mass": [-1.0, -2.0, 1.0]}, "final", **FEW, directory=tmp_path, retry=True)
+
+
 def test_a_run_that_fails_says_how_far_it_came() -> None:
     def stiff(speed: float) -> lw.Model:
         return rod(speed=speed)
@@ -542,6 +587,8 @@ def test_an_inaccurate_case_has_its_verdict() -> None:
         ({"case_seconds": 0}, lw.OptionError, "case_seconds"),
         ({"case_seconds": 1, "executor": ANY, "processes": None}, lw.OptionError, "cannot be kept in"),
         ({"gather": True, "directory": "x"}, lw.OptionError, "processes 1: gather runs no case"),
+        ({"retry": True}, lw.OptionError, "retry needs a directory"),
+        ({"retry": 1}, lw.OptionError, "retry 1 is not True or False"),
         ({"gather": True, "directory": "x", "processes": None}, lw.FileError, "'x': there is no study to"),
         ({"shard": (1, 2)}, lw.OptionError, "directory"),
         ({"shard": (3, 2), "directory": "x"}, lw.OptionError, "shard"),
@@ -954,6 +1001,20 @@ def test_command_runs_shards_and_gathers_them(folder: Path, capsys: pytest.Captu
     rows = [line.split(",") for line in table.read_text().splitlines()]
     assert [float(row[rows[0].index("force")]) for row in rows[1:3]] == study.outputs["force"][:2].tolist()
     assert set(keys_in(folder / "kept").values()) == {1}
+
+
+def test_command_tries_failed_cases_again(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = str(folder / "study.yaml")
+
+    def written(*options: str) -> set[int]:
+        assert run(["sweep", file, "--processes", "1", *options], False) == 0
+        return {it.stat().st_ino for it in (folder / "kept" / "cases").glob("*.jsonl")}
+
+    first = written()
+    assert written() == first
+    assert written("--retry") != first  # that of the mass of -3 kg
+    assert run(["sweep", file, "--retry", "--gather"], False) == 1
+    assert "retry True: gather runs no case" in capsys.readouterr().err
 
 
 def test_command_says_that_all_have_failed(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

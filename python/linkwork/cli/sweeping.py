@@ -19,6 +19,7 @@ __all__ = ["sweep"]
 @click.argument("file", type=click.Path())
 @click.option("--shard", metavar="K/N", help="Only every Nth case: job K of N, from 0 or from 1 on.")
 @click.option("--gather", is_flag=True, help="Run nothing; collect what the shards have done.")
+@click.option("--retry", is_flag=True, help="Run the cases that failed again, too.")
 @click.option("--processes", type=click.IntRange(1), metavar="N", help="Local processes; one a processor.")
 @click.option(
     "--case-seconds",
@@ -34,9 +35,9 @@ __all__ = ["sweep"]
 )  # fmt: skip
 @click.option("--page", type=click.Path(), metavar="FILE", help="A page of parallel coordinates (.html).")
 @click.option("--json", "as_json", is_flag=True, help="Print JSON.")
-def sweep(file: str, shard: str | None, gather: bool, processes: int | None, case_seconds: float | None,
-          output: str | None, picture: str | None, kind: str, page: str | None,
-          as_json: bool) -> None:  # fmt: skip
+def sweep(file: str, shard: str | None, gather: bool, retry: bool, processes: int | None,
+          case_seconds: float | None, output: str | None, picture: str | None, kind: str,
+          page: str | None, as_json: bool) -> None:  # fmt: skip
     """Simulate a mechanism in many variants, as a file says.
 
     \b
@@ -44,7 +45,8 @@ def sweep(file: str, shard: str | None, gather: bool, processes: int | None, cas
     linkwork sweep study.yaml --shard $SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT
     linkwork sweep study.yaml --gather --output study.nc --plot study.png
 
-    Cases are kept in the study's directory as they end: the same command again runs what is missing.
+    Cases are kept in the study's directory as they end: the same command again runs what is missing, with
+    --retry also what failed.
     """
     from linkwork.cli import output as out
     from linkwork.studies.files import read_study
@@ -65,7 +67,8 @@ def sweep(file: str, shard: str | None, gather: bool, processes: int | None, cas
         from linkwork.studies.pictures import check_possible
 
         check_possible(kind, len(given["parameters"]), given.get("times"))
-    study = run(**given, shard=part, gather=gather, processes=processes, case_seconds=case_seconds)
+    study = run(**given, shard=part, gather=gather, retry=retry, processes=processes,
+                case_seconds=case_seconds)  # fmt: skip
     if output is not None:
         save = study.save if output.endswith(".nc") else study.to_csv
         save(output, overwrite=True)

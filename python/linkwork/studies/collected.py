@@ -45,12 +45,30 @@ class Collected:
         """Cases of which something is known, those with one key once."""
         return int(np.count_nonzero(self._state != NOTHING))
 
-    def wants(self, key: str) -> bool:
-        """Whether it is a case of the study, of which nothing is known."""
-        return key in self._first and key not in self
+    def wants(self, run: Run) -> bool:
+        """Whether it is of a case of the study of which no more is known: one that failed may have been tried
+        again."""
+        if run.key not in self._first:
+            return False
+        state = self._state[self._first[run.key]]
+        return bool(state == NOTHING or (state == FAILED and run.status == "finished"))
+
+    def forget_failed(self, shard: tuple[int, int] | None) -> None:
+        """As if nobody had run those of this shard."""
+        k, n = _share(shard)
+        for place in np.flatnonzero(self._state == FAILED).tolist():
+            if place % n == k:
+                self._state[place] = NOTHING
+                self._clear(place)
+
+    def _clear(self, k: int) -> None:
+        self._errors.pop(k, None)
+        self._remarks.pop(k, None)
+        self._seconds[k], self._accuracy[k], self._level[k] = np.nan, np.nan, ""
 
     def add(self, run: Run) -> None:
         k = self._first[run.key]
+        self._clear(k)
         self._state[k] = FINISHED if run.status == "finished" else FAILED
         self._seconds[k] = run.seconds
         self._accuracy[k] = run.verdict.get("error", np.nan)
@@ -155,6 +173,11 @@ class Collected:
         return self._each(self._level)
 
 
+def _share(shard: tuple[int, int] | None) -> tuple[int, int]:
+    """Of (k, n) every nth, from the kth on; all without."""
+    return (0, 1) if shard is None else (shard[0] % shard[1], shard[1])
+
+
 def _shapes(outputs: Mapping[str, Any]) -> Shapes:
     return {label: np.shape(value) for label, value in outputs.items()}
 
@@ -168,7 +191,7 @@ class Todo(Sequence[Case]):
     @classmethod
     def of(cls, cases: Cases, keys: Sequence[str], found: Collected, shard: tuple[int, int] | None) -> Todo:
         """Each key once, of this shard, of which nothing is known."""
-        k, n = (0, 1) if shard is None else (shard[0] % shard[1], shard[1])
+        k, n = _share(shard)
         seen: set[str] = set()
         numbers = []
         for number, key in enumerate(keys):

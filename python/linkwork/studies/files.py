@@ -40,7 +40,8 @@ VERSION = 1
 OF_STUDIES = {
     **dict.fromkeys(("model", "parameters", "outputs", "t_end", "times", "sampler", "cases", "seed",
                      "directory"), "of the study: write it outside"),
-    **dict.fromkeys(("shard", "gather", "processes", "case_seconds"), "of the command: give it there"),
+    **dict.fromkeys(("shard", "gather", "retry", "processes", "case_seconds"),
+                    "of the command: give it there"),
     **dict.fromkeys(("executor", "progress"), "of linkwork.sweep in Python"),
 }  # fmt: skip
 

@@ -6,7 +6,7 @@ directory/cases/<hash>.jsonl  the cases of one task: a line for the task with a 
 
 Files are written beside, brought to the disk and renamed: they are whole or not there, also on file systems
 of a network, and nobody locks anything. A file's name follows from its cases: two who run the same write the
-same file. Of a case that is in several, one counts.
+same file. Of a case that is in several, one counts: one that finished, where another try of it failed.
 """
 
 from __future__ import annotations
@@ -58,10 +58,11 @@ class Store:
             raise unwritable("directory", self.directory, error) from error
 
     def example(self) -> Mapping[str, Any]:
-        """Values of a case and the hash of its model, of who began the study; nothing where they are gone."""
+        """Values of a case and the hash of its model, of who began the study; nothing where they are gone, or
+        that case had no model then."""
         stored = json.loads((self.directory / "study.json").read_text(encoding="utf-8"))
         found = stored.get("example")
-        return found if isinstance(found, dict) and {"values", "model"} <= found.keys() else {}
+        return found if isinstance(found, dict) and "values" in found and found.get("model") else {}
 
     def keep(self, answer: Answer) -> None:
         """FileError: the disk is full, say; what was kept before stays readable."""
@@ -79,7 +80,7 @@ class Store:
         """Adds the cases that are there and wanted; the machines that ran them."""
         machines: list[Mapping[str, Any]] = []
         for machine, run in self._all():
-            if to.wants(run.key):
+            if to.wants(run):
                 to.add(run)
                 if machine not in machines:
                     machines.append(machine)

@@ -81,6 +81,7 @@ def sweep(
     directory: str | os.PathLike[str] | None = None,
     shard: tuple[int, int] | None = None,
     gather: bool = False,
+    retry: bool = False,
     case_seconds: float | None = None,
     progress: ShowOption = None,
     **options: Any,
@@ -114,6 +115,8 @@ def sweep(
                 missing. It may be on a file system that machines share
     shard       (k, n): only every nth case, of arrays of jobs that begin at 0 or 1; needs `directory`
     gather      only collect what is in `directory`
+    retry       run the cases that failed again, too, such as those that missed a file; one that finished
+                counts from then on
     case_seconds  wall time that one case may take by itself [s], of local processes: what takes longer is
                 failed, however the cases are shared out, and tried again when the study is run again. None:
                 any time
@@ -133,8 +136,9 @@ def sweep(
     took part.
     """  # Long: the arguments alone are twenty lines.
     check_number("t_end", t_end, positive=True, unit="s")
-    _check_places(shard, gather, directory, processes)
-    _check_gather(gather, shard=shard, executor=executor, processes=processes, case_seconds=case_seconds)
+    _check_places(shard, gather, retry, directory, processes)
+    _check_gather(gather, shard=shard, executor=executor, processes=processes, case_seconds=case_seconds,
+                  retry=retry or None)  # fmt: skip
     _check_options(options)
     drawn = cases_of(parameters, sampler, cases, seed)
     source = source_of(model, drawn.columns)
@@ -160,13 +164,11 @@ def sweep(
     head = digest(identity, _version())
     keys = digests(head, drawn.columns)
     about = _about(runner, drawn, first, seed)
-    if directory is not None:
-        _check_kept(drawn)
-    store = None if directory is None else Store(directory, identity, about, new=not gather)
-    if store is not None and isinstance(source, Built):
-        _check_example(source, store)
+    store = _store(directory, source, drawn, identity, about, gather)
     known = Collected(keys)
     machines = [] if store is None else store.find(known)
+    if retry:
+        known.forget_failed(shard)
     todo: Sequence[Case] = [] if gather else Todo.of(drawn, keys, known, shard)
     found = _Found(known, machines, store)
     workers = _Workers(executor, processes, case_seconds, len(drawn), here)
@@ -178,12 +180,13 @@ def sweep(
 # --- before the first case ---
 
 
-def _check_places(shard: Any, gather: Any, directory: Any, processes: Any) -> None:
+def _check_places(shard: Any, gather: Any, retry: Any, directory: Any, processes: Any) -> None:
     """OptionError: a shard that there is not, or parts of a study that nobody keeps."""
     if processes is not None:
         whole(processes, 1, "processes")
-    if not isinstance(gather, bool):
-        raise OptionError(f"gather {gather!r:.40} is not True or False", code="gather")
+    for name, flag in (("gather", gather), ("retry", retry)):
+        if not isinstance(flag, bool):
+            raise OptionError(f"{name} {flag!r:.40} is not True or False", code=name)
     if shard is not None:
         good = isinstance(shard, tuple | list) and len(shard) == 2
         good = good and all(isinstance(it, int) and not isinstance(it, bool) for it in shard)
@@ -193,8 +196,8 @@ def _check_places(shard: Any, gather: Any, directory: Any, processes: Any) -> No
                 "of all shards, also where some of them are run again",
                 code="shard",
             )
-    if directory is None and (shard is not None or gather):
-        what = "shard" if shard is not None else "gather"
+    if directory is None and (shard is not None or gather or retry):
+        what = "shard" if shard is not None else "gather" if gather else "retry"
         raise OptionError(f"{what} needs a directory, where the cases are kept", code="directory")
 
 
@@ -381,6 +384,20 @@ def _hash_of(source: Source, values: Mapping[str, Any], built: Model | None = No
         return (built or source.model(values)).hash()
     except Exception:
         return ""
+
+
+def _store(
+    directory: Any, source: Source, cases: Cases, identity: Mapping[str, Any], about: Mapping[str, Any],
+    gather: bool,
+) -> Store | None:  # fmt: skip
+    """OptionError: a value that it cannot hold. FileError: it is of another study."""
+    if directory is None:
+        return None
+    _check_kept(cases)
+    store = Store(directory, identity, about, new=not gather)
+    if isinstance(source, Built):
+        _check_example(source, store)
+    return store
 
 
 def _check_example(source: Built, store: Store) -> None:
