@@ -16,7 +16,6 @@ from linkwork.errors import ModelError, OptionError
 from linkwork.modeling.coordinates import known_coordinates
 from linkwork.plots import figures
 from linkwork.plots.figures import BODIES, COLORS, JOINTS
-from linkwork.results.forces import force_name
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -32,11 +31,11 @@ UNITS |= {"angle_a": UNITS["angle"], "angle_b": UNITS["angle"]}
 
 @dataclass(frozen=True)
 class Chosen:
-    """Bodies and joints by index, force elements by name; empty: those that tell the most."""
+    """Bodies, joints and force elements by index; empty: those that tell the most."""
 
     bodies: Sequence[int]
     joints: Sequence[int]
-    forces: Sequence[str] = ()
+    forces: Sequence[int] = ()
 
 
 def plot(
@@ -61,7 +60,7 @@ def plot(
     chosen = Chosen(
         [result.index("body", it) for it in bodies],
         [result.index("joint", it) for it in joints],
-        [force_name(result, it) for it in forces],
+        [result.index("force", it) for it in forces],
     )
     _check_choice(kind, chosen)
     figure = KINDS[kind](result, chosen)
@@ -150,7 +149,8 @@ def _reactions(result: Result, chosen: Chosen) -> Figure:
 
 def _forces(result: Result, chosen: Chosen) -> Figure:
     """Magnitudes of what force elements do to their second bodies."""
-    found = {name: result.force(name) for name in chosen.forces or result.header.force_names}
+    names = result.header.force_names
+    found = {names[k]: result.force(k) for k in chosen.forces or range(len(names))}
     figure, axes = _over_time(2)
     for ax, (part, unit) in zip(axes, (("force", "N"), ("torque", "N m")), strict=True):
         figures.style(ax, f"{part} of elements [{unit}]")

@@ -15,10 +15,11 @@ from linkwork.motion.header import ForceElement
 from linkwork.motion.records import ForceResult, rotate
 
 if TYPE_CHECKING:
+    from linkwork.modeling.handles import Named
     from linkwork.modeling.model import Model
     from linkwork.results.result import Result
 
-__all__ = ["force", "force_name"]
+__all__ = ["force", "place"]
 
 #: Breaks that are one, and where functions are evaluated beside one, relative to the time; as steps do it.
 SAME, BESIDE = 64 * np.finfo(float).eps, 4 * np.finfo(float).eps
@@ -28,16 +29,11 @@ def force(result: Result, name: str | int, model: Model | None) -> ForceResult:
     """See Result.force."""
     if model is not None and not hasattr(model, "compiled"):
         raise ModelError(f"force: a linkwork.Model is wanted, not {model!r:.80}", code="not_a_model")
-    place, law = _place(result, name, model), _law(result, model)
+    which, law = place(result, name, model), _law(result, model)
     k = len(result)
     state = (result.q.reshape(k, -1), result.v.reshape(k, -1), result._field("vdot").reshape(k, -1))
-    on_force, torque, power, potential, turned = law(place, _clock(result), *state, result.history)
-    return ForceResult(on_force, torque, power, potential, _deflection(result, place, turned))
-
-
-def force_name(result: Result, name: str | int) -> str:
-    """Of the force element of that name or index. ModelError: there is none."""
-    return result.header.force_names[_place(result, name, None)]
+    on_force, torque, power, potential, turned = law(which, _clock(result), *state, result.history)
+    return ForceResult(on_force, torque, power, potential, _deflection(result, which, turned))
 
 
 def _clock(result: Result) -> Floats:
@@ -59,8 +55,8 @@ def _distance(relative: float, t: Floats) -> Floats:
     return np.maximum(relative * np.abs(t), np.finfo(float).tiny)
 
 
-def _place(result: Result, name: str | int, model: Model | None) -> int:
-    """ModelError: there is none, or it is a law of the user's own."""
+def place(result: Result, name: Named, model: Model | None = None) -> int:
+    """Of a force element among those of the result. ModelError: there is none, or it is a law of one's own."""
     names = list(result.header.force_names)
     if isinstance(name, int | np.integer) and -len(names) <= name < len(names):
         return int(name) % len(names)
@@ -113,21 +109,21 @@ def _check_model(result: Result, model: Model) -> None:
         )
 
 
-def _deflection(result: Result, place: int, turned: Floats) -> Floats | None:
+def _deflection(result: Result, which: int, turned: Floats) -> Floats | None:
     """Of springs, beyond where they are free; None: of no spring, or that is a function of time. `turned`:
     the angle of a rotational one."""
     header = result.header
-    names = list(KINDS["force"][header.force_kinds[place]].parameters)
+    names = list(KINDS["force"][header.force_kinds[which]].parameters)
     free = next((it for it in ("free_length", "free_angle", "free_displacement") if it in names), None)
     if free is None:
         return None
-    rest = header.parameters("force", place)[names.index(free)]
+    rest = header.parameters("force", which)[names.index(free)]
     if np.isnan(rest):
         return None
     if free == "free_angle":
         return np.asarray(turned - rest)
-    ends = result._ends(header.force_bodies[place].tolist())
-    origin, frame = header.force_origin[place], header.force_frame[place]
+    ends = result._ends(header.force_bodies[which].tolist())
+    origin, frame = header.force_origin[which], header.force_frame[which]
     if free == "free_displacement":
         shifted: Floats = coordinates_of("displacement", result.t, ends, origin, frame).value - rest
         return shifted

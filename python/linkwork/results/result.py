@@ -709,14 +709,18 @@ class Result:
         path = None if path is None else check_suffix(path, "picture")
         return kinds.plot(self, path, kind, bodies, joints, forces)
 
-    def index(self, what: Literal["body", "joint"], name: Named) -> int:
-        """Place of a body or a joint in the arrays, by name, index or handle.
+    def index(self, what: Literal["body", "joint", "force"], name: Named) -> int:
+        """Place of a body, a joint or a force element in the arrays, by name, index or handle.
 
             rod = result.index("body", "rod")
 
         ModelError: no such one.
         """
-        return self._place(what, name)
+        if what != "force":
+            return self._place(what, name)
+        from linkwork.results import forces
+
+        return forces.place(self, name)
 
     def movie(
         self,
@@ -842,7 +846,7 @@ class Result:
 
     def _place(self, what: Literal["body", "joint"], name: Named) -> int:
         """Index of a body or joint given by name, index or handle."""
-        one_of(what, ("body", "joint"), "what")
+        one_of(what, ("body", "joint", "force"), "what")
         names = self.body_names if what == "body" else self.joint_names
         if isinstance(name, int | np.integer):
             if not -len(names) <= name < len(names):

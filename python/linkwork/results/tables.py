@@ -24,7 +24,6 @@ from linkwork.modeling.handles import Named
 from linkwork.motion.header import VIOLATION_UNITS
 from linkwork.motion.records import ForceResult
 from linkwork.replacement import replacing
-from linkwork.results.forces import force_name
 
 if TYPE_CHECKING:
     import pandas
@@ -125,8 +124,9 @@ class Choice:
     def of_forces(self, result: Result) -> dict[str, ForceResult]:
         """ModelError: no such force element. OptionError: a file, which has no laws."""
         _check_list("forces", self.forces)
-        chosen = [force_name(result, it) for it in self.forces] or result.header.force_names
-        return {name: result.force(name) for name in chosen}
+        names = result.header.force_names
+        chosen = [result.index("force", it) for it in self.forces] or range(len(names))
+        return {names[k]: result.force(k) for k in chosen}
 
     def places(self, result: Result, of: Literal["body", "joint"]) -> list[int]:
         """ModelError: no such body or joint."""

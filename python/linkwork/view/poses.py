@@ -97,7 +97,10 @@ def stream_piece(result: Result, number: int, origin: Floats) -> bytes:
 
 def from_origin(q: Floats, origin: Floats) -> Floats:
     """Poses (..., 7) with positions from `origin` (3,) on."""
-    return q - np.concatenate([origin, np.zeros(4)]) if origin.any() else q
+    if not origin.any():
+        return q
+    moved: Floats = q - np.concatenate([origin, np.zeros(4)])
+    return moved
 
 
 def stream_precision(low: Floats, high: Floats) -> float:

@@ -102,15 +102,16 @@ PointOnCurve::Point PointOnCurve::at(double s) const {
 }
 
 /// The parameter of the point of the curve that is nearest to d, from s on, by Newton's method on
-/// c' . (d - c) = 0; where the curve bends away (beyond its center of curvature), by steps along the tangent.
+/// c' . (d - c) = 0; where the curve bends away (beyond its center of curvature), by steps along the tangent. From
+/// what it has found it finds the same again, to the last bit: a last step that is within rounding is not taken.
 double PointOnCurve::nearest(const Vec3<double>& d, double s) const {
   const double longest = 0.25 * (curve_.knots.back() - curve_.knots.front());
   for (int k = 0; k < most_iterations; ++k) {
     const Point p = at(s);
     const double squared = p.c1.squaredNorm(), slope = squared - p.c2.dot(d - p.c);
     const double step = p.c1.dot(d - p.c) / std::max(slope, 0.1 * squared);
-    s += std::clamp(step, -longest, longest);
     if (std::abs(step) <= resolution * std::max(1.0, std::abs(s))) break;
+    s += std::clamp(step, -longest, longest);
   }
   return s;
 }
