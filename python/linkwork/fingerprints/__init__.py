@@ -1,7 +1,7 @@
 """Content hashes of models and studies: equal for equal values, in any process, on any machine."""
 
-from linkwork.fingerprints.laws import law
+from linkwork.fingerprints.laws import law, under_way
 from linkwork.fingerprints.origins import called_from_ctypes, is_users
 from linkwork.fingerprints.writing import canonical, digest, digests, plain
 
-__all__ = ["called_from_ctypes", "canonical", "digest", "digests", "is_users", "law", "plain"]
+__all__ = ["called_from_ctypes", "canonical", "digest", "digests", "is_users", "law", "plain", "under_way"]

@@ -7,14 +7,15 @@ import collections
 import contextlib
 import dataclasses
 import datetime
-import dis
 import functools
+import importlib.util
 import inspect
 import io
 import logging
 import random
 import re
 import sys
+from collections.abc import Iterable, Iterator
 from decimal import Decimal
 from enum import Enum
 from fractions import Fraction
@@ -33,19 +34,27 @@ from typing import Any
 
 import numpy as np
 
-from linkwork.fingerprints.origins import is_users, made_from
+from linkwork.fingerprints import codes
+from linkwork.fingerprints.origins import (
+    imported,
+    is_installed,
+    is_users,
+    is_users_class,
+    made_from,
+    module_of,
+)
 
 __all__ = [
-    "RESTLESS", "attached", "attributes", "attributes_changed", "bare", "beside", "cells", "counts",
-    "is_wrapper", "module_of", "of_class", "read_by", "shown", "wrapped",
+    "DATA", "RESTLESS", "attached", "attributes", "bare", "cells", "counts", "is_wrapper", "kept_by_pickle",
+    "of_class", "of_module", "read_by", "shown", "wrapped",
 ]  # fmt: skip
 
 #: Data, whose every bit counts.
-_DATA = (bool, int, float, complex, str, bytes, list, tuple, dict, set, frozenset, np.generic, np.ndarray)
+DATA = (bool, int, float, complex, str, bytes, list, tuple, dict, set, frozenset, np.generic, np.ndarray)
 
 #: Values of the standard library that say all by what they are made of.
 _VALUES = (
-    *_DATA, slice, range, bytearray, array.array, collections.deque, re.Pattern, Decimal, Fraction, Enum,
+    *DATA, slice, range, bytearray, array.array, collections.deque, re.Pattern, Decimal, Fraction, Enum,
     datetime.date, datetime.time, datetime.timedelta, MappingProxyType, SimpleNamespace, functools.partial,
     MethodType,
 )  # fmt: skip
@@ -55,11 +64,15 @@ RESTLESS = (
     logging.Logger, logging.Handler, io.IOBase, random.Random, np.random.Generator, np.random.RandomState,
 )  # fmt: skip
 
-#: Methods by which a container changes.
-_CHANGING = {
-    "append", "appendleft", "extend", "extendleft", "insert", "pop", "popleft", "popitem", "remove",
-    "discard", "clear", "update", "setdefault", "add", "sort", "reverse", "rotate", "move_to_end",
-}  # fmt: skip
+#: Methods by which a class says how its objects are pickled.
+_PICKLING = ("__reduce__", "__reduce_ex__", "__getstate__", "__getnewargs__", "__getnewargs_ex__")
+
+#: Functions that read what has no name in the code: a module by its name, all of their own module.
+_IMPORTERS = {"import_module", "__import__"}
+_READ_ALL = frozenset({"globals", "eval", "exec"})
+
+#: Objects within each other of which it is looked whether they can be known.
+_DEEPEST = 5
 
 #: What a class has that nobody has written.
 _MADE = {
@@ -102,15 +115,7 @@ def bare(value: Any) -> Any:
     """The data alone, of an object of a class that is made from one of data."""
     if isinstance(value, np.generic | np.ndarray):
         return value.tolist()
-    return next(it for it in type(value).__mro__ if it in _DATA)(value)
-
-
-def beside(value: Any) -> list[tuple[str, Any]]:
-    """Attributes that such an object has beside its data."""
-    home = type(value).__module__.split(".")[0]
-    if home in ("builtins", "numpy") or not isinstance(value, _DATA) or isinstance(value, Enum):
-        return []
-    return attributes(value)
+    return next(it for it in type(value).__mro__ if it in DATA)(value)
 
 
 def shown(value: Any) -> list[tuple[str, Any]]:
@@ -125,88 +130,145 @@ def shown(value: Any) -> list[tuple[str, Any]]:
     for name in sorted(names):
         with contextlib.suppress(Exception):  # it is not to be had now
             found.append((name, getattr(value, name)))
-    found = [(name, it) for name, it in found if isinstance(it, _DATA)]
+    found = [(name, it) for name, it in found if isinstance(it, DATA)]
     return found if any(isinstance(it, np.ndarray) for _, it in found) else []
+
+
+def kept_by_pickle(value: Any, kinds: Iterable[type]) -> list[Any]:
+    """What such classes of an object say themselves that it is made of; none where they say nothing."""
+    if not any(name in vars(kind) for kind in kinds if kind is not object for name in _PICKLING):
+        return []
+    with contextlib.suppress(Exception):  # what cannot be pickled says so in many ways
+        reduced = value.__reduce_ex__(4)
+        if isinstance(reduced, tuple):
+            return [list(it) if isinstance(it, Iterator) else it for it in reduced[1:]]
+    return []
 
 
 def attached(function: FunctionType) -> list[tuple[str, Any]]:
     """What counts of a function's attributes, but for those to which it writes, as counters and what it
     remembers."""
-    own, written = module_of(function), attributes_changed(function.__code__)
+    own, code = module_of(function), function.__code__
+    itself = function.__name__ in codes.globals_read(code) | set(code.co_freevars)
+    changes = codes.attributes_changed(code) if itself else codes.Changes()
     return sorted(
         (name, it)
         for name, it in vars(function).items()
-        if name != "__wrapped__" and name not in written and counts(it, own)
+        if name != "__wrapped__" and counts(it, own) and not codes.is_changed(name, it, changes)
     )
 
 
-def attributes_changed(code: CodeType) -> frozenset[str]:
-    return _changed(code, ("LOAD_ATTR",), ("STORE_ATTR", "DELETE_ATTR"))
-
-
-@functools.cache
-def _changed(code: CodeType, read: tuple[str, ...], written: tuple[str, ...]) -> frozenset[str]:
-    """Names to which a function, and those inside of it, writes, or in which it changes what is there."""
-    steps = [it for it in dis.get_instructions(code) if it.opname != "CACHE"]
-    found = {it.argval for it in steps if it.opname in written}
-    for what, then, last in zip(steps, steps[1:], steps[2:], strict=False):
-        item = last.opname == "STORE_SUBSCR" and then.opname.startswith("LOAD_")
-        method = then.opname in ("LOAD_ATTR", "LOAD_METHOD") and then.argval in _CHANGING
-        if what.opname in read and (item or method):
-            found.add(what.argval)
-    inner = (it for it in code.co_consts if isinstance(it, CodeType))
-    return frozenset(found.union(*(_changed(it, read, written) for it in inner)))
-
-
 def read_by(function: FunctionType) -> list[tuple[str, Any]]:
-    """What counts of its module, and of others that are not installed, by name."""
-    own, known = module_of(function), function.__globals__
+    """What counts of its module, and of others that are not installed, by name. What it changes itself, as
+    counters and what it remembers, is not read; of a module that it hands on everything is."""
+    own, known, code = module_of(function), function.__globals__, function.__code__
+    if function.__closure__ and not is_users(own):  # what is read is what it is made around
+        return []
+    changes, handed_on = codes.globals_changed(code), codes.handed_on(code)
     found: dict[str, Any] = {}
-    modules: list[tuple[str, ModuleType]] = []
-    for name in _loaded(function.__code__):
+    modules: list[tuple[str, ModuleType, bool]] = []
+    for name in codes.globals_read(code):
         value = known.get(name)
         if isinstance(value, ModuleType):
-            modules.append((name, value))
-        elif name in known and counts(value, own):
+            modules.append((name, value, name in handed_on))
+        elif name in known and counts(value, own) and not codes.is_changed(name, value, changes):
             found[name] = value
-    modules += [(name, sys.modules[name]) for name in _imported(function.__code__) if name in sys.modules]
-    seen: set[int] = set()
+    if codes.globals_read(code) & _READ_ALL - known.keys() and own in sys.modules:
+        modules.append(("", sys.modules[own], True))
+    for name, value, whole in _imports(function):
+        if isinstance(value, ModuleType):
+            modules.append((name, value, whole))
+        elif value is not None:
+            found[name] = value
+    return sorted((found | _of_modules(modules, function)).items())
+
+
+def _of_modules(modules: list[tuple[str, ModuleType, bool]], function: FunctionType) -> dict[str, Any]:
+    """What counts of modules that are not installed, by names that a function uses; or all of it."""
+    own, used = module_of(function), codes.names(function.__code__) | {"__getattr__"}
+    handed_on = codes.handed_on(function.__code__)
+    found: dict[str, Any] = {}
+    seen: set[tuple[int, bool]] = set()
     while modules:
-        label, module = modules.pop()
-        if id(module) in seen or not _is_own(module.__name__, own):
+        label, module, whole = modules.pop()
+        if (id(module), whole) in seen or not counts(module, own):
             continue
-        seen.add(id(module))
-        for name in _names(function.__code__) & vars(module).keys():
+        seen.add((id(module), whole))
+        if whole:
+            found[label] = module
+        for name in used & vars(module).keys():
             value = vars(module)[name]
             if isinstance(value, ModuleType):
-                modules.append((f"{label}.{name}", value))
+                modules.append((f"{label}.{name}", value, name in handed_on))
             elif counts(value, own):
                 found[f"{label}.{name}"] = value
-    return sorted(found.items())
+    return found
 
 
-def counts(value: Any, own: str) -> bool:
-    """Whether it is known by more than its name: functions and classes that are not installed, and data."""
+def _imports(function: FunctionType) -> list[tuple[str, Any, bool]]:
+    """Modules that a function imports itself, whether it hands them on; the text of what cannot be."""
+    code, known = function.__code__, function.__globals__
+    handed_on = codes.handed_on(code)
+    found: list[tuple[str, Any, bool]] = []
+    for it in codes.imports(code):
+        name = it.module
+        if it.level:
+            package = known.get("__package__") or module_of(function).rpartition(".")[0]
+            with contextlib.suppress(ImportError):
+                name = importlib.util.resolve_name("." * it.level + name, package)
+        whole = not it.known_as.isdisjoint(handed_on)
+        found += [(place, imported(place), whole and not it.names) for place in {name, name.split(".")[0]}]
+        for part in it.names:  # what a module has, or a module of a package
+            has = getattr(sys.modules.get(name), part, None)
+            if has is None or isinstance(has, ModuleType):
+                found.append((f"{name}.{part}", has or imported(f"{name}.{part}"), whole))
+    if codes.names(code) & _IMPORTERS:
+        texts = (it for it in codes.constants(code) if it.replace(".", "").isidentifier())
+        found += [(it, imported(it), True) for it in texts]
+    return found
+
+
+def counts(value: Any, own: str, depth: int = 0) -> bool:
+    """Whether it is known by more than its name: functions, classes and modules that are not installed, what
+    is made while a program runs, and data."""
     if isinstance(value, FunctionType):
-        return _is_own(module_of(value), own)
+        return module_of(value) == own or not is_installed(value)
     if isinstance(value, type):
-        return _is_own(value.__module__, own)
+        return value.__module__ == own or is_users_class(value)
+    if isinstance(value, ModuleType):
+        return value.__name__ == own or is_users(value.__name__)
     if (made := made_from(value)) is not None:
         return all(counts(it, own) for it in made if isinstance(it, FunctionType))
-    if isinstance(value, (ModuleType, BuiltinFunctionType, *RESTLESS)):
+    if isinstance(value, (BuiltinFunctionType, np.ufunc, *RESTLESS)):
         return False
     if is_wrapper(value):
         return counts(wrapped(value), own)
     kind = type(value)
     if isinstance(value, _VALUES) or value is None or hasattr(kind, "__array__"):
         return True
-    if _is_own(kind.__module__, own) or dataclasses.is_dataclass(value) or hasattr(kind, "__fingerprint__"):
+    if kind.__module__ == own or is_users_class(kind) or dataclasses.is_dataclass(value):
         return True
-    if shown(value):
+    if hasattr(kind, "__fingerprint__") or shown(value) or depth > _DEEPEST:
         return True
+    if kept := kept_by_pickle(value, kind.__mro__):
+        return all(_says(it, own, depth) for it in kept)
     held = attributes(value)
-    said = (*_VALUES, ModuleType)
-    return bool(held) and all(it is None or callable(it) or isinstance(it, said) for _, it in held)
+    return bool(held) and all(_says(it, own, depth) for _, it in held)
+
+
+def _says(value: Any, own: str, depth: int) -> bool:
+    """Whether it can be known what an object holds."""
+    return value is None or callable(value) or isinstance(value, ModuleType) or counts(value, own, depth + 1)
+
+
+def of_module(module: ModuleType) -> list[tuple[str, Any]]:
+    """All that counts of a module."""
+    own = module.__name__
+    return sorted(
+        (name, it)
+        for name, it in vars(module).items()
+        if counts(it, own) and (not name.startswith("__") or isinstance(it, FunctionType))
+    )
 
 
 def of_class(kind: type) -> list[tuple[str, Any]]:
@@ -214,10 +276,11 @@ def of_class(kind: type) -> list[tuple[str, Any]]:
     found = []
     bases: list[type] = [*kind.__mro__, *inspect.getmro(type(kind))]
     for place, base in enumerate(bases):
-        if not is_users(base.__module__):
+        if not is_users_class(base):
             continue
         for name, value in sorted(vars(base).items()):
-            if name not in _MADE and (_is_written(value) or counts(value, base.__module__)):
+            made = name in _MADE or (name.startswith("__") and not _is_called(value))
+            if not made and (_is_written(value) or counts(value, base.__module__)):
                 found.append((f"{place}.{name}", value))
     return found
 
@@ -226,50 +289,26 @@ def _is_written(value: Any) -> bool:
     return isinstance(value, property | functools.partialmethod) or is_wrapper(value)
 
 
-def module_of(function: FunctionType) -> str:
-    """Where it is written: `__module__` of a wrapper is that of what it wraps."""
-    return str(function.__globals__.get("__name__", function.__module__))
+def _is_called(value: Any) -> bool:
+    """Names with two underscores are those of methods, and of what libraries have made of a class."""
+    return isinstance(value, FunctionType) or _is_written(value)
 
 
-def cells(function: FunctionType) -> list[tuple[str, Any]]:
-    """Variables from around it, but for those that it changes, as counters."""
+def cells(function: FunctionType) -> tuple[list[tuple[str, Any]], list[tuple[str, Any]]]:
+    """Variables from around it, and those that it changes itself, as counters. Of a function that an installed
+    module has made, those that count."""
     code = function.__code__
-    changed = _changed(code, ("LOAD_DEREF",), ("STORE_DEREF", "DELETE_DEREF"))
-    around = zip(code.co_freevars, function.__closure__ or (), strict=True)
-    return [(name, _content(cell)) for name, cell in around if name not in changed]
-
-
-def _loaded(code: CodeType) -> list[str]:
-    """Names that a function, and those inside of it, read as globals: attributes may have the same. What it
-    changes itself, as counters and what it remembers, is not read."""
-    return sorted(_globals_of(code) - _changed(code, ("LOAD_GLOBAL",), ("STORE_GLOBAL", "DELETE_GLOBAL")))
-
-
-@functools.cache
-def _globals_of(code: CodeType) -> frozenset[str]:
-    steps = dis.get_instructions(code)
-    found = {it.argval for it in steps if it.opname in ("LOAD_GLOBAL", "LOAD_NAME")}
-    return frozenset(found.union(*(_globals_of(it) for it in code.co_consts if isinstance(it, CodeType))))
-
-
-@functools.cache
-def _imported(code: CodeType) -> list[str]:
-    """Modules that it imports itself."""
-    found = {it.argval for it in dis.get_instructions(code) if it.opname == "IMPORT_NAME"}
-    return sorted(found.union(*(_imported(it) for it in code.co_consts if isinstance(it, CodeType))))
-
-
-def _is_own(module: str, own: str) -> bool:
-    return module == own or is_users(module)
+    changes, users = codes.cells_changed(code), is_users(module_of(function))
+    around = list(zip(code.co_freevars, map(_content, function.__closure__ or ()), strict=True))
+    read: list[tuple[str, Any]] = []
+    kept: list[tuple[str, Any]] = []
+    for name, it in around:
+        if users or counts(it, ""):
+            (kept if codes.is_changed(name, it, changes) else read).append((name, it))
+    return read, kept
 
 
 def _content(cell: CellType) -> Any:
     with contextlib.suppress(ValueError):  # there is nothing in it yet
         return cell.cell_contents
     return None
-
-
-def _names(code: CodeType) -> set[str]:
-    """That a function and those inside of it use."""
-    inner = [it for it in code.co_consts if isinstance(it, CodeType)]
-    return set(code.co_names).union(*map(_names, inner))

@@ -18,28 +18,35 @@ from typing import Any
 import numpy as np
 
 from linkwork.errors import OptionError
-from linkwork.fingerprints.origins import is_users, made_from
+from linkwork.fingerprints import codes
+from linkwork.fingerprints.memory import Calls, first_look
+from linkwork.fingerprints.origins import is_users, is_users_class, made_from
 from linkwork.fingerprints.reading import (
+    DATA,
     RESTLESS,
     attached,
     attributes,
     bare,
-    beside,
     cells,
     is_wrapper,
+    kept_by_pickle,
     of_class,
+    of_module,
     read_by,
     shown,
     wrapped,
 )
 
-__all__ = ["canonical", "digest", "digests", "plain", "shortened"]
+__all__ = ["Writer", "canonical", "digest", "digests", "plain", "shortened", "text_of"]
 
 #: Where an object is in memory, which says nothing about it.
 ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")
 
 #: Calls within each other.
 DEEPEST = 200_000
+
+#: Of `type.__flags__`: made while a program runs, not part of Python.
+_HEAP = 1 << 9
 
 #: Characters of a text that is written out where it is part of another.
 LONG = 4000
@@ -76,17 +83,22 @@ def canonical(value: Any) -> str:
     """A text with every bit of the value. Functions count by their code, defaults, closures, and by the data,
     functions and classes that they read of their own module and others that are not installed; objects by
     their attributes, and by their classes where these are not installed, or by their `__fingerprint__`."""
+    return text_of(value, Writer)
+
+
+def text_of(value: Any, writer: type[Writer]) -> str:
+    """OptionError: lists in lists, too many of them."""
     try:
-        return _Writer().text(value)
+        return writer(value).text(value)
     except RecursionError:  # a chain of objects that is long, or for ever
-        return _text_of_chain(value)
+        return _text_of_chain(value, writer)
 
 
-def _text_of_chain(value: Any) -> str:
+def _text_of_chain(value: Any, writer: type[Writer]) -> str:
     usual = sys.getrecursionlimit()
     sys.setrecursionlimit(max(usual, DEEPEST))
     try:
-        return _Writer().text(value)
+        return writer(value).text(value)
     except RecursionError as error:
         raise OptionError(
             f"a value ({type(value).__name__}) is nested more than {DEEPEST // 4} deep: it cannot be told "
@@ -97,20 +109,21 @@ def _text_of_chain(value: Any) -> str:
         sys.setrecursionlimit(usual)
 
 
-class _Writer:
+class Writer:
     """Writes each object once, however many ways lead to it."""
 
-    def __init__(self) -> None:
+    def __init__(self, root: Any) -> None:
         # by the place in memory, which is an object's own as long as it stays: so it does
         self._known: dict[int, tuple[Any, str]] = {}
         self._inside: set[int] = set()
+        self._root = root
 
     def text(self, value: Any) -> str:
         if type(value) is float:  # what most are
             return value.hex()
         if type(value) is str:
             return shortened(repr(value))
-        if not beside(value):
+        if not _is_of_a_class(value):
             if isinstance(value, np.generic | np.ndarray):
                 value = _told(value)
             if isinstance(value, float):
@@ -130,11 +143,68 @@ class _Writer:
         return found
 
     def _written(self, value: Any) -> str:
-        parts = [self.text(part) for part in _parts(value)]
+        parts = [self.text(part) for part in self.parts(value)]
         if isinstance(value, Set | Mapping):
             parts.sort()
         kind = "list" if isinstance(value, list | tuple) else type(value).__name__
         return f"{kind}({','.join(parts)})" if parts else ADDRESS.sub("", f"{kind} {value!r}")
+
+    def parts(self, value: Any) -> list[Any]:
+        """What it is made of; none where its own text says that."""
+        if _is_of_a_class(value):
+            return [type(value), bare(value), *self._held(value)]
+        if isinstance(value, FunctionType):
+            return [value.__qualname__, *self.of_function(value)]
+        if is_users_class(type(value)) and not isinstance(value, type | Enum | property):
+            return self._of_users_object(value)
+        return _parts(value)
+
+    def of_function(self, function: FunctionType) -> list[Any]:
+        """All but its name."""
+        read, kept = cells(function)
+        parts = [function.__code__, function.__defaults__, function.__kwdefaults__, read]
+        if kept:
+            parts.append(first_look(function, (type(self),), lambda: self.text(kept)))
+        return [*parts, *read_by(function), *attached(function)]
+
+    def _of_users_object(self, value: Any) -> list[Any]:
+        kind = type(value)
+        if hasattr(kind, "__fingerprint__"):
+            return [kind.__qualname__, value.__fingerprint__()]
+        made = [it for it in kind.__mro__ if not is_users_class(it)]
+        found = [*self._held(value), *(shown(value) or kept_by_pickle(value, made))]
+        return [kind, *found] if found else [kind, _shown_as(value)]
+
+    def _held(self, value: Any) -> list[Any]:
+        """Its attributes; those that calls change as they were when they were first looked at."""
+        kind, held = type(value), attributes(value)
+        if not is_users_class(kind):
+            return list(held)
+        changes = self._calls.changes(kind)
+        if not changes:
+            return list(held)
+        kept = [it for it in held if codes.is_changed(*it, changes)]
+        names = {name for name, _ in kept}
+        first = first_look(value, (type(self), changes), lambda: self.text(kept))
+        return [*(it for it in held if it[0] not in names), first]
+
+    @functools.cached_property
+    def _calls(self) -> Calls:
+        return Calls(self._root)
+
+
+def _is_of_a_class(value: Any) -> bool:
+    """Data that have attributes beside them, or are of a class that nobody has installed."""
+    kind = type(value)
+    if kind.__module__ == "builtins" and kind.__flags__ & _HEAP == 0 or not isinstance(value, DATA):
+        return False
+    if isinstance(value, Enum):
+        return False
+    return is_users_class(kind) or (kind.__module__.split(".")[0] != "numpy" and bool(attributes(value)))
+
+
+def _shown_as(value: Any) -> str:
+    return ADDRESS.sub("", repr(value)) if "__repr__" in vars(type(value)) else ""
 
 
 def _told(value: Any) -> Any:
@@ -152,62 +222,66 @@ def _told(value: Any) -> Any:
 
 
 def _parts(value: Any) -> list[Any]:
-    """What it is made of; none where its own text says that."""
-    if held := beside(value):
-        return [type(value), bare(value), *held]
     if isinstance(value, list | tuple | Set | collections.deque):
         return list(value)
+    if type(value).__module__.startswith("xarray."):
+        return [type(value).__qualname__, value.to_dict(data="array")]
+    if (made := made_from(value)) is not None:
+        return [type(value).__qualname__, *made]
     if isinstance(value, Mapping):
-        return [*value.items()]
-    if isinstance(value, FunctionType):
-        parts = [value.__qualname__, value.__code__, value.__defaults__, value.__kwdefaults__, cells(value)]
-        return [*parts, *read_by(value), *attached(value)]
+        return [*value.items(), *([value.default_factory] if isinstance(value, collections.defaultdict) else [])]
     if isinstance(value, CodeType):
-        return [value.co_code, value.co_consts, value.co_names, value.co_varnames]
+        return _parts_of_code(value)
     if isinstance(value, MethodType):
         return [value.__func__, value.__self__]
     if isinstance(value, functools.partial | functools.partialmethod):
         return [value.func, value.args, value.keywords]
     if isinstance(value, Enum):
-        return [value.name, value.value]
+        own = [type(value)] if is_users_class(type(value)) else []
+        return [*own, value.name, value.value, *attributes(value)]
     if isinstance(value, property):
         return [value.fget, value.fset, value.fdel]
     if is_wrapper(value):
         return [wrapped(value)]
     if isinstance(value, type):
-        content = of_class(value) if is_users(value.__module__) else [("module", value.__module__)]
+        content = of_class(value) if is_users_class(value) else [("module", value.__module__)]
         return [value.__qualname__, *content]
     if isinstance(value, slice):
         return ["slice", value.start, value.stop, value.step]
-    if (made := made_from(value)) is not None:
-        return [type(value).__qualname__, *made]
+    if isinstance(value, ModuleType):
+        return [value.__name__, *(of_module(value) if is_users(value.__name__) else ())]
     return _parts_of_object(value)
 
 
+def _parts_of_code(code: CodeType) -> list[Any]:
+    """All but names and places in files. An argument with a star has the code of one without."""
+    counted = code.co_argcount, code.co_posonlyargcount, code.co_kwonlyargcount, code.co_flags
+    variables = code.co_varnames, code.co_cellvars, code.co_freevars
+    return [code.co_code, code.co_consts, code.co_names, *variables, counted, code.co_exceptiontable]
+
+
 def _parts_of_object(value: Any) -> list[Any]:
+    """Of a class that somebody has installed."""
     kind = type(value)
-    if isinstance(value, (ModuleType, PathLike, *RESTLESS)):
-        return [
-            kind.__qualname__,
-            str(value) if isinstance(value, PathLike) else getattr(value, "__name__", ""),
-        ]
+    if isinstance(value, PathLike):
+        return [kind.__qualname__, str(value)]
+    if isinstance(value, RESTLESS):
+        return [kind.__qualname__, getattr(value, "__name__", "")]
     if hasattr(kind, "__fingerprint__"):
         return [kind.__qualname__, value.__fingerprint__()]
-    own: list[Any] = [kind] if is_users(kind.__module__) else []
     if dataclasses.is_dataclass(value):
-        return [*own, *((it.name, getattr(value, it.name)) for it in dataclasses.fields(value))]
+        return [kind.__qualname__, *((it.name, getattr(value, it.name)) for it in dataclasses.fields(value))]
+    if hasattr(value, "_eval_args") and hasattr(value, "ext"):  # a spline of FITPACK: beside it are leavings
+        return [kind.__qualname__, value._eval_args, value.ext]
     if hasattr(kind, "__array__"):  # a data frame: columns that were looked at are in its state
         names = [np.asarray(getattr(value, name)) for name in ("columns", "index") if hasattr(value, name)]
-        return [*own, kind.__qualname__, np.asarray(value), *names]
-    seen, held = shown(value), attributes(value)
-    if seen or held:
-        return [*own, *seen, *(held if own or not seen else ())]
-    if own:
-        return [*own, ADDRESS.sub("", repr(value)) if "__repr__" in vars(kind) else ""]
+        return [kind.__qualname__, np.asarray(value), *(names or attributes(value))]
+    if told := shown(value) or kept_by_pickle(value, kind.__mro__) or attributes(value):
+        return [kind.__qualname__, *told]
     with contextlib.suppress(Exception):  # what has no such parts says so in many ways
         reduced = value.__reduce_ex__(2)
         if isinstance(reduced, tuple):
-            return [kind.__qualname__, *(list(it) if isinstance(it, Iterator) else it for it in reduced[1:])]
+            return [kind.__qualname__, *reduced[1:]]
     return []
 
 

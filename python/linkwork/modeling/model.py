@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from linkwork import _core, arguments
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError, counted
-from linkwork.fingerprints import law
+from linkwork.fingerprints import law, under_way
 from linkwork.modeling.bodies import Bodies
 from linkwork.modeling.builder import ModelBuilder
 from linkwork.modeling.tables import COLUMNS, Table, tables
@@ -233,10 +233,11 @@ class Model(ModelBuilder):
             digest.update(np.ascontiguousarray(array).data)
         for joint, special in self._special.items():
             digest.update(f"{joint} {special.facts(core)}".encode())
-        for function in (*(signal for _, signal in self._signals), *self._characteristics):
-            digest.update(function.fingerprint())
-        for own in self._user_forces:
-            digest.update(f"{law(own.law)} {own.place}".encode())
+        with under_way(self):
+            for function in (*(signal for _, signal in self._signals), *self._characteristics):
+                digest.update(function.fingerprint())
+            for own in self._user_forces:
+                digest.update(f"{law(own.law)} {own.place}".encode())
         return digest.hexdigest()
 
     def __fingerprint__(self) -> str:
