@@ -23,6 +23,9 @@ __all__ = [
 
 _FROM_LIBRARY: type = ctypes._CFuncPtr  # type: ignore[attr-defined]
 
+#: Of `type.__flags__`: made while a program runs, no part of Python or of compiled code.
+_HEAP = 1 << 9
+
 
 def is_users(module: str) -> bool:
     """Whether it is a script, in a file that nobody has installed, or made while the program runs."""
@@ -46,6 +49,8 @@ def _is_users_file(file: str) -> bool:
 
 def is_users_class(kind: type) -> bool:
     """Classes that `exec` makes say that they are built in, and compiled ones may say anything."""
+    if not kind.__flags__ & _HEAP:
+        return False
     if kind.__module__ != "builtins" and kind.__module__ in sys.modules:
         return is_users(kind.__module__)
     return any(isinstance(it, FunctionType) for it in vars(kind).values())

@@ -15,6 +15,7 @@ import logging
 import random
 import re
 import sys
+import weakref
 from collections.abc import Iterable, Iterator
 from decimal import Decimal
 from enum import Enum
@@ -62,6 +63,7 @@ _VALUES = (
 #: Whose state says nothing about what is computed, or is never the same.
 RESTLESS = (
     logging.Logger, logging.Handler, io.IOBase, random.Random, np.random.Generator, np.random.RandomState,
+    weakref.WeakKeyDictionary, weakref.WeakValueDictionary, weakref.WeakSet,
 )  # fmt: skip
 
 #: Methods by which a class says how its objects are pickled.
@@ -108,6 +110,7 @@ def attributes(value: Any) -> list[tuple[str, Any]]:
         for name, it in vars(base).items()
         if isinstance(it, functools.cached_property)
     }
+    kept.add("__weakref__")
     return sorted((name, it) for name, it in found.items() if name not in kept and isinstance(name, str))
 
 
@@ -296,15 +299,17 @@ def _is_called(value: Any) -> bool:
 
 def cells(function: FunctionType) -> tuple[list[tuple[str, Any]], list[tuple[str, Any]]]:
     """Variables from around it, and those that it changes itself, as counters. Of a function that an installed
-    module has made, those that count."""
+    module has made, those that count, and nothing that it remembers."""
     code = function.__code__
     changes, users = codes.cells_changed(code), is_users(module_of(function))
     around = list(zip(code.co_freevars, map(_content, function.__closure__ or ()), strict=True))
     read: list[tuple[str, Any]] = []
     kept: list[tuple[str, Any]] = []
     for name, it in around:
-        if users or counts(it, ""):
-            (kept if codes.is_changed(name, it, changes) else read).append((name, it))
+        if not codes.is_changed(name, it, changes):
+            read += [(name, it)] if users or counts(it, "") else []
+        elif users:
+            kept.append((name, it))
     return read, kept
 
 

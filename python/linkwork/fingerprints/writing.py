@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import collections
 import contextlib
+import ctypes
 import dataclasses
 import functools
 import hashlib
 import re
 import sys
+import weakref
 from collections.abc import Iterator, Mapping, Sequence, Set
 from enum import Enum
 from os import PathLike
@@ -45,8 +47,13 @@ ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")
 #: Calls within each other.
 DEEPEST = 200_000
 
-#: Of `type.__flags__`: made while a program runs, not part of Python.
-_HEAP = 1 << 9
+_BARE = frozenset(DATA)
+
+#: Numbers, arrays and structures of ctypes.
+_FROM_C: type = ctypes._SimpleCData.__mro__[1]
+
+#: Compiled by these, a function goes on with the global values that it began with.
+_FREEZING = ("numba.core", "numba.np")
 
 #: Characters of a text that is written out where it is part of another.
 LONG = 4000
@@ -151,13 +158,21 @@ class Writer:
 
     def parts(self, value: Any) -> list[Any]:
         """What it is made of; none where its own text says that."""
+        if type(value) is list or type(value) is tuple:  # what most others are
+            return list(value)
         if _is_of_a_class(value):
             return [type(value), bare(value), *self._held(value)]
         if isinstance(value, FunctionType):
             return [value.__qualname__, *self.of_function(value)]
+        if isinstance(value, _FROM_C) and not isinstance(value, ctypes._CFuncPtr):  # type: ignore[attr-defined]
+            return [type(value), getattr(value, "value", None), _memory_of(value)]
         if is_users_class(type(value)) and not isinstance(value, type | Enum | property):
             return self._of_users_object(value)
-        return _parts(value)
+        if (made := made_from(value)) is None:
+            return _parts(value)
+        if not type(value).__module__.startswith(_FREEZING):
+            return [type(value).__qualname__, *made]
+        return [type(value).__qualname__, first_look(value, (type(self),), lambda: self.text(made))]
 
     def of_function(self, function: FunctionType) -> list[Any]:
         """All but its name."""
@@ -196,11 +211,16 @@ class Writer:
 def _is_of_a_class(value: Any) -> bool:
     """Data that have attributes beside them, or are of a class that nobody has installed."""
     kind = type(value)
-    if kind.__module__ == "builtins" and kind.__flags__ & _HEAP == 0 or not isinstance(value, DATA):
-        return False
-    if isinstance(value, Enum):
+    if kind in _BARE or not isinstance(value, DATA) or isinstance(value, Enum):
         return False
     return is_users_class(kind) or (kind.__module__.split(".")[0] != "numpy" and bool(attributes(value)))
+
+
+def _memory_of(value: Any) -> bytes:
+    """Of a value of C; where that points to, nobody knows, but texts say it themselves."""
+    if isinstance(value, ctypes.c_char_p | ctypes.c_wchar_p):
+        return b""
+    return ctypes.string_at(ctypes.addressof(value), ctypes.sizeof(value))
 
 
 def _shown_as(value: Any) -> str:
@@ -222,12 +242,13 @@ def _told(value: Any) -> Any:
 
 
 def _parts(value: Any) -> list[Any]:
+    """Of what is no function and of no class of the user's."""
+    if isinstance(value, RESTLESS):
+        return [type(value).__qualname__, getattr(value, "__name__", "")]
     if isinstance(value, list | tuple | Set | collections.deque):
         return list(value)
     if type(value).__module__.startswith("xarray."):
         return [type(value).__qualname__, value.to_dict(data="array")]
-    if (made := made_from(value)) is not None:
-        return [type(value).__qualname__, *made]
     if isinstance(value, Mapping):
         return [*value.items(), *([value.default_factory] if isinstance(value, collections.defaultdict) else [])]
     if isinstance(value, CodeType):
@@ -246,6 +267,8 @@ def _parts(value: Any) -> list[Any]:
     if isinstance(value, type):
         content = of_class(value) if is_users_class(value) else [("module", value.__module__)]
         return [value.__qualname__, *content]
+    if isinstance(value, weakref.ref):
+        return [value()]
     if isinstance(value, slice):
         return ["slice", value.start, value.stop, value.step]
     if isinstance(value, ModuleType):
@@ -265,8 +288,6 @@ def _parts_of_object(value: Any) -> list[Any]:
     kind = type(value)
     if isinstance(value, PathLike):
         return [kind.__qualname__, str(value)]
-    if isinstance(value, RESTLESS):
-        return [kind.__qualname__, getattr(value, "__name__", "")]
     if hasattr(kind, "__fingerprint__"):
         return [kind.__qualname__, value.__fingerprint__()]
     if dataclasses.is_dataclass(value):

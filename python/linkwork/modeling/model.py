@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from linkwork import _core, arguments
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError, counted
-from linkwork.fingerprints import law, under_way
+from linkwork.fingerprints import under_way
 from linkwork.modeling.bodies import Bodies
 from linkwork.modeling.builder import ModelBuilder
 from linkwork.modeling.tables import COLUMNS, Table, tables
@@ -237,7 +237,7 @@ class Model(ModelBuilder):
             for function in (*(signal for _, signal in self._signals), *self._characteristics):
                 digest.update(function.fingerprint())
             for own in self._user_forces:
-                digest.update(f"{law(own.law)} {own.place}".encode())
+                digest.update(own.fingerprint().encode())
         return digest.hexdigest()
 
     def __fingerprint__(self) -> str:

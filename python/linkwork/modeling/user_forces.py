@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import secrets
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, cast
@@ -13,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from linkwork import arguments, functions
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError
-from linkwork.fingerprints import called_from_ctypes
+from linkwork.fingerprints import called_from_ctypes, law
 from linkwork.functions import TimeFunction, as_time_function
 from linkwork.modeling.coordinates import coordinate_of
 from linkwork.modeling.handles import BodiesLike, Body, BodyLike, Joint
@@ -31,6 +32,12 @@ class UserForce:
     law: Any  #: whose code counts
     place: str  #: bodies, or joint and coordinate, by number
     record: Mapping[str, Any]  #: kind (the method of Model that adds it) and arguments; bodies, joint by name
+
+    data: Any = None  #: what a compiled law is given, whose content counts
+
+    def fingerprint(self) -> str:
+        """Equal for equal laws at equal places, whatever their names."""
+        return " ".join([law(self.law), self.place, *([] if self.data is None else [law(self.data)])])
 
     @property
     def name(self) -> str:
@@ -150,7 +157,7 @@ class UserForceMethods:
             model._signals.append((f"joint force '{name}'", law))
 
     def compiled_force(
-        self, function: Any, *, data: int = 0, breaks: ArrayLike = (), name: str | None = None
+        self, function: Any, *, data: Any = 0, breaks: ArrayLike = (), name: str | None = None
     ) -> None:
         """Let a compiled function apply forces; it runs without Python.
 
@@ -165,22 +172,28 @@ class UserForceMethods:
                   adds to g (n, 6) what it applies to all n bodies, q (n, 7), v (n, 6), as for `user_force`:
                   an address, a function of ctypes, or a numba.cfunc of float64, int64, three pointers to
                   float64 and one to void
-        data      the address that it gets; what is there must live as long as the model
+        data      what it gets the address of: an array of NumPy, or a number, array or structure of ctypes,
+                  which the model keeps and whose content counts in `Model.hash`. Or an address, of which
+                  nobody knows what is there: such a model is that of no other process; what is there must
+                  live as long as the model, and not be changed between runs that are compared
         breaks    times [s] at which it is not smooth: steps that follow tolerances end there
 
         ModelError: nothing that has an address, or takes something else.
         """
         model = cast("ModelBuilder", self)
         name = model._named(name, "compiled force", len(model._user_forces))
-        data = arguments.whole(data, 0, f"compiled force '{name}': data", ModelError)
+        at = _address_of_data(data, name)
         times = functions.check_breaks(breaks, f"compiled force '{name}'")
         record = {"kind": "compiled_force", "name": name, "function": function, "data": data, "breaks": times}
         address = _address(function, name)
         if (safe := _guarded(function)) is not function:
             function, address = safe, _address(safe, name)
-        model._core.add_compiled_force(name, address, data)
+        model._core.add_compiled_force(name, address, at)
         model._core.add_breaks(times)
-        model._user_forces.append(UserForce(function, "", record))
+        place = _HERE if isinstance(function, int) else ""
+        known = (_HERE, at) if isinstance(data, int | np.integer) else data
+        model._user_forces.append(own := UserForce(function, place, record, known if at else None))
+        own.fingerprint()  # compiled as it is now
 
 
 def _effort(law: object, name: str) -> TimeFunction:
@@ -219,6 +232,9 @@ def _on_bodies(
     return whole
 
 
+#: Addresses say something in this process alone.
+_HERE = secrets.token_hex(8)
+
 #: Of a compiled force: t, n, q, v, g and data, as numba calls them.
 _NUMBA = ("float64", "int64", "float64*", "float64*", "float64*", "void*")
 
@@ -239,6 +255,18 @@ def _address(function: Any, name: str) -> int:
         _check_signature(given is None or _takes(given), str(given), name)
         return address
     raise ModelError(f"compiled force '{name}': {function!r} has no address", code="no_address")
+
+
+def _address_of_data(data: Any, name: str) -> int:
+    """ModelError: neither an address nor something that has one."""
+    if isinstance(data, np.ndarray):
+        if data.dtype.hasobject or not (data.flags.c_contiguous or data.flags.f_contiguous):
+            why = "is an array whose numbers are not one after the other in memory"
+            raise ModelError(f"compiled force '{name}': data {why}", code="data")
+        return int(data.ctypes.data)
+    if isinstance(data, ctypes.Structure | ctypes.Union | ctypes.Array | ctypes._SimpleCData):
+        return ctypes.addressof(data)
+    return arguments.whole(data, 0, f"compiled force '{name}': data", ModelError)
 
 
 def _takes(types: Sequence[Any]) -> bool:

@@ -238,9 +238,8 @@ def _prepared(
     in_file  whether frames go to a file, which has reactions
     """
     t_start = checks.start_time(start)
-    stepped = what_steps(model, plan, given, options, start)
-    method, options, system, assembly, breaks = stepped
-    model_hash = model.hash()
+    model_hash = model.hash()  # before anything calls its functions, which may remember it
+    method, options, system, assembly, breaks = what_steps(model, plan, given, options, start)
     key = resuming.key(model_hash, method, {**plan.steps(), **system.options}, watched, given, assembly)
     resume = resuming.of(start, key, plan.t_end)
     if start is not None:
