@@ -5,9 +5,11 @@ from __future__ import annotations
 import contextlib
 import contextvars
 from collections.abc import Iterator
+from dataclasses import is_dataclass
 from types import FunctionType
 from typing import Any
 
+from linkwork.fingerprints.reading import attributes
 from linkwork.fingerprints.writing import Writer, text_of
 
 __all__ = ["law", "under_way"]
@@ -45,6 +47,6 @@ class _Law(Writer):
         for told in ("fingerprint", "hash", "__fingerprint__"):
             if hasattr(kind, told):
                 return [kind.__qualname__, getattr(value, told)()]
-        if kind.__module__ == "linkwork._core":
-            return [kind.__qualname__]
-        return [it for it in super().parts(value) if it != ("name", getattr(value, "name", None))]
+        if is_dataclass(value):  # handles of bodies and joints
+            return [kind.__qualname__, *((it, x) for it, x in attributes(value) if it != "name")]
+        return [kind.__qualname__, getattr(value, "model", None)]

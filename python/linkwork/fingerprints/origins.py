@@ -93,11 +93,11 @@ def imported(name: str) -> ModuleType | str | None:
     if place is None or name.split(".")[0] == "linkwork" or not _is_users_file(place):
         return None
     script = sys.modules["__main__"]
-    if file and file == getattr(script, "__file__", None):  # it would run once more
-        return script
+    if file and Path(getattr(script, "__file__", None) or "").resolve() == Path(file).resolve():
+        return script  # it would run once more
     try:
         return importlib.import_module(name)
-    except Exception:  # whatever a module of the user's raises
+    except (Exception, SystemExit):  # whatever a module of the user's raises
         return Path(file).read_text(errors="replace") if file else None
 
 

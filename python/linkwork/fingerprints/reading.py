@@ -60,6 +60,12 @@ _VALUES = (
     MethodType,
 )  # fmt: skip
 
+#: Data without parts.
+_NUMBERS = (bool, int, float, complex, str, bytes, np.generic, np.ndarray)
+
+#: Where libraries keep what a class says of the attributes of its objects: their defaults, too.
+_FIELDS = ("__pydantic_fields__", "__attrs_attrs__")
+
 #: Whose state says nothing about what is computed, or is never the same.
 RESTLESS = (
     logging.Logger, logging.Handler, io.IOBase, random.Random, np.random.Generator, np.random.RandomState,
@@ -282,9 +288,8 @@ def of_class(kind: type) -> list[tuple[str, Any]]:
         if not is_users_class(base):
             continue
         for name, value in sorted(vars(base).items()):
-            made = name in _MADE or (name.startswith("__") and not _is_called(value))
-            if not made and (_is_written(value) or counts(value, base.__module__)):
-                found.append((f"{place}.{name}", value))
+            if not _is_made(name, value) and (_is_written(value) or counts(value, base.__module__)):
+                found.append((name if base is kind else f"{place}.{name}", value))
     return found
 
 
@@ -292,9 +297,12 @@ def _is_written(value: Any) -> bool:
     return isinstance(value, property | functools.partialmethod) or is_wrapper(value)
 
 
-def _is_called(value: Any) -> bool:
-    """Names with two underscores are those of methods, and of what libraries have made of a class."""
-    return isinstance(value, FunctionType) or _is_written(value)
+def _is_made(name: str, value: Any) -> bool:
+    """Names with two underscores are those of methods, of data, and of what libraries have made of a class."""
+    if name in _MADE:
+        return True
+    written = isinstance(value, (FunctionType, *_NUMBERS)) or _is_written(value)
+    return name.startswith("__") and name not in _FIELDS and not written
 
 
 def cells(function: FunctionType) -> tuple[list[tuple[str, Any]], list[tuple[str, Any]]]:

@@ -14,7 +14,7 @@ import weakref
 from collections.abc import Iterator, Mapping, Sequence, Set
 from enum import Enum
 from os import PathLike
-from types import CodeType, FunctionType, MethodType, ModuleType
+from types import CodeType, FunctionType, MethodType, ModuleType, SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -130,14 +130,14 @@ class Writer:
             return value.hex()
         if type(value) is str:
             return shortened(repr(value))
-        if not _is_of_a_class(value):
+        if not (_is_of_a_class(value) or isinstance(value, Enum)):
             if isinstance(value, np.generic | np.ndarray):
                 value = _told(value)
             if isinstance(value, float):
                 return float(value).hex()
             if value is None or isinstance(value, bool | bytes | str) or value is Ellipsis:
                 return shortened(repr(value))
-            if isinstance(value, int) and not isinstance(value, Enum):
+            if isinstance(value, int):
                 return repr(int(value)) if abs(value) < 2**64 else hex(value)
         if id(value) in self._known:
             return self._known[id(value)][1]
@@ -165,7 +165,11 @@ class Writer:
         if isinstance(value, FunctionType):
             return [value.__qualname__, *self.of_function(value)]
         if isinstance(value, _FROM_C) and not isinstance(value, ctypes._CFuncPtr):  # type: ignore[attr-defined]
-            return [type(value), getattr(value, "value", None), _memory_of(value)]
+            return [type(value), *_parts_of_c(value)]
+        if type(value) is SimpleNamespace:
+            return ["namespace", *self._held(value)]
+        if isinstance(value, type) and is_users_class(value):
+            return [value.__qualname__, *self._first(value, of_class(value), self._calls.changes(value))]
         if is_users_class(type(value)) and not isinstance(value, type | Enum | property):
             return self._of_users_object(value)
         if (made := made_from(value)) is None:
@@ -191,16 +195,18 @@ class Writer:
         return [kind, *found] if found else [kind, _shown_as(value)]
 
     def _held(self, value: Any) -> list[Any]:
-        """Its attributes; those that calls change as they were when they were first looked at."""
         kind, held = type(value), attributes(value)
-        if not is_users_class(kind):
+        if not is_users_class(kind) and kind is not SimpleNamespace:
             return list(held)
-        changes = self._calls.changes(kind)
+        return self._first(value, held, self._calls.changes(kind))
+
+    def _first(self, owner: Any, held: list[tuple[str, Any]], changes: codes.Changes) -> list[Any]:
+        """Attributes; those that calls change as they were when they were first looked at."""
         if not changes:
             return list(held)
-        kept = [it for it in held if codes.is_changed(*it, changes)]
+        kept = [(name, it) for name, it in held if codes.is_changed(name, it, changes)]
         names = {name for name, _ in kept}
-        first = first_look(value, (type(self), changes), lambda: self.text(kept))
+        first = first_look(owner, (type(self), changes), lambda: self.text(kept))
         return [*(it for it in held if it[0] not in names), first]
 
     @functools.cached_property
@@ -216,11 +222,13 @@ def _is_of_a_class(value: Any) -> bool:
     return is_users_class(kind) or (kind.__module__.split(".")[0] != "numpy" and bool(attributes(value)))
 
 
-def _memory_of(value: Any) -> bytes:
-    """Of a value of C; where that points to, nobody knows, but texts say it themselves."""
+def _parts_of_c(value: Any) -> list[Any]:
+    """Of a value of C. Pointers say what they were made from; of others nobody knows where they point to."""
     if isinstance(value, ctypes.c_char_p | ctypes.c_wchar_p):
-        return b""
-    return ctypes.string_at(ctypes.addressof(value), ctypes.sizeof(value))
+        return [value.value]
+    if isinstance(value, ctypes._Pointer) and value._objects:
+        return [value._objects]
+    return [ctypes.string_at(ctypes.addressof(value), ctypes.sizeof(value))]
 
 
 def _shown_as(value: Any) -> str:
@@ -265,8 +273,7 @@ def _parts(value: Any) -> list[Any]:
     if is_wrapper(value):
         return [wrapped(value)]
     if isinstance(value, type):
-        content = of_class(value) if is_users_class(value) else [("module", value.__module__)]
-        return [value.__qualname__, *content]
+        return [value.__qualname__, ("module", value.__module__)]
     if isinstance(value, weakref.ref):
         return [value()]
     if isinstance(value, slice):
