@@ -6,6 +6,7 @@ import array
 import collections
 import dis
 import functools
+import itertools
 import weakref
 from collections.abc import Iterator
 from types import CodeType
@@ -69,7 +70,7 @@ def handed_on(code: CodeType) -> frozenset[str]:
     """Names of which a function uses more than attributes by their names."""
     steps = _steps(code)
     found: list[str] = []
-    for it, then in zip(steps, steps[1:], strict=False):
+    for it, then in itertools.pairwise(steps):
         if it.opname.startswith("LOAD_") and then.opname not in ("LOAD_ATTR", "LOAD_METHOD"):
             found += [it.argval] if isinstance(it.argval, str) else _texts(it.argval)
     return frozenset(found).union(*map(handed_on, _inner(code)))

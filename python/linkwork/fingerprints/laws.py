@@ -20,8 +20,8 @@ _UNDER_WAY: contextvars.ContextVar[tuple[int, ...]] = contextvars.ContextVar("un
 
 def law(value: Any) -> str:
     """A text of a function that a model calls: its code, and what it reads from around it, of its module and
-    of others that nobody has installed. What its calls change, such as a list of times at which it was called,
-    counts as it was when it was first looked at; names of functions, bodies and joints do not."""
+    of others that nobody has installed. What its calls change, such as a list of times, counts as it was when
+    it was first looked at; names of functions, bodies and joints do not."""
     return text_of(value, _Law)
 
 

@@ -102,7 +102,7 @@ class Calls:
             self._look(it)
 
     def _used(self, kind: type) -> list[FunctionType]:
-        """Its methods that are used by name, or by what Python does with objects; but for those that make one."""
+        """Its methods that are used by name, or by what Python does with objects; not those that make one."""
         return [
             function
             for base in kind.__mro__

@@ -23,7 +23,6 @@ from fractions import Fraction
 from types import (
     BuiltinFunctionType,
     CellType,
-    CodeType,
     FunctionType,
     GetSetDescriptorType,
     MappingProxyType,
@@ -298,7 +297,7 @@ def _is_written(value: Any) -> bool:
 
 
 def _is_made(name: str, value: Any) -> bool:
-    """Names with two underscores are those of methods, of data, and of what libraries have made of a class."""
+    """Names with two underscores are those of methods, of data, and of what libraries make of a class."""
     if name in _MADE:
         return True
     written = isinstance(value, (FunctionType, *_NUMBERS)) or _is_written(value)
@@ -306,8 +305,8 @@ def _is_made(name: str, value: Any) -> bool:
 
 
 def cells(function: FunctionType) -> tuple[list[tuple[str, Any]], list[tuple[str, Any]]]:
-    """Variables from around it, and those that it changes itself, as counters. Of a function that an installed
-    module has made, those that count, and nothing that it remembers."""
+    """Variables from around it, and those that it changes itself, as counters. Of a function that an
+    installed module has made, those that count, and nothing that it remembers."""
     code = function.__code__
     changes, users = codes.cells_changed(code), is_users(module_of(function))
     around = list(zip(code.co_freevars, map(_content, function.__closure__ or ()), strict=True))

@@ -11,7 +11,7 @@ import hashlib
 import re
 import sys
 import weakref
-from collections.abc import Iterator, Mapping, Sequence, Set
+from collections.abc import Mapping, Sequence, Set
 from enum import Enum
 from os import PathLike
 from types import CodeType, FunctionType, MethodType, ModuleType, SimpleNamespace
@@ -181,10 +181,9 @@ class Writer:
     def of_function(self, function: FunctionType) -> list[Any]:
         """All but its name."""
         read, kept = cells(function)
-        parts = [function.__code__, function.__defaults__, function.__kwdefaults__, read]
-        if kept:
-            parts.append(first_look(function, (type(self),), lambda: self.text(kept)))
-        return [*parts, *read_by(function), *attached(function)]
+        first = [first_look(function, (type(self),), lambda: self.text(kept))] if kept else []
+        given = function.__defaults__, function.__kwdefaults__
+        return [function.__code__, *given, read, *first, *read_by(function), *attached(function)]
 
     def _of_users_object(self, value: Any) -> list[Any]:
         kind = type(value)
@@ -258,7 +257,10 @@ def _parts(value: Any) -> list[Any]:
     if type(value).__module__.startswith("xarray."):
         return [type(value).__qualname__, value.to_dict(data="array")]
     if isinstance(value, Mapping):
-        return [*value.items(), *([value.default_factory] if isinstance(value, collections.defaultdict) else [])]
+        return [
+            *value.items(),
+            *([value.default_factory] if isinstance(value, collections.defaultdict) else []),
+        ]
     if isinstance(value, CodeType):
         return _parts_of_code(value)
     if isinstance(value, MethodType):
