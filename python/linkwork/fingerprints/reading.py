@@ -251,6 +251,8 @@ def counts(value: Any, own: str, depth: int = 0) -> bool:
         return False
     if is_wrapper(value):
         return counts(wrapped(value), own)
+    if isinstance(value, weakref.ref):
+        return counts(value(), own)
     kind = type(value)
     if isinstance(value, _VALUES) or value is None or hasattr(kind, "__array__"):
         return True
