@@ -158,7 +158,8 @@ class Number(enum.IntEnum):
 LOAD, TABLE, LENGTH, POINTS = Load(1.0), Table(k=1.0), Length(1.0), np.ones(1).view(Points)
 WINDOW, EXACT, STEEL, ONE = Window([1.0]), Exact(1), Material.STEEL, Number.ONE
 for name, call in {
-    "named_tuple": lambda: LOAD.force(), "dictionary": lambda: TABLE.gain(), "length": lambda: LENGTH.scaled(),
+    "named_tuple": lambda: LOAD.force(), "dictionary": lambda: TABLE.gain(),
+    "length": lambda: LENGTH.scaled(),
     "points": lambda: POINTS.gain(), "window": lambda: WINDOW.gain(), "exact": lambda: EXACT.gain(),
     "member": lambda: STEEL.gain(), "member_as_default": lambda it=Material.STEEL: it.gain(),
     "number": lambda: ONE.gain(),
@@ -236,10 +237,12 @@ def made_by_exec():
 
 # numbers of C, weak references, splines
 
-NUMBERS, NUMBER, POINTER = (ctypes.c_double * 1)(@X@), ctypes.c_double(@X@), ctypes.pointer(ctypes.c_double(@X@))
+NUMBERS, NUMBER = (ctypes.c_double * 1)(@X@), ctypes.c_double(@X@)
+POINTER = ctypes.pointer(ctypes.c_double(@X@))
 WEAK, SPLINE = weakref.ref(CONFIG), scipy.interpolate.UnivariateSpline(range(5), [0, @X@, 0, 1, 0], s=0)
 for name, call in {
-    "numbers": lambda: NUMBERS[0], "number_of_c": lambda: NUMBER.value, "pointer": lambda: POINTER.contents.value,
+    "numbers": lambda: NUMBERS[0], "number_of_c": lambda: NUMBER.value,
+    "pointer": lambda: POINTER.contents.value,
     "weak": lambda: WEAK().gain, "spline": lambda: round(float(SPLINE(1.0)), 9),
 }.items():
     FUNCTIONS[name] = call

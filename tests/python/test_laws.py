@@ -182,6 +182,11 @@ class Integral:
         self.integral += x
 
 
+def by_an_integral(begin: float) -> Any:
+    law = Integral(begin)
+    return lambda x: law(x)
+
+
 def with_attribute(gain: float) -> Any:
     def law(x: float) -> Any:
         return vars(law)["gain"] * x
@@ -203,7 +208,7 @@ def deep(gain: float) -> Any:
     typed_list, typed_dictionary, by_a_stencil, by_an_expression, made_from_an_expression,
     by_a_class_of_pydantic, by_an_object_of_pydantic, by_coordinates,
     lambda gain: Set().set_gain(gain), lambda gain: Set().set_gain(gain).__call__, Property, Integral,
-    lambda begin: (lambda x, law=Integral(begin): law(x)), with_attribute, deep,
+    by_an_integral, with_attribute, deep,
     lambda gain: (lambda *x: x) if gain == 1.0 else (lambda x: x),
     lambda gain: np.vectorize(lambda x: gain * x, otypes=[float]),
     lambda gain: np.frompyfunc(lambda x: gain * x, 1, 1),
