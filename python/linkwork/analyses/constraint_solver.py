@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork.analyses.equations import LISTED, Equations, Sparse
+from linkwork.analyses.row_choice import scaled_rows
 from linkwork.arrays import Floats
 from linkwork.errors import LinkworkError, SingularSystemError
 
@@ -103,39 +104,29 @@ class SparseConstraints:
     """
 
     rows: NDArray[np.intp]  # that are independent
-    scaled: Sparse  # of these rows
-    factor: Any
+    scaled: Sparse  # R D S of all rows
+    factor: Any  # of these rows
     row_scale: Floats
     column_scale: Floats
     sigma: float
     left: Floats  # singular vectors of sigma
     right: Floats
     unit: float
-    row_count: int
 
     @classmethod
     def of(cls, equations: Equations, D: Sparse, unit: float = 1.0) -> SparseConstraints:
-        from scipy.sparse import eye_array
-        from scipy.sparse.linalg import norm, splu
-
-        rows = equations.independent
+        rows = equations.independent(D)
         if len(rows) != D.shape[1]:
             raise _singular(equations)
-        scaled = D[rows].multiply(equations.scale[None, :]).tocsr()
-        length = norm(scaled, axis=1)
-        R = np.divide(1.0, length, out=np.ones_like(length), where=length > 0)
-        scaled = scaled.multiply(R[:, None]).tocsc()
-        try:
-            factor = splu(scaled)
-        except RuntimeError:  # a pivot of zero: as good as this one
-            factor = splu((scaled + SMALLEST_PIVOT * eye_array(len(rows))).tocsc())
+        every, R = scaled_rows(D, equations.scale)
+        factor = _factor(every[rows])
         right = np.random.default_rng(0).standard_normal(len(rows))
         for _ in range(INVERSE_ITERATIONS):
             left = factor.solve(right / np.linalg.norm(right), "T")
             right = factor.solve(left / np.linalg.norm(left))
         sigma = 1 / np.linalg.norm(right)
         left, right = left / np.linalg.norm(left), right * sigma
-        return cls(rows, scaled, factor, R, equations.scale, float(sigma), left, right, unit, D.shape[0])
+        return cls(rows, every, factor, R, equations.scale, float(sigma), left, right, unit)
 
     @property
     def rank(self) -> int:
@@ -143,12 +134,12 @@ class SparseConstraints:
 
     def solve(self, b: Floats) -> Floats:
         """The x (6n,) that meets the independent rows of D x = b (m,)."""
-        y = self.row_scale * b[self.rows]
+        y = (self.row_scale * b)[self.rows]
         singular = self.rank < len(self.rows)
         if singular:
             y = y - self.left * (self.left @ y)
         x = self.factor.solve(y)
-        x += self.factor.solve(y - self.scaled @ x)
+        x += self.factor.solve(y - self.scaled[self.rows] @ x)
         if singular:
             x = x - self.right * (self.right @ x)
         out: Floats = self.column_scale * x
@@ -163,9 +154,9 @@ class SparseConstraints:
         z = self.factor.solve(y, "T")
         if singular:
             z = z - self.left * (self.left @ z)
-        multipliers = np.zeros(self.row_count)
-        multipliers[self.rows] = self.row_scale * z
-        return multipliers
+        multipliers = np.zeros(len(self.row_scale))
+        multipliers[self.rows] = z
+        return self.row_scale * multipliers
 
     def smallest(self, count: int) -> float:
         """The smallest singular value, in units of `unit`."""
@@ -179,9 +170,21 @@ class SparseConstraints:
         return chosen
 
     def turns(self, other: Any) -> bool:
-        """As that of Constraints, by the smallest singular value."""
-        same_rows = np.array_equal(self.rows, other.rows)
-        return same_rows and float(self.left @ other.factor.solve(self.right, "T")) < 0
+        """As that of Constraints, by the smallest singular value, of the same rows."""
+        same = np.array_equal(self.rows, other.rows)
+        there = other.factor if same else _factor(other.scaled[self.rows])
+        return float(self.left @ there.solve(self.right, "T")) < 0
+
+
+def _factor(scaled: Sparse) -> Any:
+    """Triangular factors of as many rows as columns."""
+    from scipy.sparse import eye_array
+    from scipy.sparse.linalg import splu
+
+    try:
+        return splu(scaled.tocsc())
+    except RuntimeError:  # a pivot of zero: as good as this one
+        return splu((scaled + SMALLEST_PIVOT * eye_array(scaled.shape[0])).tocsc())
 
 
 def constraints_of(equations: Equations, D: Sparse, unit: float = 1.0) -> Constraints | SparseConstraints:
@@ -200,7 +203,7 @@ def free_motions(equations: Equations, D: Sparse, count: int) -> Floats:
         return null_space(equations, D)[:, :count]
     from scipy.sparse import diags_array
 
-    W, rows = diags_array(1 / equations.scale).tocsr(), equations.independent
+    W, rows = diags_array(1 / equations.scale).tocsr(), equations.independent(D)
     random = np.random.default_rng(0).standard_normal((count, D.shape[1]))
     found = [saddle_point(equations, W @ W, D[rows], W @ b, np.zeros(len(rows))) for b in random]
     left = [x[0] / equations.scale for x in found if x is not None]
@@ -257,7 +260,8 @@ def balance(equations: Equations, t: float, q: Floats) -> tuple[Floats, Floats, 
     """
     from scipy.sparse import diags_array
 
-    terms, rows = equations.terms(t, q), equations.independent
+    terms = equations.terms(t, q)
+    rows = equations.independent(terms.D)
     W = diags_array(1 / equations.scale**2).tocsr()
     found = saddle_point(equations, W, terms.D[rows], terms.g, np.zeros(len(rows)))
     if found is None:

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import _core, rotation
+from linkwork.analyses.row_choice import RowChoice
 from linkwork.arrays import Floats
 from linkwork.modeling.model import Model
 from linkwork.running import checks
@@ -69,7 +70,6 @@ class Equations:
         options.formulation = "augmented_lagrangian"  # takes redundant joints and massless bodies, too
         self.dynamics = _core.Dynamics(self.core, options)
         self.rank = self.dynamics.rank()
-        self.independent = np.delete(np.arange(self.rank.rows), self.rank.redundant_rows)
         self.length = _size(self.core)
         found = self.dynamics.residuals(0.0, self.core.q0, self.core.v0)
         self.row_lengths, _, self.rounding = found[2:]
@@ -99,6 +99,17 @@ class Equations:
             force_power=found["force_power"],
         )
 
+    def independent(self, D: Sparse) -> NDArray[np.intp]:
+        """Rows of this D, that of one pose: as many as are independent away from singular poses."""
+        return self._row_choice.of(D)
+
+    @cached_property
+    def _row_choice(self) -> RowChoice:
+        first = np.delete(np.arange(self.rank.rows), self.rank.redundant_rows)
+        choice = RowChoice(first, self._component[self._body_of_row], self.scale)
+        choice.of(self.terms(0.0, self.core.q0).D)
+        return choice
+
     def gross_forces(self, t: float, q: Floats, v: Floats) -> Floats:
         """How large what acts on each body is before it adds up (6n,) [N, N m]: where springs balance weights
         nothing is left of it but its rounding."""
@@ -124,6 +135,12 @@ class Equations:
         np.maximum.at(largest, self._component, own)
         rounding = np.minimum(self._apart(largest[self._component]), SMALL_PART * acting)
         return np.where(np.abs(r) > rounding, r, 0.0)
+
+    @cached_property
+    def _body_of_row(self) -> NDArray[np.intp]:
+        """One of those that the row holds (m,)."""
+        found = self.dynamics.evaluate(0.0, self.core.q0, self._still)["D"]
+        return np.asarray(found["indices"][found["indptr"][:-1]] // 6)
 
     @cached_property
     def _component(self) -> NDArray[np.intp]:

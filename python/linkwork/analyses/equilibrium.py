@@ -182,8 +182,6 @@ class _Search:
         self.eq, self.stable = equations, stable
         self.W = diags_array(1 / equations.scale**2).tocsr()
         self.rest = np.zeros(6 * equations.core.body_count)
-        self.rows = equations.independent
-        self.placing = self.rows[equations.holonomic[self.rows]]  # restrict positions, not velocities only
         self.steps = 0
         self.limits = np.full_like(self.rest, np.inf)  # of a step
         self.B = self.W  # see _stiffnesses
@@ -264,7 +262,7 @@ class _Search:
         """Whether r, or the way to the pose in balance, is what positions have no digits for."""
         if not self.eq.beyond_rounding(r, q, K, self.acting).any():
             return True
-        x = self._solved(K, self.eq.terms(0.0, q).D[self.rows], r, np.zeros(len(self.rows)))
+        x = self._solved(K, self._independent(q), r)
         places = float(np.abs(q.reshape(-1, 7)[:, :3]).max()) / self.eq.length
         return x is not None and self._reach(x) <= max(ROUNDING, LAST_DIGITS * places)
 
@@ -285,7 +283,7 @@ class _Search:
 
     def _try(self, q: Floats, r: Floats, damped: Sparse) -> _Balanced | float:
         """The state after a step; where it goes too far, or up, the factor by which mu should grow."""
-        x = self._solved(damped, self.eq.terms(0.0, q).D[self.rows], r, np.zeros(len(self.rows)))
+        x = self._solved(damped, self._independent(q), r)
         if x is None or not np.isfinite(x).all() or (self.stable and r @ x < 0):
             return GROWTH
         too_far = float(np.abs(x / self.limits).max())
@@ -310,9 +308,14 @@ class _Search:
         r, multipliers, _ = balance(self.eq, 0.0, q)
         return r, multipliers
 
-    def _solved(self, A: Sparse, D: Sparse, b: Floats, c: Floats) -> Floats | None:
+    def _independent(self, q: Floats) -> Sparse:
+        """Independent rows of D."""
+        D = self.eq.terms(0.0, q).D
+        return D[self.eq.independent(D)]
+
+    def _solved(self, A: Sparse, D: Sparse, b: Floats, c: Floats | float = 0.0) -> Floats | None:
         """x of A x - D^T y = b, D x = c; None: singular."""
-        found = saddle_point(self.eq, A, D, b, c)
+        found = saddle_point(self.eq, A, D, b, np.broadcast_to(c, D.shape[:1]))
         return None if found is None else found[0]
 
     def _on_joints(self, q: Floats) -> Floats | None:
@@ -325,7 +328,9 @@ class _Search:
                 return q
             if not np.isfinite(size) or size > 4 * before:
                 return None
-            x = self._solved(self.B, terms.D[self.placing], self.rest, -terms.Phi[self.placing])
+            rows = self.eq.independent(terms.D)
+            rows = rows[self.eq.holonomic[rows]]  # restrict positions, not velocities only
+            x = self._solved(self.B, terms.D[rows], self.rest, -terms.Phi[rows])
             if x is None or self._reach(x) > 2.0:
                 return None
             q, before = displaced(q, x), size
@@ -337,7 +342,7 @@ class _Search:
 
         _, multipliers = self._balance(q)
         K = stiffness(self.eq, 0.0, q, self.rest, multipliers)
-        D = self.eq.terms(0.0, q).D[self.eq.independent]
+        D = self._independent(q)
         if len(self.rest) > DENSE:
             value, x = softest_by_lanczos(self.W, (K + K.T) / 2, D, self._stiffest(K))
             return value, x, self._neutral(K, x)

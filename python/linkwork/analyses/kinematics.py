@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from linkwork import _core
 from linkwork.accuracy.verdict import WRONG, Energies
-from linkwork.analyses.continuation import SINGULAR, Continuation, MotionState, named
+from linkwork.analyses.continuation import SINGULAR, SUSPICIOUS, Continuation, MotionState, named
 from linkwork.analyses.equations import Equations, Sparse
 from linkwork.analyses.tangent import to_inertial_axes
 from linkwork.arguments import array, one_of
@@ -221,7 +221,7 @@ def _crossing(continuation: Continuation, first: MotionState, second: MotionStat
         low, high = (low, middle) if low.constraints.turns(middle.constraints) else (middle, high)
         if not low.constraints.turns(high.constraints):
             return None
-    return best
+    return best if best.constraints.smallest(continuation.freedoms) < SUSPICIOUS else None
 
 
 class _Frames:

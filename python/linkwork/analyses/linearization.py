@@ -273,7 +273,7 @@ def _coefficients(eq: Equations, at: Snapshot, *, check: bool = True) -> Coeffic
     if check:
         acting = eq.acting(at.t, q, v, multipliers, K)
         _check_balance(eq, acting, eq.beyond_rounding(unbalanced, q, K, acting), moving=bool(v.any()))
-    return M, C, K, terms.D[eq.independent]
+    return M, C, K, terms.D[eq.independent(terms.D)]
 
 
 def _accelerations(eq: Equations, t: float, q: Floats, v: Floats) -> tuple[Floats, Floats]:

@@ -56,7 +56,7 @@ def _distance(relative: float, t: Floats) -> Floats:
 
 
 def place(result: Result, name: Named, model: Model | None = None) -> int:
-    """Of a force element among those of the result. ModelError: there is none, or it is a law of one's own."""
+    """Of a force element among those of the result. ModelError: none, or a law of the user's own."""
     names = list(result.header.force_names)
     if isinstance(name, int | np.integer) and -len(names) <= name < len(names):
         return int(name) % len(names)
