@@ -13,13 +13,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork.analyses.equations import LISTED, Equations, Sparse
+from linkwork.analyses.equations import LAST_DIGITS, LISTED, Equations, Sparse
 from linkwork.analyses.row_choice import scaled_rows
 from linkwork.arrays import Floats
-from linkwork.errors import LinkworkError, SingularSystemError
+from linkwork.errors import LinkworkError, SingularSystemError, warn
 
 __all__ = [
-    "DENSE", "Constraints", "SparseConstraints", "balance", "constraints_of", "free_motions",
+    "DENSE", "Constraints", "SparseConstraints", "balance", "check_regular", "constraints_of", "free_motions",
     "null_space", "saddle_point", "shared",
 ]  # fmt: skip
 
@@ -31,6 +31,15 @@ SMALLEST_PIVOT, INVERSE_ITERATIONS = 1e-13, 6
 
 #: Singular values below this part of the largest count as zero.
 RANK_TOLERANCE = 1e-9
+
+#: Of the smallest singular value: what keeps factors regular where it is zero, in its square.
+LEAST_SQUARE = 1e-16
+
+#: Violations of joints, relative to the size of the mechanism, that are the error of a pose, at most.
+DRIFT = 1e-10
+
+#: By how much what joints leave and take may be off, relative: nothing is known any more, and that is told.
+SINGULAR, INEXACT = 1e-3, 1e-5
 
 #: Forces of joints, relative to the largest, by which two sets of multipliers may differ and be the same.
 SAME_FORCES = 1e-12
@@ -271,15 +280,70 @@ def balance(equations: Equations, t: float, q: Floats) -> tuple[Floats, Floats, 
     return W @ found[0], multipliers, terms.g
 
 
+# Phi is known to delta, by rounding and violations, and so the pose along the weakest direction to
+# delta / sigma. By as much D is off, and by delta / sigma^2 what the joints leave and take.
+def check_regular(equations: Equations, t: float, q: Floats, pose: str, error: type[LinkworkError]) -> None:
+    """`error`: the pose, which is called so in the message, is singular. LinkworkWarning: nearly so."""
+    terms = equations.terms(t, q)
+    rows = equations.independent(terms.D)
+    if not len(rows):
+        return
+    sigma, left = _weakest(scaled_rows(terms.D[rows], equations.scale)[0])
+    off = equations.violation(np.where(equations.holonomic, terms.Phi, 0.0))
+    places = float(np.abs(q.reshape(-1, 7)[:, :3]).max()) / equations.length
+    delta = min(off, DRIFT) + LAST_DIGITS * max(places, 1.0)
+    if delta <= INEXACT * sigma**2:
+        return
+    share = np.abs(left)
+    order = np.argsort(-share, kind="stable")
+    names = equations.joints(rows[order[share[order] > 0.1 * share[order[0]]]])
+    what = f"{pose} of the model '{equations.model.name}'"
+    value = f"(smallest singular value {sigma:.1e})"
+    why = f"the equations of {_listed(names)} depend on others for the moment"
+    if delta > SINGULAR * sigma**2:
+        raise error(
+            f"{what} is singular {value}: {why}, so that small motions about it are not linear, as they are "
+            "about other poses",
+            code="singular_pose",
+            joints=names,
+        )
+    warn(
+        f"{what} is nearly singular {value}: {why}, but for little; by what they leave open of the pose "
+        f"within rounding small motions and forces of joints may be {100 * delta / sigma**2:.1g} % off"
+    )
+
+
+def _weakest(S: Sparse) -> tuple[float, Floats]:
+    """The smallest singular value of S (r, 6n) with r <= 6n, and its left vector (r,)."""
+    from scipy.sparse import block_array, eye_array
+    from scipy.sparse.linalg import splu
+
+    count, columns = S.shape
+    if columns <= DENSE:
+        U, sigma, _ = np.linalg.svd(S.toarray(), full_matrices=False)
+        return abs(float(sigma[-1])) if count <= columns else 0.0, U[:, -1]
+    # inverse iteration with S S^T
+    square = LEAST_SQUARE * eye_array(count)
+    factor = splu(block_array([[eye_array(columns), S.T], [S, -square]], format="csc"))
+    left, rest = np.random.default_rng(0).standard_normal(count), np.zeros(columns)
+    for _ in range(INVERSE_ITERATIONS):
+        left = factor.solve(np.concatenate([rest, left]))[columns:]
+        left /= np.linalg.norm(left)
+    return float(np.linalg.norm(S.T @ left)), left
+
+
 def _singular(equations: Equations) -> SingularSystemError:
     names = equations.joints(equations.rank.singular_rows)
-    listed = ", ".join(names[:LISTED]) + (", ..." if len(names) > LISTED else "")
     return SingularSystemError(
-        f"model '{equations.model.name}': in this pose the equations of {listed or 'some joints'} depend on "
-        "others for the moment; start elsewhere",
+        f"model '{equations.model.name}': in this pose the equations of {_listed(names) or 'some joints'} "
+        "depend on others for the moment; start elsewhere",
         code="singular_pose",
         joints=names,
     )
+
+
+def _listed(names: list[str]) -> str:
+    return ", ".join(names[:LISTED]) + (", ..." if len(names) > LISTED else "")
 
 
 def shared(equations: Equations, t: float, q: Floats, multipliers: Floats) -> Floats:

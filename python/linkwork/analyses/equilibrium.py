@@ -8,12 +8,26 @@ from typing import Any, Literal
 import numpy as np
 
 from linkwork import _core
-from linkwork.analyses.constraint_solver import DENSE, balance, null_space, saddle_point, shared
+from linkwork.analyses.constraint_solver import (
+    DENSE,
+    balance,
+    check_regular,
+    null_space,
+    saddle_point,
+    shared,
+)
 from linkwork.analyses.equations import LAST_DIGITS, Equations, Sparse
 from linkwork.analyses.stiffness import stiffness
 from linkwork.analyses.tangent import between, displaced
 from linkwork.arrays import Floats
-from linkwork.errors import ModelError, NotConvergedError, NotFiniteError, OptionError, nearest
+from linkwork.errors import (
+    ModelError,
+    NotConvergedError,
+    NotFiniteError,
+    OptionError,
+    SingularSystemError,
+    nearest,
+)
 from linkwork.modeling.model import Model
 from linkwork.motion.records import Reaction, Snapshot
 
@@ -134,7 +148,8 @@ def equilibrium(model: Model, *, stable: bool = True) -> Equilibrium:
 
     NotConvergedError: no equilibrium, with the body that is driven most, or that goes round and round, as by
     a motor against friction, which does not hold at rest; the error's `state` is the pose that was reached.
-    SingularSystemError: a singular pose. OptionError: `stable` is no truth value.
+    SingularSystemError: a singular pose, as of a parallelogram that rests folded flat: there stiffness tells
+    nothing; `state` as well. LinkworkWarning: nearly so. OptionError: `stable` is no truth value.
     """
     if not isinstance(stable, bool):
         raise OptionError(f"stable {stable!r:.80} is not True or False", code="stable")
@@ -373,7 +388,13 @@ class _Search:
         return float(abs(self._scaled(K)).max()) if K.nnz else 0.0
 
     def described(self, q: Floats) -> Equilibrium:
+        """SingularSystemError: a singular pose. LinkworkWarning: nearly so."""
         eq = self.eq
+        try:
+            check_regular(eq, 0.0, q, "equilibrium: the pose of rest", SingularSystemError)
+        except SingularSystemError as error:
+            error.state = self._snapshot(q)
+            raise
         r, multipliers = self._balance(q)
         softest, motion, neutral = self._softest(q)
         K = stiffness(eq, 0.0, q, self.rest, multipliers)
@@ -415,9 +436,11 @@ class _Search:
             bodies=[name],
             residuals={name: value},
         )
-        error.state = Snapshot(0.0, q.reshape(-1, 7), np.zeros((eq.core.body_count, 6)),
-                               self._turns(q))  # fmt: skip
+        error.state = self._snapshot(q)
         raise error
+
+    def _snapshot(self, q: Floats) -> Snapshot:
+        return Snapshot(0.0, q.reshape(-1, 7), self.rest.reshape(-1, 6), self._turns(q))
 
     def _turns(self, q: Floats) -> Floats:
         """History variables of the pose; none where they are those of a motion that begins there."""

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork.analyses.constraint_solver import DENSE, balance, null_space
+from linkwork.analyses.constraint_solver import DENSE, balance, check_regular, null_space
 from linkwork.analyses.eigenmodes import (
     by_arnoldi,
     by_dense_matrices,
@@ -173,13 +173,14 @@ def linearize(
 
     ModelError: the state is not in balance, or accelerates, is singular, has coefficients that change with
     time, or a massless motion. OptionError: modes or near. NotConvergedError: the iteration of a large model.
-    LinkworkWarning: modes that are not sure, as the digits of numbers are too few for stiffness and damping.
+    LinkworkWarning: modes that are not sure, as the digits of numbers are too few for stiffness and damping,
+    or for a pose that is nearly singular.
     """
     if modes is not None and (not isinstance(modes, int) or modes < 1):
         raise OptionError(f"modes {modes!r} is not a positive whole number", code="modes")
     if not is_number(near) or near < 0:
         raise OptionError(f"near {near!r} rad/s must be a finite number, zero or positive", code="near")
-    eq = Equations(model)
+    eq = _equations(model, start)
     at = _at_rest(eq, _begun(eq, start))
     coefficients = _coefficients(eq, at)
     M, C, K, D = coefficients
@@ -226,12 +227,22 @@ def _warn_of_unsure(off: Floats) -> None:
         )
 
 
+def _equations(model: Model, start: Snapshot | None) -> Equations:
+    """OptionError: `start` is no state of this model."""
+    eq = Equations(model)
+    if start is None:
+        return eq
+    checks.start_time(start)
+    checks.check_state(model, start)
+    if eq.rank.singular_rows:  # there it is not known which equations are redundant
+        eq = Equations(model.with_initial_state(start.q, start.v))
+    return eq
+
+
 def _begun(eq: Equations, start: Snapshot | None) -> Snapshot:
     """The state, with the history of which forces are evaluated. OptionError: none of this model."""
     if start is None:
         return Snapshot(0.0, *_initial(eq.model))
-    checks.start_time(start)
-    checks.check_state(eq.model, start)
     if len(start.history):
         checks.check_history(eq.dynamics, start)
         eq.dynamics.history = np.asarray(start.history, dtype=float)
@@ -260,7 +271,8 @@ def _coefficients(eq: Equations, at: Snapshot, *, check: bool = True) -> Coeffic
     """M, C, K and the independent rows of D. ModelError: no balance."""
     q, v = np.ravel(at.q).astype(float), np.ravel(at.v).astype(float)
     M = eq.mass(q)
-    _check_rank(eq)
+    if check:
+        check_regular(eq, at.t, q, "linearize: the pose", ModelError)
     if v.any():
         v_dot, multipliers = _accelerations(eq, at.t, q, v)
         unbalanced = M @ to_inertial_axes(q, v_dot)
@@ -311,17 +323,6 @@ def _check_velocities(eq: Equations, terms: Terms, v: Floats, gross: Floats) -> 
             "where a driver moves: start from linkwork.assemble(model).model",
             code="inconsistent_velocity",
             joints=[name],
-        )
-
-
-def _check_rank(eq: Equations) -> None:
-    if eq.rank.singular_rows:
-        names = eq.joints(eq.rank.singular_rows)
-        raise ModelError(
-            f"linearize: the pose is singular: the equations of {', '.join(names)} depend on others for the "
-            "moment, so that small motions are not linear; choose another pose",
-            code="singular_pose",
-            joints=names,
         )
 
 
