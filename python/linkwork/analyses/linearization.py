@@ -17,6 +17,7 @@ from linkwork.analyses.eigenmodes import (
     one_of_each_pair,
 )
 from linkwork.analyses.equations import Equations, Sparse, Terms
+from linkwork.analyses.steadiness import is_nearly_steady
 from linkwork.analyses.stiffness import damping, stiffness
 from linkwork.analyses.tangent import displaced, to_inertial_axes
 from linkwork.arguments import is_number
@@ -282,10 +283,17 @@ def _coefficients(eq: Equations, at: Snapshot, *, check: bool = True) -> Coeffic
     if check:
         _check_velocities(eq, terms, v, eq.gross_forces(at.t, q, v))
     K, C = stiffness(eq, at.t, q, v, multipliers), damping(eq, at.t, q, v)
-    if check:
+    D = terms.D[eq.independent(terms.D)]
+    if check and not (v.any() and _is_nearly_steady(eq, v, unbalanced, (M, C, K, D))):
         acting = eq.acting(at.t, q, v, multipliers, K)
         _check_balance(eq, acting, eq.beyond_rounding(unbalanced, q, K, acting), moving=bool(v.any()))
-    return M, C, K, terms.D[eq.independent(terms.D)]
+    return M, C, K, D
+
+
+def _is_nearly_steady(eq: Equations, v: Floats, unbalanced: Floats, coefficients: Coefficients) -> bool:
+    """Of large models that is not known."""
+    _, C, K, D = coefficients
+    return D.shape[1] <= DENSE and is_nearly_steady(eq, v, unbalanced, K, C, null_space(eq, D))
 
 
 def _accelerations(eq: Equations, t: float, q: Floats, v: Floats) -> tuple[Floats, Floats]:
