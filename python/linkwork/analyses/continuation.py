@@ -22,7 +22,7 @@ from linkwork.analyses.tangent import displaced, rate_of_change, to_body_axes, t
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError, NotConvergedError
 
-__all__ = ["SINGULAR", "Continuation", "MotionState", "named"]
+__all__ = ["SINGULAR", "SUSPICIOUS", "Continuation", "MotionState", "named"]
 
 AnyConstraints = Constraints | SparseConstraints
 
