@@ -18,5 +18,5 @@ TEST_CASE("a schedule of an adaptive run that makes no sense is refused") {
   CHECK(code([](AdaptiveSchedule& schedule) { schedule.tolerances.relative = 1e-16; }) == "rtol");
   CHECK(code([](AdaptiveSchedule& schedule) { schedule.tolerances.absolute = 0.0; }) == "atol");
   CHECK(code([](AdaptiveSchedule& schedule) { schedule.largest_step = 0.0; }) == "step");
-  CHECK(code([](AdaptiveSchedule& schedule) { schedule.times = {0.5}; }) == "times");
+  CHECK(code([](AdaptiveSchedule& schedule) { schedule.times = {1.5}; }) == "times");
 }

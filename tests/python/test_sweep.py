@@ -132,6 +132,45 @@ def test_reductions_are_over_magnitudes_and_over_time() -> None:
     assert np.ptp(steps) > 0  # the mean over frames would be another
 
 
+def thrown() -> lw.Model:
+    """A ball, upward at 5 m/s: largest height v^2 / 2 g, mean v T / 2 - g T^2 / 6."""
+    model = lw.Model()
+    model.body("ball", mass=1.0, inertia=(0.1, 0.1, 0.1), velocity=(0, 0, 5.0))
+    return model
+
+
+@pytest.mark.parametrize("times", [None, [0.5, 1.0]])
+@pytest.mark.parametrize("study", [True, False])
+def test_long_steps_do_not_hide_what_is_largest_between_them(times: list[float] | None, study: bool) -> None:
+    asked = {"highest": "body('ball').position.z.max", "mean": "body('ball').position.z.mean",
+             "slowest": "kinetic_energy.min",
+             "own": lambda result: result.body("ball").position[:, 2].max()}  # fmt: skip
+    if times:
+        asked["z"] = "body('ball').position.z"
+    run: dict[str, Any] = {"rtol": 1e-8, "times": times, "progress": False}
+    varied = {"ball.mass": [1.0]}
+    if study:
+        found = lw.sweep(thrown(), varied, asked, t_end=1.0, processes=1, **run).outputs
+    else:
+        found = dict(lw.simulate_many(thrown(), varied, 1.0, outputs=asked, **run).outputs)
+    g = 9.81
+    assert found["highest"][0] == pytest.approx(25 / (2 * g), rel=1e-5)
+    assert found["own"][0] == found["highest"][0]
+    assert found["mean"][0] == pytest.approx(2.5 - g / 6, rel=1e-5)
+    assert found["slowest"][0] == pytest.approx(0.0, abs=1e-4)
+    if times:
+        assert found["z"][0] == pytest.approx([2.5 - g / 8, 5.0 - g / 2], abs=1e-9)
+
+
+def test_short_steps_do_not_fall_between_frames() -> None:
+    model = thrown()  # a blow of 1 N s within 0.2 ms, between frames that are 1 ms apart
+    blow = (0.5003, 0.5005)
+    model.user_force(lambda t, q, v: [0, 0, 5e3 * (blow[0] < t < blow[1]), 0, 0, 0], "ball", breaks=blow)
+    study = lw.sweep(lambda speed: model, {"speed": [5.0]}, "body('ball').acceleration.z.max", t_end=1.0,
+                     rtol=1e-8, processes=1)  # fmt: skip
+    assert study.outputs["body('ball').acceleration.z.max"][0] == pytest.approx(5e3 - 9.81, rel=1e-9)
+
+
 @pytest.mark.parametrize("how", [{"step": 5e-3}, {"rtol": 1e-6}])
 def test_arrays_are_at_the_times_that_are_given(how: dict[str, float]) -> None:
     times = [0.01, 0.035, 0.05]

@@ -23,7 +23,6 @@ void check(const AdaptiveSchedule& schedule) {
   if (!(absolute > 0.0) || !std::isfinite(absolute)) refuse("atol", "must be positive and finite");
   if (!(schedule.largest_step > 0.0)) refuse("step", "must be positive");
   if (schedule.record_every < 0) refuse("record_every", "must not be negative");
-  if (schedule.record_every > 0 && !schedule.times.empty()) refuse("times", "and record_every exclude each other");
   if (!std::is_sorted(schedule.times.begin(), schedule.times.end())) refuse("times", "must ascend");
   if (!schedule.times.empty() &&
       !(schedule.times.front() >= schedule.t_start && schedule.times.back() <= schedule.t_end))
@@ -134,7 +133,7 @@ void AdaptiveSimulation::keep(Archive& archive) {
 
 void AdaptiveSimulation::record_start() {
   evaluate(clock(), y_);
-  const bool due = schedule_.times.empty() || schedule_.times.front() == t_;
+  const bool due = schedule_.record_every > 0 || schedule_.times.empty() || schedule_.times.front() == t_;
   if (due) recorder_.record(t_, y_);
 }
 

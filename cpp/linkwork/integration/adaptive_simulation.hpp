@@ -15,14 +15,14 @@
 
 namespace linkwork {
 
-/// How far to go, how exactly, and what to keep. Times in s. One of `record_every` and `times` says which states are
-/// recorded; output never limits the step. An event that changes the state or ends the run ends a step: that state is
-/// recorded with `record_every`, and with `times` where it ends the run.
+/// How far to go, how exactly, and what to keep. Times in s. `record_every` and `times`, one of them or both, say which
+/// states are recorded; output never limits the step. An event that changes the state or ends the run ends a step: that
+/// state is recorded with `record_every`, and with `times` where it ends the run.
 struct AdaptiveSchedule {
   double t_end = 0.0;
   Tolerances tolerances;
   double largest_step = std::numeric_limits<double>::infinity();
-  std::int64_t record_every = 0;   ///< steps between frames, the first and the last state included; 0: `times`
+  std::int64_t record_every = 0;   ///< steps between frames, the first and the last state included; 0: `times` alone
   std::vector<double> times = {};  ///< ascending; states between steps come from the interpolant
   double t_start = 0.0;
   VectorXd start = {};                  ///< y = (q, v) at t_start; empty: that of the model

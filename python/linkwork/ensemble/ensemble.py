@@ -150,7 +150,7 @@ class Ensemble:
         outputs       names of quantities as in `sweep`, "reaction('pin').force.max", "final", functions of a
                       Result: kept instead of motions, so that memory does not grow with time
         times         [s] of outputs that are arrays; multiples of the step
-        record_every  steps between frames; None: about 1000 frames, with outputs every step
+        record_every  steps between frames; None: about 1000 frames, with outputs every step, with rtol both
         threads       of this process; None: one a processor
         progress      None: a line on a terminal or in a notebook; False: nothing
         options       of `simulate`. `deterministic` is always on
@@ -178,7 +178,7 @@ class Ensemble:
         warns = options.get("on_inaccurate", "warn") == "warn"
         arguments = {"step": step, "integrator": integrator, "record_every": record_every, **options,
                      "deterministic": True, "on_inaccurate": "pass"}  # fmt: skip
-        wanted_times, arguments = _recorded(asked, times, float(t_end), arguments)
+        wanted_times, arguments = _recorded(asked, times, float(t_end), arguments, example)
         last_state = asked is not None and times is None and all(it.at_end for it in asked)
         state_alone = asked is not None and all(it.of_state_alone for it in asked)
         method = method_of(example, float(t_end), arguments, count, judged=True, last_state=last_state,
@@ -290,7 +290,11 @@ def _check_names(members: _Members, asked: Sequence[wanted.Output] | None) -> No
 
 
 def _recorded(
-    asked: Sequence[wanted.Output] | None, times: ArrayLike | None, t_end: float, arguments: dict[str, Any]
+    asked: Sequence[wanted.Output] | None,
+    times: ArrayLike | None,
+    t_end: float,
+    arguments: dict[str, Any],
+    example: Model,
 ) -> tuple[Floats | None, dict[str, Any]]:
     """The times of arrays [s], and when frames are recorded. OptionError: times that have no frame."""
     if asked is None:
@@ -302,7 +306,7 @@ def _recorded(
         at_end = all(it.at_end for it in asked) and arguments["step"] is not None
         if at_end and times is None:
             arguments["record_every"] = max(1, math.ceil(t_end / float(arguments["step"]) / FRAMES))
-    return check_times(times, t_end, arguments, asked)
+    return check_times(times, t_end, arguments, asked, recording.frame_bytes(example))
 
 
 def _check_run(members: _Members, method: Method) -> None:

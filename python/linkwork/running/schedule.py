@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from linkwork import _core
 from linkwork.accuracy.verdict import LEAST_RTOL
 from linkwork.arguments import array
+from linkwork.arrays import Floats
 from linkwork.equations.system import System
 from linkwork.errors import OptionError
 from linkwork.integrators import METHODS, EmbeddedPair, Integrator
@@ -22,7 +23,7 @@ from linkwork.options import check_number
 from linkwork.running import breakpoints, checks
 from linkwork.running.recording import PythonStep
 
-__all__ = ["Adaptive", "Fixed", "plan"]
+__all__ = ["Adaptive", "Fixed", "evenly", "plan"]
 
 #: Frames recorded where nothing is said about them, and the memory they may take [bytes].
 FRAMES, FRAME_BYTES = 1000, 2**30
@@ -117,7 +118,7 @@ class Fixed:
 
 @dataclass(frozen=True)
 class Adaptive:
-    """A run with steps that follow tolerances; `record_every` 0: frames at `times`."""
+    """A run with steps that follow tolerances; `record_every` 0: frames at `times` alone."""
 
     t_end: float
     rtol: float
@@ -254,10 +255,20 @@ def plan(
         _check_record_every(record_every)
     if t_start > t_end:
         raise OptionError(f"the start, at {t_start:g} s, is after t_end {t_end:g} s", code="start")
-    most_frames = min(FRAMES, max(1, FRAME_BYTES // frame_bytes))
     if rtol is None and atol is None:
-        return _fixed(t_end, step, record_every, times, most_frames, t_start)
-    return _adaptive(t_end, step, rtol, atol, record_every, times, most_frames, t_start)
+        return _fixed(t_end, step, record_every, times, _most_frames(frame_bytes), t_start)
+    if record_every is None and times is None:
+        times = evenly(t_start, t_end, frame_bytes)
+    return _adaptive(t_end, step, rtol, atol, record_every, times, t_start)
+
+
+def evenly(t_start: float, t_end: float, frame_bytes: int) -> Floats:
+    """The times of frames [s] where nothing is said about them; one where nothing is left to run."""
+    return np.unique(np.linspace(t_start, t_end, _most_frames(frame_bytes) + 1))
+
+
+def _most_frames(frame_bytes: int) -> int:
+    return min(FRAMES, max(1, FRAME_BYTES // frame_bytes))
 
 
 def _fixed(
@@ -293,7 +304,6 @@ def _adaptive(
     atol: float | None,
     record_every: int | None,
     times: ArrayLike | None,
-    most_frames: int,
     t_start: float,
 ) -> Adaptive:
     rtol = USUAL_RTOL if rtol is None else rtol
@@ -309,10 +319,6 @@ def _adaptive(
         )
     atol = USUAL_RATIO * rtol if atol is None else atol
     check_number("atol", atol, positive=True)
-    if times is not None and record_every is not None:
-        raise OptionError("times and record_every both say what is recorded: give one", code="conflict")
-    if record_every is None and times is None:
-        times = np.unique(np.linspace(t_start, t_end, most_frames + 1))  # one where nothing is left to run
     asked = np.zeros(0) if times is None else _checked_times(times, t_start, t_end)
     return Adaptive(
         t_end=t_end,

@@ -91,7 +91,7 @@ def simulate(
     record_every  steps between frames. The last state is always recorded. With adaptive steps 1 keeps every
                   step: numpy.diff(result.t) are their sizes
     times         frames at these times (adaptive steps only), interpolated where no step ends: output never
-                  limits a step. Without record_every and times: at most about 1000 frames, evenly
+                  limits a step. With record_every frames at both, without either at most about 1000, evenly
     events        what happens when functions of the state pass through zero (adaptive steps only), see
                   linkwork.Event; result.events lists what came
     breaks        times [s] at which something is not smooth, beside those that functions of time and forces

@@ -15,6 +15,7 @@ from linkwork.arrays import Floats
 from linkwork.errors import OptionError
 from linkwork.results.last_state import LastState
 from linkwork.results.result import Result
+from linkwork.running import schedule
 from linkwork.running.manifest import platform_facts
 from linkwork.running.members import facts_of, remarked
 from linkwork.running.simulation import simulate
@@ -25,9 +26,6 @@ __all__ = ["Answer", "Case", "Run", "Runner", "kept", "machine"]
 
 #: A time that differs from the end by no more than this, relative, is the end: 3 * 0.1 is not 0.3.
 ROUNDED = 1e-12
-
-#: Frames of steps of any size from which turns of joints are followed.
-FOLLOWED = 1001
 
 #: Characters of remarks that are kept of a case.
 REMARKS = 300
@@ -138,15 +136,23 @@ def _verdict(result: Result | LastState) -> dict[str, Any]:
 
 
 def check_times(
-    times: Any, t_end: float, options: Mapping[str, Any], outputs: Sequence[Output]
+    times: Any, t_end: float, options: Mapping[str, Any], outputs: Sequence[Output], frame_bytes: int
 ) -> tuple[Floats | None, dict[str, Any]]:
-    """The times of arrays (k,) [s], and options with frames there, and between where outputs are followed.
+    """The times of arrays (k,) [s], and options with frames there, and wherever outputs look.
 
     OptionError: not ascending, beyond the run, or between the frames of fixed steps.
     """
+    wanted = None if times is None else _ascending(times, t_end)
     made = {"record_every": 1, "on_inaccurate": "pass", **options}
-    if times is None:
-        return None, made
+    if options.get("rtol") is not None or options.get("atol") is not None:
+        return wanted, {**made, **_frames(wanted, t_end, options, outputs, frame_bytes)}
+    if wanted is not None:
+        apart = float(options.get("step") or t_end) * whole(made["record_every"], 1, "record_every")
+        _check_multiples(wanted, apart, t_end)
+    return wanted, made
+
+
+def _ascending(times: Any, t_end: float) -> Floats:
     try:
         wanted = np.atleast_1d(np.array(times, dtype=float))
     except (TypeError, ValueError) as error:
@@ -155,13 +161,30 @@ def check_times(
     wanted = np.where(np.abs(wanted - t_end) <= ROUNDED * t_end, t_end, wanted)
     if not good or (np.diff(wanted) <= 0).any() or wanted[0] < 0 or wanted[-1] > t_end:
         raise OptionError(f"times {times!r:.80} are not ascending, from 0 to {t_end:g} s", code="times")
-    if options.get("rtol") is not None or options.get("atol") is not None:
-        if options.get("record_every") is None:
-            del made["record_every"]
-        between = FOLLOWED if any(it.followed for it in outputs) else 2
-        made["times"] = np.union1d(wanted, np.linspace(0.0, t_end, between)).tolist()
-        return wanted, made
-    apart = float(options.get("step") or t_end) * whole(made["record_every"], 1, "record_every")
+    return wanted
+
+
+def _frames(
+    wanted: Floats | None, t_end: float, options: Mapping[str, Any], outputs: Sequence[Output], size: int
+) -> dict[str, Any]:
+    """`record_every` and `times` of a run whose steps follow tolerances, of frames of `size` bytes.
+
+    Its steps are long where the motion is smooth, however much it turns in one: what is largest is looked for
+    at the times of the frames of `simulate`, too, and at all steps, which are short where something happens.
+    """
+    every, at = options.get("record_every"), wanted
+    if every is None and any(it.of_whole_run for it in outputs):
+        every, between = 1, schedule.evenly(0.0, t_end, size)
+        at = between if wanted is None else np.union1d(wanted, between)
+    elif every is None and wanted is not None:
+        at = np.union1d(wanted, [0.0, t_end])
+    elif every is None:
+        every = 1
+    return {"record_every": every, **({} if at is None else {"times": at.tolist()})}
+
+
+def _check_multiples(wanted: Floats, apart: float, t_end: float) -> None:
+    """OptionError: between frames that are so far apart [s]."""
     off = np.abs(wanted / apart - np.round(wanted / apart)) * apart > 1e-9 * t_end
     off &= wanted < t_end
     if off.any():
@@ -170,4 +193,3 @@ def check_times(
             "multiples of that, or rtol instead of step",
             code="times",
         )
-    return wanted, made

@@ -95,6 +95,11 @@ class Output:
         return any(step[1:2] == ("coordinate",) for step in self.steps)
 
     @property
+    def of_whole_run(self) -> bool:
+        """Whether it depends on what the motion does between the times that are asked for."""
+        return self.followed or not (self.at_end or self.over_time)
+
+    @property
     def at_end(self) -> bool:
         """Whether the last frame is enough."""
         return self.of_state_alone or (self.reduction == "final" and not self.followed)

@@ -122,7 +122,8 @@ def sweep(
                 any time
     progress    None: a line on a terminal or in a notebook; False: nothing
     options     of linkwork.simulate: step, rtol, integrator, events, ... Without record_every all steps are
-                recorded, so that nothing between frames is missed; on_inaccurate is "pass": see Study.verdict
+                recorded, with rtol also about 1000 even times, as steps may be long; on_inaccurate is
+                "pass": see Study.verdict
 
     A case has the same bits whatever runs beside it: those of `simulate`, or where lanes of ensembles have
     all that is asked for (`Study.manifest["lanes"]`), of `simulate` with deterministic=True. One that fails
@@ -144,16 +145,16 @@ def sweep(
     source = source_of(model, drawn.columns)
     drawn = drawn if isinstance(source, Built) else drawn.as_floats()
     asked = wanted.outputs_of(outputs)
-    wanted_times, run_options = check_times(times, float(t_end), options, asked)
     own = dict.fromkeys(OWN, "a column that every study has")
     check_names(own, list(drawn.columns), [it.label for it in asked])
     here = {} if executor is None else contents(source, asked, run_options)  # as yet nothing was called
     number, example = _example(model, source, drawn)
+    size = recording.frame_bytes(example)
+    wanted_times, run_options = check_times(times, float(t_end), options, asked, size)
     checks.warn_of_opposed_axes(example, example.compiled().q0)
     first = example if number == 0 else None
     _check_run(source, drawn, first, float(t_end), run_options)
     checked = [wanted.checked(it, probe(example, run_options), wanted_times) for it in asked]
-    _check_reductions(checked, run_options)
     _check_times(checked, wanted_times, run_options)
     runner = Runner(source, float(t_end), run_options, checked, wanted_times)
     base = model if isinstance(model, Model) else example
@@ -326,17 +327,6 @@ def probe(model: Model, options: Mapping[str, Any]) -> Result:
     return Result(frames, header, {})
 
 
-def _check_reductions(outputs: Sequence[wanted.Output], options: Mapping[str, Any]) -> None:
-    """OptionError: a largest value over frames that are at a few times only."""
-    for it in outputs:
-        if "times" in options and it.reduction not in ("", "final"):
-            raise OptionError(
-                f"output '{it.label}': with tolerances and times= frames are at these times only, and would "
-                "miss what is between: give a fixed step, or two studies",
-                code="outputs",
-            )
-
-
 def _check_times(outputs: Sequence[wanted.Output], times: Floats | None, options: Mapping[str, Any]) -> None:
     """OptionError: times that nothing is asked for at."""
     at_frames = "times" in options and any(it.function is not None for it in outputs)
@@ -373,7 +363,8 @@ def _identity(runner: Runner, cases: Cases) -> dict[str, Any]:
         "outputs": digest(wanted.identity(runner.outputs)),
         "times": digest(runner.times),
         "options": {
-            name: canonical(value) for name, value in sorted(without_threads(runner.options).items())
+            name: digest(value) if name == "times" else canonical(value)  # of about a thousand frames
+            for name, value in sorted(without_threads(runner.options).items())
         },
     }  # fmt: skip
 
