@@ -574,6 +574,40 @@ def test_an_inaccurate_case_has_its_verdict() -> None:
     assert study.accuracy[0] > 0.01
 
 
+def slowed(mass: float) -> lw.Model:
+    """A slider, slowed by what its law remembers of its speed."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("b", mass=mass, inertia=(0.02, 0.03, 0.04), velocity=(1, 0, 0))
+    model.translational("ground", "b", at=(0, 0, 0), axis=(1, 0, 0), name="s")
+    last = [0.0]
+
+    def filtered(t: float, x: float, speed: float) -> float:
+        last[0] = 0.9 * last[0] + 0.1 * speed
+        return -5.0 * last[0]
+
+    model.joint_force("s", filtered, name="filter")
+    return model
+
+
+@pytest.mark.parametrize("outputs", [None, "final", "velocity.max"])
+@pytest.mark.parametrize("study", [True, False])
+def test_laws_that_remember_calls_are_told_once_and_of_each_case(outputs: str | None, study: bool) -> None:
+    def found(**more: Any) -> Any:
+        if study:
+            asked = outputs or "body('b').velocity.x.final"
+            return lw.sweep(slowed, {"mass": [1.0, 2.0]}, asked, **FEW, **more)
+        run = {key: it for key, it in RUN.items() if key != "t_end"}
+        return lw.simulate_many(slowed, {"mass": [1.0, 2.0]}, RUN["t_end"], outputs=outputs, **run, **more)
+
+    with pytest.warns(lw.LinkworkWarning, match="'filter': remembers calls") as told:
+        it = found()
+    assert len(told) == 1
+    assert all("'filter': remembers calls" in it.remarks[k] for k in (0, 1))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        found(on_inaccurate="pass")
+
+
 @pytest.mark.parametrize(
     ("change", "error", "message"),
     [

@@ -29,7 +29,7 @@ from linkwork.running.members import FRAMES, Member, Method, method_of, run_memb
 from linkwork.running.progress import ShowOption, counting
 from linkwork.running.simulation import check_run, simulate
 from linkwork.studies import outputs as wanted
-from linkwork.studies.cases import Run, check_times, kept
+from linkwork.studies.cases import Run, check_times, in_one, kept
 from linkwork.studies.collected import Collected
 from linkwork.studies.sampling import Cases, cases_of
 from linkwork.studies.study import array_of
@@ -165,7 +165,7 @@ class Ensemble:
         neighbors, `threads` and the processor are. One that fails is kept as failed, and disturbs no other.
 
         OptionError: an option or output that does not exist or cannot be, before the first member.
-        LinkworkWarning: members are more than 1 % off. Ctrl-C ends it.
+        LinkworkWarning: members are more than 1 % off, or functions remember calls. Ctrl-C ends it.
         """  # Long: its arguments are fifteen lines.
         started = time.perf_counter()
         check_number("t_end", t_end, positive=True, unit="s")
@@ -306,7 +306,7 @@ def _recorded(
         at_end = all(it.at_end for it in asked) and arguments["step"] is not None
         if at_end and times is None:
             arguments["record_every"] = max(1, math.ceil(t_end / float(arguments["step"]) / FRAMES))
-    return check_times(times, t_end, arguments, asked, recording.frame_bytes(example))
+    return check_times(times, t_end, arguments, asked, example)
 
 
 def _check_run(members: _Members, method: Method) -> None:
@@ -367,7 +367,7 @@ class _Kept:
         verdict = found.get("verdict", {})
         if verdict.get("level", "good") != "good":
             self._doubts[number] = verdict["sentence"]
-        self._found.add(Run(str(number), **found, remarks="; ".join(member.remarks)))
+        self._found.add(Run(str(number), **found, remarks=in_one(member.remarks, found)))
 
     def outcome(self, ensemble: Ensemble, about: Mapping[str, Any]) -> EnsembleResult:
         asked, count = self._outputs or (), () if self._times is None else (len(self._times),)
@@ -391,7 +391,8 @@ class _Kept:
         )
 
     def warn_of_inaccurate(self, found: EnsembleResult) -> None:
-        """LinkworkWarning: members are more than 1 % off."""
+        """LinkworkWarning: members are more than 1 % off, or nobody knows how much."""
+        self._found.warn_of_memory()
         bad = [k for k in self._doubts if found.status[k] == "finished"]
         if not bad:
             return

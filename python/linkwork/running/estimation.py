@@ -36,7 +36,7 @@ from linkwork.running import callbacks, pulses
 from linkwork.running.schedule import Adaptive, Fixed
 from linkwork.running.time_scale import size
 
-__all__ = ["ErrorEstimator", "apply_policy", "no_second_run", "strict", "warn_of_memory"]
+__all__ = ["ErrorEstimator", "apply_policy", "no_second_run", "of_memory", "strict", "warn_of_memory"]
 
 #: Takes the steps of integrators of the user's own again.
 TRUSTED = "dop853"
@@ -262,17 +262,21 @@ def no_second_run(name: str) -> str:
     return f"verify: no second run was made, as '{name}' may remember the calls before"
 
 
-def warn_of_memory(verdict: Verdict | None) -> None:
-    """LinkworkWarning: functions of the user's remember calls."""
-    if verdict is None or not verdict.memory:
-        return
-    names = ", ".join(f"'{name}'" for name in verdict.memory[:3])
-    warn(
-        f"{names}: remembers calls. They come in stages of steps, in steps that are taken again, for frames "
+def of_memory(names: Sequence[str]) -> str:
+    """What is wrong with functions of the user's that remember calls."""
+    listed = ", ".join(f"'{name}'" for name in names[:3])
+    return (
+        f"{listed}: remembers calls. They come in stages of steps, in steps that are taken again, for frames "
         "in between and in other runs, so that what it remembers depends on the method, and how far the "
         "motion is off is not known: let an event change what lasts, as samples of a controller (lw.Event, "
         "change=)"
     )
+
+
+def warn_of_memory(verdict: Verdict | None) -> None:
+    """LinkworkWarning: functions of the user's remember calls."""
+    if verdict is not None and verdict.memory:
+        warn(of_memory(verdict.memory))
 
 
 def apply_policy(result: Result | LastState, policy: str) -> None:

@@ -13,16 +13,18 @@ from linkwork import _core
 from linkwork.arguments import whole
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError
+from linkwork.modeling.model import Model
 from linkwork.results.last_state import LastState
 from linkwork.results.result import Result
-from linkwork.running import schedule
+from linkwork.running import recording, schedule
+from linkwork.running.estimation import of_memory
 from linkwork.running.manifest import platform_facts
 from linkwork.running.members import facts_of, remarked
 from linkwork.running.simulation import simulate
 from linkwork.studies.outputs import Output
 from linkwork.studies.variants import Source
 
-__all__ = ["Answer", "Case", "Run", "Runner", "kept", "machine"]
+__all__ = ["Answer", "Case", "Run", "Runner", "in_one", "kept", "machine"]
 
 #: A time that differs from the end by no more than this, relative, is the end: 3 * 0.1 is not 0.3.
 ROUNDED = 1e-12
@@ -47,7 +49,7 @@ class Run:
     status   "finished" or "failed"
     outputs  by label, in lists; none of one that failed
     error    of one that failed: type, code, message, and `reached`, the simulated time [s] up to there
-    verdict  level, sentence and error of Result.verdict; nothing where there is none
+    verdict  level, sentence and error of Result.verdict, and what remembers; nothing where there is none
     seconds  wall time
     """
 
@@ -96,7 +98,7 @@ class Runner:
         return self.noted(case, found, remarks, time.perf_counter() - started)
 
     def noted(self, case: Case, found: Mapping[str, Any], remarks: Sequence[str], seconds: float) -> Run:
-        return Run(case.key, **found, remarks="; ".join(remarks)[:REMARKS], seconds=seconds,
+        return Run(case.key, **found, remarks=in_one(remarks, found)[:REMARKS], seconds=seconds,
                    values=dict(case.values))  # fmt: skip
 
     def kept(self, result: Result | LastState) -> dict[str, Any]:
@@ -132,11 +134,18 @@ def _verdict(result: Result | LastState) -> dict[str, Any]:
     verdict = result.verdict
     if verdict is None:
         return {}
-    return {"level": verdict.level, "error": float(verdict.error), "sentence": verdict.sentence}
+    found = {"level": verdict.level, "error": float(verdict.error), "sentence": verdict.sentence}
+    return {**found, "memory": list(verdict.memory)} if verdict.memory else found
+
+
+def in_one(remarks: Sequence[str], found: Mapping[str, Any]) -> str:
+    """The remarks of a case, and that functions of the user's remember calls, which its run does not say."""
+    memory = found.get("verdict", {}).get("memory")
+    return "; ".join(dict.fromkeys([*remarks, *([of_memory(memory)] if memory else [])]))
 
 
 def check_times(
-    times: Any, t_end: float, options: Mapping[str, Any], outputs: Sequence[Output], frame_bytes: int
+    times: Any, t_end: float, options: Mapping[str, Any], outputs: Sequence[Output], model: Model
 ) -> tuple[Floats | None, dict[str, Any]]:
     """The times of arrays (k,) [s], and options with frames there, and wherever outputs look.
 
@@ -145,7 +154,7 @@ def check_times(
     wanted = None if times is None else _ascending(times, t_end)
     made = {"record_every": 1, "on_inaccurate": "pass", **options}
     if options.get("rtol") is not None or options.get("atol") is not None:
-        return wanted, {**made, **_frames(wanted, t_end, options, outputs, frame_bytes)}
+        return wanted, {**made, **_frames(wanted, t_end, options, outputs, recording.frame_bytes(model))}
     if wanted is not None:
         apart = float(options.get("step") or t_end) * whole(made["record_every"], 1, "record_every")
         _check_multiples(wanted, apart, t_end)

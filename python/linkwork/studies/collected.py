@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork.arrays import Floats
+from linkwork.errors import warn
+from linkwork.running.estimation import of_memory
 from linkwork.studies.cases import Case, Run
 from linkwork.studies.sampling import Cases
 
@@ -32,6 +34,7 @@ class Collected:
         self._state = np.full(len(keys), NOTHING, dtype=np.int8)
         self._seconds, self._accuracy = (np.full(len(keys), np.nan) for _ in range(2))
         self._level = np.zeros(len(keys), dtype="<U6")
+        self._memory: list[str] = []
         self._errors: dict[int, Mapping[str, Any]] = {}
         self._remarks: dict[int, str] = {}
         self._outputs: dict[str, Floats] = {}
@@ -44,6 +47,11 @@ class Collected:
     def done(self) -> int:
         """Cases of which something is known, those with one key once."""
         return int(np.count_nonzero(self._state != NOTHING))
+
+    def warn_of_memory(self) -> None:
+        """LinkworkWarning: functions of the user's remember calls, also those of other cases."""
+        if self._memory:
+            warn(of_memory(self._memory))
 
     def wants(self, run: Run) -> bool:
         """Whether it is of a case of the study of which no more is known: one that failed may have been tried
@@ -73,6 +81,7 @@ class Collected:
         self._seconds[k] = run.seconds
         self._accuracy[k] = run.verdict.get("error", np.nan)
         self._level[k] = run.verdict.get("level", "")
+        self._memory += [name for name in run.verdict.get("memory", ()) if name not in self._memory]
         if run.error:
             self._errors[k] = run.error
         if run.remarks:

@@ -134,7 +134,7 @@ def sweep(
     sampler without seed, an option that cannot be: before the first case. FileError: `directory` belongs to
     another study, or cannot be written. LinkworkError: the executor works no more, or its workers have other
     functions or another version than this process. LinkworkWarning: machines of several instruction sets
-    took part.
+    took part, or functions remember calls.
     """  # Long: the arguments alone are twenty lines.
     check_number("t_end", t_end, positive=True, unit="s")
     _check_places(shard, gather, retry, directory, processes)
@@ -149,8 +149,7 @@ def sweep(
     check_names(own, list(drawn.columns), [it.label for it in asked])
     here = {} if executor is None else contents(source, asked, run_options)  # as yet nothing was called
     number, example = _example(model, source, drawn)
-    size = recording.frame_bytes(example)
-    wanted_times, run_options = check_times(times, float(t_end), options, asked, size)
+    wanted_times, run_options = check_times(times, float(t_end), options, asked, example)
     checks.warn_of_opposed_axes(example, example.compiled().q0)
     first = example if number == 0 else None
     _check_run(source, drawn, first, float(t_end), run_options)
@@ -174,7 +173,7 @@ def sweep(
     found = _Found(known, machines, store)
     workers = _Workers(executor, processes, case_seconds, len(drawn), here)
     lost = _carried_out(runner, todo, found, progress, workers)
-    _tell_machines(machines)
+    _tell(machines, known, options)
     return assembled(drawn, keys, known, lost, runner, {**about, "identity": identity, "machines": machines})
 
 
@@ -496,7 +495,10 @@ def _line(done: int, total: int, elapsed: float, failed: int) -> str:
     return f"{done} of {total} cases{rate}" + (f", {failed} failed" if failed else "")
 
 
-def _tell_machines(machines: Sequence[Mapping[str, Any]]) -> None:
+def _tell(machines: Sequence[Mapping[str, Any]], found: Collected, options: Mapping[str, Any]) -> None:
+    """LinkworkWarning, once for all cases, but for what `options` say is nothing to be told."""
+    if options.get("on_inaccurate") != "pass":
+        found.warn_of_memory()
     sets = sorted({str(it.get("instruction_set")) for it in machines})
     if len(sets) > 1:
         warn(
