@@ -54,15 +54,17 @@ def test_a_force_on_all_lanes_at_once_is_that_on_each(steps: dict[str, float]) -
 
 def test_it_is_asked_once_for_all_lanes() -> None:
     sizes: list[int] = []
+    same: list[bool] = []
 
     def counted(t: Any, q: Any, v: Any) -> Any:
         sizes.append(len(t))
-        assert np.shape(t) == q.shape[:1] == v.shape[:1]
+        same.append(np.shape(t) == q.shape[:1] == v.shape[:1])
         return wind(t, q, v)
 
     models = [bricard(0.5 + 0.1 * k, counted) for k in range(8)]
     found = lw.simulate_many(models, None, 0.05, 1e-3, outputs=["final"], on_singular="pass", progress=False)
     assert found.alone == {}
+    assert all(same)
     assert max(sizes) == lw._core.lane_count()
     lanes = lw._core.lane_count()
     assert sum(size for size in sizes if size == lanes) >= 8 * 200  # of 50 steps of four stages

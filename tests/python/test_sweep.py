@@ -14,6 +14,7 @@ import subprocess
 import sys
 import threading
 import time
+import types
 import warnings
 import weakref
 from collections import Counter
@@ -606,6 +607,147 @@ def test_laws_that_remember_calls_are_told_once_and_of_each_case(outputs: str | 
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         found(on_inaccurate="pass")
+
+
+def in_a_list() -> tuple[Any, Any]:
+    held = [0.0]
+
+    def put(value: float) -> None:
+        held[0] = value
+
+    return put, lambda t, angle, rate: held[0]
+
+
+def in_an_array() -> tuple[Any, Any]:
+    held = np.zeros(1)
+
+    def put(value: float) -> None:
+        held[0] = value
+
+    return put, lambda t, angle, rate: held[0]
+
+
+def in_a_mapping() -> tuple[Any, Any]:
+    held = {"effort": 0.0}
+
+    def put(value: float) -> None:
+        held["effort"] = value
+
+    return put, lambda t, angle, rate: held["effort"]
+
+
+def in_a_variable() -> tuple[Any, Any]:
+    held = 0.0
+
+    def put(value: float) -> None:
+        nonlocal held
+        held = value
+
+    return put, lambda t, angle, rate: held
+
+
+HELD = 0.0
+
+
+def in_a_global_variable() -> tuple[Any, Any]:
+    def put(value: float) -> None:
+        global HELD
+        HELD = value
+
+    put(0.0)
+    return put, lambda t, angle, rate: HELD
+
+
+def in_an_attribute() -> tuple[Any, Any]:
+    held = types.SimpleNamespace(effort=0.0)
+
+    def put(value: float) -> None:
+        held.effort = value
+
+    return put, lambda t, angle, rate: held.effort
+
+
+def sampled(where: Any) -> tuple[Any, lw.Event, Any]:
+    """A bar that a controller lifts, by samples every 20 ms, and the event that takes them."""
+    put, law = where()
+
+    def build(mass: float) -> lw.Model:
+        model = lw.Model()
+        bar = model.body("bar", mass=mass, inertia=(0.003, 0.03, 0.03), position=(0, 0, -0.3))
+        model.revolute("ground", bar, at=(0, 0, 0), axis=(0, 1, 0), name="hinge")
+        model.joint_force("hinge", law)
+        return model
+
+    def sample(t: float, state: Any) -> None:
+        bar = state.body("bar")
+        angle = 2 * np.arctan2(bar.orientation[2], bar.orientation[0])
+        put(20.0 * (1.0 - angle) - 3.0 * bar.omega[1])
+
+    return build, lw.Event(lambda t, state: np.sin(np.pi * t / 0.02), "clock", change=sample), law
+
+
+@pytest.mark.parametrize(
+    ("where", "how"),
+    [
+        *((in_a_list, how) for how in ("ensemble", "lanes", "alone", "threads")),
+        (in_an_array, "ensemble"),
+        (in_a_mapping, "ensemble"),
+        (in_a_variable, "ensemble"),
+        (in_a_global_variable, "ensemble"),
+        (in_an_attribute, "ensemble"),
+    ],
+)
+def test_no_case_goes_on_with_what_events_of_another_remember(where: Any, how: str) -> None:
+    masses = [1.0, 0.5, 2.0, 1.5]
+    run: dict[str, Any] = {"rtol": 1e-8, "step": 0.01}
+
+    def single(mass: float) -> float:
+        build, clock, _ = sampled(where)
+        result = lw.simulate(
+            build(mass), 0.11, **run, events=clock, deterministic=how in ("ensemble", "lanes")
+        )
+        assert len(result.events) == 5
+        return float(result.coordinate("hinge").value[-1])
+
+    expected, name = [single(mass) for mass in masses], "coordinate('hinge').value.final"
+    build, clock, law = sampled(where)
+    if how == "ensemble":
+        found: Any = lw.simulate_many(build, {"mass": masses}, 0.11, outputs=[name], events=clock, **run)
+        assert "remember" in found.alone[0]
+    else:
+        others = (
+            {"executor": concurrent.futures.ThreadPoolExecutor(4)} if how == "threads" else {"processes": 1}
+        )
+        more: dict[str, Any] = {**others, **({} if how == "lanes" else {"deterministic": False})}
+        found = lw.sweep(
+            build, {"mass": masses}, name, t_end=0.11, events=clock, progress=False, **run, **more
+        )
+    assert found.outputs[name] == pytest.approx(expected, rel=1e-12)
+    assert law(0.0, 0.0, 0.0) == 0.0
+
+
+def test_a_function_counts_what_events_of_its_own_case_left() -> None:
+    hits = [0]
+
+    def count(t: float, state: Any) -> None:
+        hits[0] += 1
+
+    low = lw.Event(lambda t, state: state.body("ball").position[2] - 1.0, "low", change=count)
+    asked = {"hits": lambda result: hits[0]}
+    for found in (
+        lw.simulate_many(thrown(), {"ball.mass": [1.0, 2.0]}, 1.0, rtol=1e-6, events=low, outputs=asked),
+        lw.sweep(thrown(), {"ball.mass": [1.0, 2.0]}, asked, t_end=1.0, rtol=1e-6, events=low, processes=1),
+    ):
+        assert found.outputs["hits"].tolist() == [2.0, 2.0]  # up and down
+
+
+def test_memory_that_cannot_be_given_back_is_told() -> None:
+    numbers = iter(range(100))
+    change = lw.Event(lambda t, state: t - 0.5, "next", change=lambda t, state: bool(next(numbers) > 50))
+    with pytest.warns(
+        lw.LinkworkWarning, match="change of event next, 1': what it remembers cannot be given"
+    ):
+        lw.simulate_many(thrown(), {"ball.mass": [1.0, 2.0]}, 1.0, rtol=1e-6, events=change, outputs="final")
 
 
 @pytest.mark.parametrize(

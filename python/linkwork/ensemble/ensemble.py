@@ -24,6 +24,7 @@ from linkwork.options import TABLE, check_name, check_number, check_option
 from linkwork.options import names as option_names
 from linkwork.results.result import Result
 from linkwork.running import checks, recording, schedule
+from linkwork.running.leaving_no_memory import called, leaving_no_memory
 from linkwork.running.manifest import platform_facts
 from linkwork.running.members import FRAMES, Member, Method, method_of, run_members
 from linkwork.running.progress import ShowOption, counting
@@ -126,7 +127,9 @@ class Ensemble:
 
             print(ensemble.single(0, 0.1, step=1e-3).verdict)
         """
-        return simulate(self.model(number), t_end, step, **{"deterministic": True, **arguments})
+        model = self.model(number)
+        with leaving_no_memory(called(model, arguments), logs=False):
+            return simulate(model, t_end, step, **{"deterministic": True, **arguments})
 
     def simulate(
         self,
@@ -182,7 +185,8 @@ class Ensemble:
         last_state = asked is not None and times is None and all(it.at_end for it in asked)
         state_alone = asked is not None and all(it.of_state_alone for it in asked)
         method = method_of(example, float(t_end), arguments, count, judged=True, last_state=last_state,
-                           state_alone=state_alone)  # fmt: skip
+                           state_alone=state_alone,
+                           looked_at=any(it.by_user for it in asked or ()))  # fmt: skip
         _check_run(self._members, method)
         if asked is not None:
             first_frame = probe(example, arguments)
@@ -317,7 +321,7 @@ def _check_run(members: _Members, method: Method) -> None:
         if isinstance(model, Exception):
             return
         try:
-            with warnings.catch_warnings():
+            with leaving_no_memory(method.functions(model), logs=True), warnings.catch_warnings():
                 warnings.simplefilter("ignore", LinkworkWarning)
                 check_run(model, method.plan, {"events": (), **method.given}, method.options)
             return

@@ -24,7 +24,10 @@ from linkwork.fingerprints import is_users
 if TYPE_CHECKING:
     from linkwork.modeling.model import Model
 
-__all__ = ["changed", "contents", "is_log", "is_stateless", "of_model"]
+__all__ = [
+    "UNKNOWN", "changed", "contents", "inside", "is_log", "is_stateless", "names", "of_model", "only_logs",
+    "opaque",
+]  # fmt: skip
 
 #: What cannot be looked into counts as changed.
 UNKNOWN = b""
@@ -56,20 +59,20 @@ def _digest(function: Any) -> bytes:
         todo.append(call)
     while todo:
         it = todo.pop()
-        if _opaque(it):
+        if opaque(it):
             continue
-        inside = _inside(it)
+        found = inside(it)
         try:
-            if inside is None:
+            if found is None:
                 digest.update(pickle.dumps(it))
                 continue
         except Exception:  # whatever an object of the user's raises
-            inside = _parts(it)
-            if inside is None:
+            found = _parts(it)
+            if found is None:
                 return UNKNOWN
         if id(it) not in seen:
             seen.add(id(it))
-            todo += inside
+            todo += found
     return digest.digest()
 
 
@@ -82,14 +85,14 @@ def is_stateless(function: Any) -> bool:
     seen, todo = set[int](), [function]
     while todo:
         it = todo.pop()
-        if id(it) in seen or isinstance(it, _CONSTANT) or (_opaque(it) and not _chance(it)):
+        if id(it) in seen or isinstance(it, _CONSTANT) or (opaque(it) and not _chance(it)):
             continue
         seen.add(id(it))
-        inside = list(it) if isinstance(it, tuple | frozenset) else _inside(it)
-        if inside is None or isinstance(it, types.MethodType):
+        found = list(it) if isinstance(it, tuple | frozenset) else inside(it)
+        if found is None or isinstance(it, types.MethodType):
             return False
-        todo += inside
-    return not any(isinstance(it, types.FunctionType) and "random" in " ".join(_names(it.__code__))
+        todo += found
+    return not any(isinstance(it, types.FunctionType) and "random" in " ".join(names(it.__code__))
                    for it in [function])  # fmt: skip
 
 
@@ -106,19 +109,34 @@ def is_log(function: Any) -> bool:
     return bool(found) and not kept and all(_only_adds(it.__code__) for it in found)
 
 
+def only_logs(function: Any) -> bool:
+    """Whether a function writes, and never reads what it writes."""
+    return is_log(function) and any(_writes(it.__code__) for it in _functions(function))
+
+
+def _writes(code: types.CodeType) -> bool:
+    """Whether it changes something other than its own variables."""
+    for it in dis.get_instructions(code):
+        if it.opname in (*_STORES, "STORE_SUBSCR") or (it.opname in _LOADS and it.argval in _ADDS):
+            return True
+    return any(_writes(it) for it in code.co_consts if isinstance(it, types.CodeType))
+
+
 def _functions(function: Any) -> list[types.FunctionType]:
     """It, those that it reaches, and all methods of the objects of the user's that it reaches."""
     seen, todo, found = set[int](), [function], []
     while todo:
         it = todo.pop()
-        if id(it) in seen or _opaque(it) or isinstance(it, (*_CONSTANT, list, dict, set)):
+        if id(it) in seen or opaque(it) or isinstance(it, (*_CONSTANT, list, dict, set)):
             continue
         seen.add(id(it))
         if isinstance(it, types.FunctionType):
             found.append(it)
         elif not isinstance(it, types.MethodType | functools.partial) and is_users(type(it).__module__):
             todo += [method for name, method in vars(type(it)).items() if name != "__init__"]
-        todo += _inside(it) or []
+        elif type(it).__module__.startswith("linkwork.functions"):
+            todo += _parts(it) or []
+        todo += inside(it) or []
     return [it for it in found if isinstance(it, types.FunctionType)]
 
 
@@ -148,7 +166,7 @@ def _chance(it: Any) -> bool:
     return "random" in f"{getattr(it, '__module__', '')} {name if isinstance(it, types.ModuleType) else ''}"
 
 
-def _opaque(it: Any) -> bool:
+def opaque(it: Any) -> bool:
     """What keeps no numbers of the user's: modules, classes, compiled functions, parts of a model."""
     package, _, rest = type(it).__module__.partition(".")
     return (
@@ -158,7 +176,7 @@ def _opaque(it: Any) -> bool:
     )
 
 
-def _inside(it: Any) -> list[Any] | None:
+def inside(it: Any) -> list[Any] | None:
     """What a function reaches; None: it is something else."""
     if isinstance(it, types.FunctionType):
         return list(_reached(it))
@@ -184,7 +202,7 @@ def _reached(function: types.FunctionType) -> Iterator[Any]:
     yield from _cells(function)
     if vars(function):
         yield dict(vars(function))
-    for name in _names(function.__code__):
+    for name in names(function.__code__):
         if name in function.__globals__ and not hasattr(builtins, name):
             value = function.__globals__[name]
             yield value
@@ -197,7 +215,7 @@ def _data_of(value: Any, code: types.CodeType) -> list[Any]:
         return []
     if not is_users(value.__name__ if isinstance(value, types.ModuleType) else value.__module__):
         return []
-    found = {name: vars(value)[name] for name in _names(code) if name in vars(value)}
+    found = {name: vars(value)[name] for name in names(code) if name in vars(value)}
     return [it for it in found.values() if isinstance(it, (*_CONSTANT, list, dict, set))]
 
 
@@ -209,9 +227,9 @@ def _cells(function: types.FunctionType) -> Iterator[Any]:
             continue
 
 
-def _names(code: types.CodeType) -> Iterator[str]:
+def names(code: types.CodeType) -> Iterator[str]:
     """Of globals and attributes, also of the functions inside."""
     yield from code.co_names
     for constant in code.co_consts:
         if isinstance(constant, types.CodeType):
-            yield from _names(constant)
+            yield from names(constant)

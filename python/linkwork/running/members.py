@@ -23,6 +23,13 @@ from linkwork.results.result import Result
 from linkwork.running import checks, estimation, recording, schedule
 from linkwork.running.folded_joints import warn_of_folded_joints
 from linkwork.running.interrupts import Interrupts
+from linkwork.running.leaving_no_memory import (
+    Memory,
+    called,
+    leaving_no_memory,
+    memory_of,
+    warn_of_lasting,
+)
 from linkwork.running.manifest import manifest
 from linkwork.running.simulation import (
     Prepared,
@@ -85,6 +92,15 @@ class Method:
     judged: bool = False  # whether members have a verdict
     last_state: bool = False  # in lanes the first and the last frame are enough
     state_alone: bool = False  # and of that q and v
+    looked_at: bool = False  # by functions of the user's, which may look at what others remember, too
+
+    @property
+    def adaptive(self) -> bool:
+        return isinstance(self.plan, schedule.Adaptive)
+
+    def functions(self, model: Model) -> dict[str, Any]:
+        """Of the user's, by name, that a member calls."""
+        return called(model, self.given)
 
     @property
     def lanes_record_every(self) -> int:
@@ -101,6 +117,14 @@ class Method:
     @property
     def options(self) -> Any:
         return {name: value for name, value in self.arguments.items() if name in TABLE}
+
+
+@dataclass(frozen=True)
+class _Left:
+    """One that is to be simulated by itself, why, and what was said of it before."""
+
+    reason: str
+    remarks: Sequence[str] = ()
 
 
 @dataclass
@@ -124,9 +148,10 @@ class _Ready:
 
 def method_of(
     example: Model, t_end: float, arguments: Mapping[str, Any], threads: int, *,
-    judged: bool = False, last_state: bool = False, state_alone: bool = False,
+    judged: bool = False, last_state: bool = False, state_alone: bool = False, looked_at: bool = False,
 ) -> Method:  # fmt: skip
     """`last_state`: the frames before are for the verdict alone, `state_alone`: so is all but q and v of it.
+    `looked_at`: by functions of the user's.
 
     OptionError: a plan that makes no sense.
     """
@@ -141,50 +166,78 @@ def method_of(
     if not isinstance(found, ButcherTableau if isinstance(plan, schedule.Fixed) else EmbeddedPair):
         alone = "lanes have explicit Runge-Kutta methods only"
     state_alone = state_alone and last_state and judged
-    return Method(t_end, given, threads, alone, plan, judged, last_state, state_alone)
+    return Method(t_end, given, threads, alone, plan, judged, last_state, state_alone, looked_at)
 
 
 def refusal(model: Model, method: Method) -> str:
     """Why lanes cannot run it, or why it cannot be run at all; empty where they can."""
     if method.alone:
         return method.alone
-    with remarked():
+    with remarked(), leaving_no_memory(method.functions(model), logs=True):
         try:
             return _core.lane_refusal(_stepped(model, method).system.compiled())
         except LinkworkError as error:
             return str(error)
 
 
-def run_members(models: Sequence[Model | Exception], method: Method) -> list[Member]:
-    """In the order of the models; an exception in place of a model is why there is none."""
-    if not method.alone and isinstance(method.plan, schedule.Adaptive):
-        return _side_by_side(models, method)
-    found: dict[int, Member] = {}
-    ready: list[_Ready] = []
-    for place, model in enumerate(models):
-        if isinstance(model, Exception):
-            found[place] = Member(None, error=facts_of(model))
-        elif method.alone:
-            found[place] = _alone(model, method, method.alone)
-        else:
-            it = _prepared(place, model, method, ready[0].system if ready else None)
+def run_members(models: Sequence[Model | Exception], method: Method) -> Iterator[Member]:
+    """In the order of the models; an exception in place of a model is why there is none.
+
+    Each begins with what functions of the user's remember now, and what its own run leaves there stays until
+    the next is asked for. Those that run side by side would share it: who remembers runs alone.
+    """
+    there = {place: model for place, model in enumerate(models) if isinstance(model, Model)}
+    with memory_of(_functions_of_all(there, method)) as memory:
+        found = _of_lanes(there, method, memory)
+        for place, model in enumerate(models):
+            it = Member(None, error=facts_of(model)) if isinstance(model, Exception) else found[place]
             if isinstance(it, Member):
-                found[place] = it
-            else:
-                ready.append(it)
+                yield it
+                continue
+            with leaving_no_memory(method.functions(there[place]), logs=method.looked_at):
+                yield _alone(there[place], method, it)
+
+
+def _functions_of_all(models: Mapping[int, Model], method: Method) -> dict[str, Any]:
+    found: dict[str, Any] = {}
+    for place, model in models.items():
+        for name, function in method.functions(model).items():
+            if found.setdefault(name, function) is not function:
+                found[f"{name} of member {place}"] = function
+    return found
+
+
+def _of_lanes(models: Mapping[int, Model], method: Method, memory: Memory) -> dict[int, Member | _Left]:
+    """What becomes of all of them there, or why not."""
+    if method.alone or not models:
+        return dict.fromkeys(models, _Left(method.alone))
+    found = _side_by_side(models, method) if method.adaptive else _at_fixed_steps(models, method)
+    if memory.is_changed(logs=method.looked_at):
+        memory.give_back(logs=method.looked_at)
+        return dict.fromkeys(models, _Left("its functions remember, which lanes would share"))
+    warn_of_lasting(memory.hidden)
+    return found
+
+
+def _at_fixed_steps(models: Mapping[int, Model], method: Method) -> dict[int, Member | _Left]:
+    found: dict[int, Member | _Left] = {}
+    ready: list[_Ready] = []
+    for place, model in models.items():
+        it = _prepared(place, model, method, ready[0].system if ready else None)
+        if isinstance(it, Member):
+            found[place] = it
+        else:
+            ready.append(it)
     if ready:
         found.update(_in_lanes(ready, method))
-    return [found[place] for place in range(len(models))]
+    return found
 
 
-def _side_by_side(models: Sequence[Model | Exception], method: Method) -> list[Member]:
+def _side_by_side(models: Mapping[int, Model], method: Method) -> dict[int, Member | _Left]:
     """With steps that follow tolerances: each is the run that it is alone, but lanes take stages of it."""
-    found: dict[int, Member] = {}
+    found: dict[int, Member | _Left] = {}
     runs: dict[int, tuple[Prepared, estimation.ErrorEstimator, list[str]]] = {}
-    for place, model in enumerate(models):
-        if isinstance(model, Exception):
-            found[place] = Member(None, error=facts_of(model))
-            continue
+    for place, model in models.items():
         with remarked() as remarks:
             try:
                 with _core.OnePath(method.options.get("deterministic") is True):
@@ -199,10 +252,10 @@ def _side_by_side(models: Sequence[Model | Exception], method: Method) -> list[M
         reasons = _core.advance_together([_adaptive(it.run) for it, *_ in runs.values()], method.threads)
     for (place, (it, estimator, remarks)), reason in zip(runs.items(), reasons, strict=True):
         if reason:
-            found[place] = _alone(it.system.model, method, reason, remarks)
+            found[place] = _Left(reason, remarks)
         else:
             found[place] = _concluded(it, estimator, method, remarks)
-    return [found[place] for place in range(len(models))]
+    return found
 
 
 def _adaptive(run: _core.Run) -> _core.AdaptiveSimulation:
@@ -253,7 +306,7 @@ def _follow(it: _Ready, method: Method) -> None:
     )
 
 
-def _in_lanes(ready: Sequence[_Ready], method: Method) -> dict[int, Member]:
+def _in_lanes(ready: Sequence[_Ready], method: Method) -> dict[int, Member | _Left]:
     plan = method.plan
     integrator = ready[0].stepped.method
     assert isinstance(plan, schedule.Fixed)
@@ -265,12 +318,12 @@ def _in_lanes(ready: Sequence[_Ready], method: Method) -> dict[int, Member]:
             [it.system.compiled() for it in ready], tableau, plan.t_end, plan.step, method.lanes_record_every,
             method.threads, [it.run for it in ready if it.run is not None],
         )  # fmt: skip
-    found = {}
+    found: dict[int, Member | _Left] = {}
     for it, answer in zip(ready, answers, strict=True):
         if answer["reason"]:
             when = answer["left_at"]
             reason = answer["reason"] + ("" if when is None else f" (at t = {when:.6g} s)")
-            found[it.place] = _alone(it.model, method, reason, it.remarks)
+            found[it.place] = _Left(reason, it.remarks)
         else:
             found[it.place] = _ended(it, answer["frames"], method)
     return found
@@ -334,13 +387,13 @@ def _judged(
         return it.estimator.verdict(counts, steps=not method.state_alone), counts
 
 
-def _alone(model: Model, method: Method, reason: str, remarks: Sequence[str] = ()) -> Member:
+def _alone(model: Model, method: Method, left: _Left) -> Member:
     with remarked() as more:
         try:
             result = simulate(model, method.t_end, progress=False, **method.arguments)
         except Exception as error:
-            return Member(None, reason, facts_of(error), [*remarks, *more])
-    return Member(result, reason, remarks=list(dict.fromkeys([*remarks, *more])))
+            return Member(None, left.reason, facts_of(error), [*left.remarks, *more])
+    return Member(result, left.reason, remarks=list(dict.fromkeys([*left.remarks, *more])))
 
 
 def facts_of(error: BaseException) -> dict[str, Any]:

@@ -18,6 +18,7 @@ from linkwork.results.last_state import LastState
 from linkwork.results.result import Result
 from linkwork.running import recording, schedule
 from linkwork.running.estimation import of_memory
+from linkwork.running.leaving_no_memory import called, leaving_no_memory
 from linkwork.running.manifest import platform_facts
 from linkwork.running.members import facts_of, remarked
 from linkwork.running.simulation import simulate
@@ -92,7 +93,9 @@ class Runner:
         started = time.perf_counter()
         with remarked() as remarks:
             try:
-                found = self.kept(self.result(case.values))
+                model = self.source.model(case.values)
+                with leaving_no_memory(called(model, self.options), logs=True):
+                    found = self.kept(self._simulated(model))
             except Exception as error:
                 found = {"status": "failed", "error": facts_of(error)}
         return self.noted(case, found, remarks, time.perf_counter() - started)
@@ -107,8 +110,13 @@ class Runner:
 
     def result(self, values: Mapping[str, Any]) -> Result:
         """The whole run of a case."""
+        model = self.source.model(values)
+        with leaving_no_memory(called(model, self.options), logs=False):
+            return self._simulated(model)
+
+    def _simulated(self, model: Model) -> Result:
         options = {"threads": 1, **self.options}  # the processors are for other cases
-        return simulate(self.source.model(values), self.t_end, progress=False, **options)
+        return simulate(model, self.t_end, progress=False, **options)
 
 
 def kept(result: Result | LastState, outputs: Sequence[Output], times: Floats | None) -> dict[str, Any]:

@@ -79,10 +79,10 @@ def _at_once(runner: Runner, cases: Sequence[Case]) -> list[Run]:
         errors = [facts_of(it) for it in models if isinstance(it, Exception)]
         return [Run(case.key, "failed", error=facts, values=dict(case.values))
                 for case, facts in zip(cases, errors, strict=True)]  # fmt: skip
-    members = run_members(models, _method(runner, example))
-    kept = [_kept(runner, member) for member in members]
+    with remarked() as told:
+        kept = [_kept(runner, member) for member in run_members(models, _method(runner, example))]
     seconds = (time.perf_counter() - started) / len(cases)
-    return [runner.noted(case, found, remarks, seconds)
+    return [runner.noted(case, found, [*remarks, *told], seconds)
             for case, (found, remarks) in zip(cases, kept, strict=True)]  # fmt: skip
 
 
@@ -111,4 +111,5 @@ def _method(runner: Runner, example: Model) -> Method:
     return method_of(
         example, runner.t_end, {**runner.options, "threads": 1}, 1, judged=True, last_state=last_state,
         state_alone=all(it.of_state_alone for it in runner.outputs),
+        looked_at=any(it.by_user for it in runner.outputs),
     )  # fmt: skip

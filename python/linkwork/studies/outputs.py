@@ -100,6 +100,11 @@ class Output:
         return self.followed or not (self.at_end or self.over_time)
 
     @property
+    def by_user(self) -> bool:
+        """Whether a function of the user's tells it, which may look at anything."""
+        return self.function is not None and not self.of_state_alone
+
+    @property
     def at_end(self) -> bool:
         """Whether the last frame is enough."""
         return self.of_state_alone or (self.reduction == "final" and not self.followed)

@@ -32,6 +32,7 @@ from linkwork.options import names as option_names
 from linkwork.results.result import Result
 from linkwork.running import checks, recording, schedule
 from linkwork.running.interrupts import Interrupts
+from linkwork.running.leaving_no_memory import called, leaving_no_memory
 from linkwork.running.manifest import platform_facts
 from linkwork.running.progress import ShowOption, counting
 from linkwork.running.simulation import check_run, simulate
@@ -308,7 +309,7 @@ def _prepare(model: Model, t_end: float, options: Mapping[str, Any]) -> None:
     )
     plan = schedule.plan(t_end, step, rtol, atol, every, at, recording.frame_bytes(model), 0.0)
     chosen: Any = {name: value for name, value in options.items() if name in TABLE}
-    with warnings.catch_warnings():
+    with leaving_no_memory(called(model, given), logs=True), warnings.catch_warnings():
         warnings.simplefilter("ignore", LinkworkWarning)
         check_run(model, plan, given, chosen)
 
