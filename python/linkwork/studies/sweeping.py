@@ -148,7 +148,7 @@ def sweep(
     asked = wanted.outputs_of(outputs)
     own = dict.fromkeys(OWN, "a column that every study has")
     check_names(own, list(drawn.columns), [it.label for it in asked])
-    here = {} if executor is None else contents(source, asked, run_options)  # as yet nothing was called
+    here = {} if executor is None else contents(source, asked, options)  # as yet nothing was called
     number, example = _example(model, source, drawn)
     wanted_times, run_options = check_times(times, float(t_end), options, asked, example)
     checks.warn_of_opposed_axes(example, example.compiled().q0)
