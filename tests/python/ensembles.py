@@ -11,7 +11,18 @@ from linkwork import mechanisms
 from linkwork.modeling.files import record_of
 from linkwork.studies.variants import Changed
 
+
 #: Trees, loops, redundant equations, drivers, gears, springs; step [s].
+def bead_on_a_wire() -> lw.Model:
+    """Closed, and curved in space."""
+    turns = np.linspace(0, 2 * np.pi, 24, endpoint=False)
+    wire = np.column_stack([np.cos(turns), 0.7 * np.sin(turns), 0.2 * np.sin(2 * turns)])
+    model = lw.Model(name="bead")
+    bead = model.body("bead", mass=0.5, inertia=(1e-3, 2e-3, 2e-3), position=wire[3])
+    model.point_on_curve("ground", bead, points=wire, at=wire[3], closed=True)
+    return model
+
+
 KNOWN: dict[str, tuple[Callable[[], lw.Model], float]] = {
     "chain": (mechanisms.chain, 1e-3),
     "binary_tree": (mechanisms.binary_tree, 1e-3),
@@ -28,6 +39,7 @@ KNOWN: dict[str, tuple[Callable[[], lw.Model], float]] = {
     "double_wishbone": (mechanisms.double_wishbone, 1e-3),
     "flyball_governor": (mechanisms.flyball_governor, 1e-4),
     "delta_robot": (mechanisms.delta_robot, 1e-4),
+    "bead_on_a_wire": (bead_on_a_wire, 1e-3),
     "hub_in_loops": (lambda: mechanisms.hub(12, loops=True), 1e-3),
 }
 
