@@ -726,6 +726,23 @@ def test_no_case_goes_on_with_what_events_of_another_remember(where: Any, how: s
     assert law(0.0, 0.0, 0.0) == 0.0
 
 
+@pytest.mark.parametrize("more", [{}, {"deterministic": False}])
+def test_threads_keep_the_remarks_of_their_own_cases(more: dict[str, Any]) -> None:
+    def doubtful(result: lw.Result) -> float:
+        time.sleep(0.005)
+        height = float(result.body("ball").position[-1, 2])
+        if height > 0.15:
+            warnings.warn("high up", stacklevel=1)
+        return height
+
+    speeds, before = [1.0, 5.0] * 8, warnings.showwarning
+    cases = [{"ball.velocity": [0.0, 0.0, speed], "ball.mass": 1.0 + k} for k, speed in enumerate(speeds)]
+    with concurrent.futures.ThreadPoolExecutor(4) as threads:
+        study = lw.sweep(thrown(), cases, {"height": doubtful}, executor=threads, **RUN, **more)
+    assert study.remarks == {k: "high up" for k in range(1, 16, 2)}
+    assert warnings.showwarning is before
+
+
 def test_a_function_counts_what_events_of_its_own_case_left() -> None:
     hits = [0]
 

@@ -3,10 +3,7 @@
 from __future__ import annotations
 
 import math
-import threading
-import warnings
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -31,6 +28,7 @@ from linkwork.running.leaving_no_memory import (
     warn_of_lasting,
 )
 from linkwork.running.manifest import manifest
+from linkwork.running.remarks import facts_of, remarked
 from linkwork.running.simulation import (
     Prepared,
     Stepped,
@@ -42,9 +40,7 @@ from linkwork.running.simulation import (
 )
 from linkwork.running.tilted_axes import warn_of_tilted_axes
 
-__all__ = [
-    "FRAMES", "Member", "Method", "facts_of", "message_of", "method_of", "refusal", "remarked", "run_members",
-]  # fmt: skip
+__all__ = ["FRAMES", "Member", "Method", "method_of", "refusal", "run_members"]
 
 #: Of members of which only the last frame is asked for: the verdict looks at the balance of energy over them.
 FRAMES = 50
@@ -52,10 +48,6 @@ FRAMES = 50
 #: Statistics of what lanes share, which say nothing of one of them.
 SHARED = ("evaluations", "factorizations", "solves", "evaluate_time", "factorize_time", "assemble_time",
           "solve_time", "smallest_pivot", "seconds", "setup_seconds", "driver_seconds")  # fmt: skip
-
-
-#: Characters of a message that are kept.
-LONGEST = 2000
 
 
 @dataclass(frozen=True)
@@ -394,43 +386,3 @@ def _alone(model: Model, method: Method, left: _Left) -> Member:
         except Exception as error:
             return Member(None, left.reason, facts_of(error), [*left.remarks, *more])
     return Member(result, left.reason, remarks=list(dict.fromkeys([*left.remarks, *more])))
-
-
-def facts_of(error: BaseException) -> dict[str, Any]:
-    """Class, code, message, and the simulated time that was reached [s], if it is known."""
-    found: dict[str, Any] = {
-        "type": type(error).__name__,
-        "code": "",
-        "message": message_of(error),
-        "reached": None,
-    }
-    if isinstance(error, LinkworkError):
-        found["code"] = error.code
-        reached = error.time
-        if reached is None and error.result is not None and len(error.result):
-            reached = float(error.result.t[-1])
-        found["reached"] = None if reached is None else float(reached)
-    return found
-
-
-def message_of(error: BaseException | str) -> str:
-    """In one line, which every file can hold; the name of its class where it cannot say more."""
-    try:
-        text = str(error)
-    except Exception:
-        return type(error).__name__
-    line = " ".join(text.split()).encode(errors="replace").decode()
-    return line if len(line) <= LONGEST else f"{line[:LONGEST]} ... ({len(line)} characters)"
-
-
-@contextmanager
-def remarked() -> Iterator[list[str]]:
-    """Warnings go to the case. In threads, which share what becomes of warnings, they go where they go."""
-    texts: list[str] = []
-    if threading.current_thread() is not threading.main_thread():
-        yield texts
-        return
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
-        yield texts
-        texts.extend(dict.fromkeys(message_of(it.message) for it in caught))

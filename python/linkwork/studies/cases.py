@@ -20,7 +20,7 @@ from linkwork.running import recording, schedule
 from linkwork.running.estimation import of_memory
 from linkwork.running.leaving_no_memory import called, leaving_no_memory
 from linkwork.running.manifest import platform_facts
-from linkwork.running.members import facts_of, remarked
+from linkwork.running.remarks import facts_of, remarked
 from linkwork.running.simulation import simulate
 from linkwork.studies.outputs import Output
 from linkwork.studies.variants import Source

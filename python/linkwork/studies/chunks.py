@@ -14,7 +14,7 @@ from typing import Any
 
 from linkwork.comparison.workers import Lost, in_processes
 from linkwork.errors import LinkworkError
-from linkwork.running.members import message_of
+from linkwork.running.remarks import message_of
 from linkwork.studies.agreement import Refusal, Sent
 from linkwork.studies.cases import Answer, Case, Runner
 from linkwork.studies.executors import adapted, workers_of

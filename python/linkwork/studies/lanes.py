@@ -20,12 +20,11 @@ from linkwork.running.members import (
     FRAMES,
     Member,
     Method,
-    facts_of,
     method_of,
     refusal,
-    remarked,
     run_members,
 )
+from linkwork.running.remarks import facts_of, remarked
 from linkwork.studies.cases import Answer, Case, Run, Runner, machine
 
 __all__ = ["PACK", "fits", "with_lanes"]
