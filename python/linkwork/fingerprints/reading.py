@@ -15,6 +15,7 @@ import logging
 import random
 import re
 import sys
+import threading
 import weakref
 from collections.abc import Iterable, Iterator
 from decimal import Decimal
@@ -68,7 +69,9 @@ _FIELDS = ("__pydantic_fields__", "__attrs_attrs__")
 #: Whose state says nothing about what is computed, or is never the same.
 RESTLESS = (
     logging.Logger, logging.Handler, io.IOBase, random.Random, np.random.Generator, np.random.RandomState,
-    weakref.WeakKeyDictionary, weakref.WeakValueDictionary, weakref.WeakSet,
+    weakref.WeakKeyDictionary, weakref.WeakValueDictionary, weakref.WeakSet, threading.Thread,
+    threading.Event, threading.Condition, threading.Semaphore, threading.Barrier, type(threading.Lock()),
+    type(threading.RLock()),
 )  # fmt: skip
 
 #: Methods by which a class says how its objects are pickled.

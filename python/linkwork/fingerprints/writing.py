@@ -166,6 +166,8 @@ class Writer:
             return [value.__qualname__, *self.of_function(value)]
         if isinstance(value, _FROM_C) and not isinstance(value, ctypes._CFuncPtr):  # type: ignore[attr-defined]
             return [type(value), *_parts_of_c(value)]
+        if isinstance(value, RESTLESS):
+            return [type(value), getattr(value, "__name__", "")]
         if type(value) is SimpleNamespace:
             return ["namespace", *self._held(value)]
         if isinstance(value, type) and is_users_class(value):
@@ -250,8 +252,6 @@ def _told(value: Any) -> Any:
 
 def _parts(value: Any) -> list[Any]:
     """Of what is no function and of no class of the user's."""
-    if isinstance(value, RESTLESS):
-        return [type(value).__qualname__, getattr(value, "__name__", "")]
     if isinstance(value, list | tuple | Set | collections.deque):
         return list(value)
     if type(value).__module__.startswith("xarray."):
