@@ -207,7 +207,7 @@ def _swinging(force: Any) -> lw.Model:
     return model
 
 
-def test_functions_that_remember_are_left_alone_and_that_is_said() -> None:
+def test_a_function_that_keeps_a_log_is_judged_by_steps_and_its_log_is_that_of_the_run() -> None:
     calls: list[float] = []
 
     def wind(t: float, q: Floats, v: Floats) -> Floats:
@@ -217,10 +217,9 @@ def test_functions_that_remember_are_left_alone_and_that_is_said() -> None:
     model = _swinging(wind)
     calls.clear()
     result = quick(model, 0.1, step=1e-3)
-    assert len(calls) >= result.statistics["evaluations"]
+    assert result.statistics["evaluations"] <= len(calls) < 1.2 * result.statistics["evaluations"]
     assert calls[-1] == pytest.approx(0.1)
-    assert result.verdict is not None and result.verdict.state is None and not result.verdict.steps
-    assert "'wind' may remember" in result.verdict.left_out and "'wind'" in result.summary()
+    assert result.verdict is not None and result.verdict.steps and not result.verdict.memory
 
 
 def test_functions_that_remember_nothing_are_no_obstacle() -> None:
@@ -512,21 +511,6 @@ def test_a_comparison_of_laws_that_remember_is_a_warning() -> None:
         lw.compare(
             _held_by(Held()), t_end=0.1, steps=[1e-2], integrators=["rk4"], processes=1, progress=False
         )
-
-
-def test_laws_that_keep_a_log_or_count_are_none() -> None:
-    times: list[float] = []
-
-    class Counted:
-        calls = 0
-
-        def __call__(self, t: float, angle: float, rate: float) -> float:
-            self.calls += 1
-            times.append(t)
-            return -3.0 * angle
-
-    quick(_held_by(Counted()), 0.1, step=1e-3)
-    assert len(times) > 100
 
 
 def test_samples_that_an_event_takes_are_exact() -> None:

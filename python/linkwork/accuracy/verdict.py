@@ -94,6 +94,7 @@ class Verdict:
     verified     error of the state by a second, finer run, the largest over the frames; None: there was none
     before       error of the runs that this one goes on from, see `start`; part of `state`
     memory       functions of the user's that remember calls: how far the motion is off is not known then
+    recalled     what a function returned in the run, and later for the same arguments, in words
     """
 
     level: Literal["good", "coarse", "wrong"]
@@ -113,6 +114,7 @@ class Verdict:
     before: float = 0.0
     verified: float | None = None
     memory: tuple[str, ...] = ()
+    recalled: str = ""
 
     def numbers(self) -> dict[str, Any]:
         """

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
 
@@ -17,6 +17,7 @@ from linkwork.arguments import UNREADABLE, array, is_number, number, reals
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError
 from linkwork.fingerprints import law
+from linkwork.functions.calls import Calls
 
 __all__ = [
     "Broken", "Callback", "Cycloidal", "Expression", "Harmonic", "Polynomial", "Sum", "Table",
@@ -39,6 +40,11 @@ class TimeFunction(ABC):
     """
 
     __array_ufunc__ = None  # numbers of NumPy leave the sum and the product to us
+
+    @property
+    def calls(self) -> tuple[Calls, ...]:
+        """Of the functions of Python in it."""
+        return ()
 
     def __add__(self, other: TimeFunction | float) -> TimeFunction:
         """ModelError: a number that is not finite."""
@@ -199,6 +205,10 @@ class Sum(TimeFunction):
     terms: tuple[TimeFunction, ...]
 
     @property
+    def calls(self) -> tuple[Calls, ...]:
+        return tuple(calls for term in self.terms for calls in term.calls)
+
+    @property
     def span(self) -> tuple[float, float]:
         spans = [term.span for term in self.terms]
         return max(first for first, _ in spans), min(last for _, last in spans)
@@ -264,6 +274,15 @@ class Callback(TimeFunction):
     rate: Callable[[float], float] | None = None
     acceleration: Callable[[float], float] | None = None
     what: str = "function of time"  #: that it is for, in messages
+    _calls: tuple[Calls, ...] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        functions = (self.value, self.rate, self.acceleration)
+        object.__setattr__(self, "_calls", tuple(Calls(it) for it in functions if it is not None))
+
+    @property
+    def calls(self) -> tuple[Calls, ...]:
+        return self._calls
 
     @property
     def has_derivatives(self) -> bool:
@@ -277,9 +296,9 @@ class Callback(TimeFunction):
             _check_derivatives(self.value, self.rate, self.acceleration, self.what, starts)
 
     def compiled(self) -> _core.TimeFunction:
-        if self.rate is None or self.acceleration is None:
-            return _core.TimeFunction.callback(self.value, what=self.what)
-        return _core.TimeFunction.callback(self.value, self.rate, self.acceleration, self.what)
+        value, *derivatives = (it.ask for it in self._calls)
+        rate, acceleration = derivatives if self.has_derivatives else (None, None)
+        return _core.TimeFunction.callback(value, rate, acceleration, self.what)
 
     def fingerprint(self) -> bytes:
         return " ".join(map(law, (self.value, self.rate, self.acceleration))).encode()
@@ -298,6 +317,10 @@ class Broken(TimeFunction):
 
     function: TimeFunction
     times: tuple[float, ...]
+
+    @property
+    def calls(self) -> tuple[Calls, ...]:
+        return self.function.calls
 
     @property
     def span(self) -> tuple[float, float]:

@@ -13,6 +13,7 @@ from linkwork import _core, arguments, functions
 from linkwork.arrays import Floats, Number, VectorLike
 from linkwork.errors import ModelError, about, nearest
 from linkwork.functions import Sum, TimeFunction, TimeFunctionLike, as_time_function
+from linkwork.functions.calls import Calls
 from linkwork.modeling.bodies import Bodies
 from linkwork.modeling.coordinates import JointCoordinate, coordinate_of, coordinates_of
 from linkwork.modeling.elements import KINDS, Elements, Role, kind_info, placed, with_parameters
@@ -54,7 +55,7 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         self._counts: Counter[str] = Counter()
         self._signals: list[tuple[str, TimeFunction]] = []
         self._drivers: list[tuple[str, TimeFunction]] = []
-        self._characteristics: list[TimeFunction] = []
+        self._characteristics: list[tuple[str, TimeFunction]] = []
         self._user_forces: list[UserForce] = []
         self._shapes = Shapes()
         self._functions: dict[int, TimeFunction] = {}  # by index in the compiled model
@@ -520,6 +521,13 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
     def user_forces(self) -> Sequence[tuple[str, Any]]:
         """The user's own forces, each a name and the function that was arguments."""
         return tuple((it.name, it.law) for it in self._user_forces)
+
+    @property
+    def _calls(self) -> Sequence[tuple[str, Calls]]:
+        """The functions of Python that the model calls, each with what it is for."""
+        of_forces = [(it.name, it.calls) for it in self._user_forces if it.calls is not None]
+        others = dict([*self._signals, *self._characteristics])
+        return (*of_forces, *((name, calls) for name, it in others.items() for calls in it.calls))
 
     @property
     def drivers(self) -> Sequence[tuple[str, TimeFunction]]:

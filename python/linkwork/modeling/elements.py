@@ -75,11 +75,12 @@ class Elements:
             if isinstance(parameter, TimeFunction) and self.info.parameters[what].takes != "characteristic"
         ]
 
-    def characteristics(self) -> list[TimeFunction]:
-        """The functions of coordinates."""
-        found = ((it, self.parameters[it.name]) for it in self.info.parameters.values())
+    def characteristics(self) -> list[tuple[str, TimeFunction]]:
+        """The functions of coordinates, each with what it is."""
         return [
-            value for it, value in found if it.takes == "characteristic" and isinstance(value, TimeFunction)
+            (f"{self.subject.who(0)}: {what}", parameter)
+            for what, parameter in self.parameters.items()
+            if isinstance(parameter, TimeFunction) and self.info.parameters[what].takes == "characteristic"
         ]
 
 

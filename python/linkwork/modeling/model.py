@@ -235,7 +235,7 @@ class Model(ModelBuilder):
         for joint, special in self._special.items():
             digest.update(f"{joint} {special.facts(core)}".encode())
         with under_way(self):
-            for function in (*(signal for _, signal in self._signals), *self._characteristics):
+            for _, function in (*self._signals, *self._characteristics):
                 digest.update(function.fingerprint())
             for own in self._user_forces:
                 digest.update(own.fingerprint().encode())

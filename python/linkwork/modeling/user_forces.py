@@ -16,6 +16,7 @@ from linkwork.arrays import Floats
 from linkwork.errors import ModelError
 from linkwork.fingerprints import called_from_ctypes, law
 from linkwork.functions import TimeFunction, as_time_function
+from linkwork.functions.calls import Calls
 from linkwork.modeling.coordinates import coordinate_of
 from linkwork.modeling.handles import BodiesLike, Body, BodyLike, Joint
 
@@ -32,6 +33,7 @@ class UserForce:
     law: Any  #: whose code counts
     place: str  #: bodies, or joint and coordinate, by number
     record: Mapping[str, Any]  #: kind (the method of Model that adds it) and arguments; bodies, joint by name
+    calls: Calls | None = None  #: of its law; None: it is no function of Python
 
     data: Any = None  #: what a compiled law is given, whose content counts
 
@@ -96,11 +98,12 @@ class UserForceMethods:
             raise ModelError(
                 f"user force '{name}': vectorized is {vectorized!r:.80}, not True or False", code="vectorized"
             )
-        whole, place, chosen = function, "", []
+        calls = Calls(function)
+        whole, place, chosen = calls.ask, "", []
         named: str | list[str] | None = None
         if bodies is not None:
             single, indices = isinstance(bodies, Body | str), model.indices(bodies)
-            whole, place = _on_bodies(function, indices, single, name), f"bodies {list(indices)}"
+            whole, place = _on_bodies(calls.ask, indices, single, name), f"bodies {list(indices)}"
             chosen = [int(single), *indices.tolist()]
             names = [model._core.body_name(body) for body in indices.tolist()]
             named = names[0] if single else names
@@ -109,7 +112,7 @@ class UserForceMethods:
         model._core.add_breaks(times)
         record = {"kind": "user_force", "name": name, "bodies": named, "function": function,
                   "vectorized": vectorized, "breaks": times}  # fmt: skip
-        model._user_forces.append(UserForce(function, place, record))
+        model._user_forces.append(UserForce(function, place, record, calls))
 
     def joint_force(
         self,
@@ -142,17 +145,15 @@ class UserForceMethods:
         index, text = model._joint_named(joint, "joint_force")
         name = model._named(name, "joint force", len(model._user_forces))
         which = coordinate_of(model._core.joint_kind(index), text, coordinate)
-        law: Any = function
-        compiled: Any = function
-        if not callable(function):
-            law = _effort(function, name)
-            compiled = law.compiled()
+        law: Any = function if callable(function) else _effort(function, name)
+        calls = None if isinstance(law, TimeFunction) else Calls(law)
+        compiled = law.compiled() if calls is None else calls.ask
         times = functions.check_breaks(breaks, f"joint force '{name}'")
         model._core.add_joint_force(name, index, which, compiled)
         model._core.add_breaks(times)
         record = {"kind": "joint_force", "name": name, "joint": text, "coordinate": which,
                   "function": law, "breaks": times}  # fmt: skip
-        model._user_forces.append(UserForce(law, f"{index} {which}", record))
+        model._user_forces.append(UserForce(law, f"{index} {which}", record, calls))
         if isinstance(law, TimeFunction):
             model._signals.append((f"joint force '{name}'", law))
 

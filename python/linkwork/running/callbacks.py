@@ -1,9 +1,8 @@
-"""Whether functions of the user's own remember something from one call to the next.
+"""What functions of the user's own reach, by contents: whether it is another one than before.
 
-Nobody says so; but what a function can remember is what it reaches: variables of the functions around it,
-global ones, defaults, attributes of its own and of its object, and data of modules and classes that nobody
-has installed. Their contents before and after a run tell. What compiled functions remember behind an address
-nobody sees.
+Variables of the functions around it, global ones, defaults, attributes of its own and of its object, and data
+of modules and classes that nobody has installed. What compiled functions remember behind an address nobody
+sees. Whether it makes a difference what a function finds there, see `recall`.
 """
 
 from __future__ import annotations
@@ -20,21 +19,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from linkwork.fingerprints import is_users
+from linkwork.running.kept import is_opaque, names_in
 
 if TYPE_CHECKING:
     from linkwork.modeling.model import Model
 
-__all__ = [
-    "UNKNOWN", "changed", "contents", "inside", "is_log", "is_stateless", "names", "of_model", "only_logs",
-    "opaque",
-]  # fmt: skip
+__all__ = ["UNKNOWN", "changed", "contents", "is_stateless", "of_model", "only_logs"]
 
 #: What cannot be looked into counts as changed.
 UNKNOWN = b""
 
 #: Not looked into: they are not where a function of the user's keeps numbers.
-_OPAQUE = (types.ModuleType, type, types.BuiltinFunctionType, np.ufunc)
-_COMPILED = ("ctypes", "_ctypes", "_cffi_backend", "numba")
+_OPAQUE = (types.ModuleType, type, types.BuiltinFunctionType)
 
 
 def of_model(model: Model) -> dict[str, Any]:
@@ -59,9 +55,9 @@ def _digest(function: Any) -> bytes:
         todo.append(call)
     while todo:
         it = todo.pop()
-        if opaque(it):
+        if _opaque(it):
             continue
-        found = inside(it)
+        found = _inside(it)
         try:
             if found is None:
                 digest.update(pickle.dumps(it))
@@ -85,14 +81,14 @@ def is_stateless(function: Any) -> bool:
     seen, todo = set[int](), [function]
     while todo:
         it = todo.pop()
-        if id(it) in seen or isinstance(it, _CONSTANT) or (opaque(it) and not _chance(it)):
+        if id(it) in seen or isinstance(it, _CONSTANT) or (_opaque(it) and not _chance(it)):
             continue
         seen.add(id(it))
-        found = list(it) if isinstance(it, tuple | frozenset) else inside(it)
+        found = list(it) if isinstance(it, tuple | frozenset) else _inside(it)
         if found is None or isinstance(it, types.MethodType):
             return False
         todo += found
-    return not any(isinstance(it, types.FunctionType) and "random" in " ".join(names(it.__code__))
+    return not any(isinstance(it, types.FunctionType) and "random" in " ".join(names_in(it.__code__))
                    for it in [function])  # fmt: skip
 
 
@@ -102,7 +98,7 @@ _STORES = ("STORE_DEREF", "STORE_GLOBAL", "STORE_ATTR")
 _LOADS = ("LOAD_DEREF", "LOAD_GLOBAL", "LOAD_ATTR", "LOAD_METHOD")
 
 
-def is_log(function: Any) -> bool:
+def _is_log(function: Any) -> bool:
     """Whether a function never reads what it writes, as times at which it was called, or only counts."""
     found = _functions(function)
     kept = [it for each in found for it in each.__defaults__ or () if isinstance(it, list | dict | set)]
@@ -111,7 +107,7 @@ def is_log(function: Any) -> bool:
 
 def only_logs(function: Any) -> bool:
     """Whether a function writes, and never reads what it writes."""
-    return is_log(function) and any(_writes(it.__code__) for it in _functions(function))
+    return _is_log(function) and any(_writes(it.__code__) for it in _functions(function))
 
 
 def _writes(code: types.CodeType) -> bool:
@@ -127,7 +123,7 @@ def _functions(function: Any) -> list[types.FunctionType]:
     seen, todo, found = set[int](), [function], []
     while todo:
         it = todo.pop()
-        if id(it) in seen or opaque(it) or isinstance(it, (*_CONSTANT, list, dict, set)):
+        if id(it) in seen or _opaque(it) or isinstance(it, (*_CONSTANT, list, dict, set)):
             continue
         seen.add(id(it))
         if isinstance(it, types.FunctionType):
@@ -136,7 +132,7 @@ def _functions(function: Any) -> list[types.FunctionType]:
             todo += [method for name, method in vars(type(it)).items() if name != "__init__"]
         elif type(it).__module__.startswith("linkwork.functions"):
             todo += _parts(it) or []
-        todo += inside(it) or []
+        todo += _inside(it) or []
     return [it for it in found if isinstance(it, types.FunctionType)]
 
 
@@ -166,17 +162,11 @@ def _chance(it: Any) -> bool:
     return "random" in f"{getattr(it, '__module__', '')} {name if isinstance(it, types.ModuleType) else ''}"
 
 
-def opaque(it: Any) -> bool:
-    """What keeps no numbers of the user's: modules, classes, compiled functions, parts of a model."""
-    package, _, rest = type(it).__module__.partition(".")
-    return (
-        isinstance(it, _OPAQUE)
-        or package in _COMPILED
-        or (package == "linkwork" and not rest.startswith("functions"))
-    )
+def _opaque(it: Any) -> bool:
+    return isinstance(it, _OPAQUE) or is_opaque(it)
 
 
-def inside(it: Any) -> list[Any] | None:
+def _inside(it: Any) -> list[Any] | None:
     """What a function reaches; None: it is something else."""
     if isinstance(it, types.FunctionType):
         return list(_reached(it))
@@ -202,7 +192,7 @@ def _reached(function: types.FunctionType) -> Iterator[Any]:
     yield from _cells(function)
     if vars(function):
         yield dict(vars(function))
-    for name in names(function.__code__):
+    for name in sorted(names_in(function.__code__)):
         if name in function.__globals__ and not hasattr(builtins, name):
             value = function.__globals__[name]
             yield value
@@ -215,7 +205,7 @@ def _data_of(value: Any, code: types.CodeType) -> list[Any]:
         return []
     if not is_users(value.__name__ if isinstance(value, types.ModuleType) else value.__module__):
         return []
-    found = {name: vars(value)[name] for name in names(code) if name in vars(value)}
+    found = {name: vars(value)[name] for name in sorted(names_in(code)) if name in vars(value)}
     return [it for it in found.values() if isinstance(it, (*_CONSTANT, list, dict, set))]
 
 
@@ -225,11 +215,3 @@ def _cells(function: types.FunctionType) -> Iterator[Any]:
             yield cell.cell_contents
         except ValueError:  # nothing in it yet
             continue
-
-
-def names(code: types.CodeType) -> Iterator[str]:
-    """Of globals and attributes, also of the functions inside."""
-    yield from code.co_names
-    for constant in code.co_consts:
-        if isinstance(constant, types.CodeType):
-            yield from names(constant)

@@ -32,7 +32,8 @@ from linkwork.motion.records import Snapshot
 from linkwork.options import Options
 from linkwork.results.last_state import LastState
 from linkwork.results.result import Result
-from linkwork.running import callbacks, pulses
+from linkwork.running import callbacks, pulses, recall
+from linkwork.running.kept import Kept
 from linkwork.running.schedule import Adaptive, Fixed
 from linkwork.running.time_scale import size
 
@@ -73,8 +74,10 @@ class ErrorEstimator:
         *,
         breaks: Sequence[float] = (),
         stops: bool = False,
+        others: Sequence[Any] = (),
     ) -> None:
-        """`breaks` [s] of the run; `stops`: it, as soon as it is known to be inaccurate."""
+        """`breaks` [s] of the run; `stops`: it, as soon as it is known to be inaccurate; `others`: functions
+        that may change what those of the model read, as those of events."""
         self._run, self._method, self._system = run, method, system
         self._stops, self._next_look = stops, FIRST_LOOK
         stabilization: Any = system.compiled().options.stabilization
@@ -85,10 +88,13 @@ class ErrorEstimator:
         self._energies = Energies(
             _at_rest(system.model, plan.t_end - (start.t if start is not None else 0.0))
         )
-        self._functions = callbacks.of_model(system.model)
-        self._contents = callbacks.contents(self._functions)
+        self._functions = system.model._calls
+        for _, calls in self._functions:
+            calls.forget()
+        self._recall = recall.NOTHING
         self._own = {} if isinstance(method, Integrator) else {"integrator": method}
         self._own_contents = callbacks.contents(self._own)
+        self._others = [*others, *self._own.values()]
         t_start = start.t if start is not None else 0.0
         evaluations = plan.evaluations(method, t_start)
         self._pulses = pulses.pulses(system.model, t_start, plan.t_end, evaluations)
@@ -102,6 +108,8 @@ class ErrorEstimator:
         if self._run.finished or self._run.steps_done < self._next_look:
             return
         self._next_look = 2 * self._run.steps_done
+        if not self._as_it_was().whole:
+            return
         verdict = self._of(System(self._system.model, **self._options), self._run.statistics())
         if verdict.error > GOOD:
             raise AccuracyError(f"{say(verdict, self._system.model.name)}: stopped", code="inaccurate")
@@ -129,12 +137,12 @@ class ErrorEstimator:
 
         LinkworkWarning: there is none, as a function of the user's remembers calls, or it failed.
         """
-        stateful = callbacks.changed(self._contents, self._functions)
-        stateful += callbacks.changed(self._own_contents, self._own)
+        stateful = [*self._recall.differ, *callbacks.changed(self._own_contents, self._own)]
         if stateful:
             return warn(no_second_run(stateful[0]))
         try:
-            found = self._second_run(result, run)
+            with self._as_it_was():
+                found = self._second_run(result, run)
         except LinkworkError as error:
             return warn(f"verify: the second run failed, so that nothing is known by it: {error}")
         order = self._resolution().order
@@ -175,12 +183,28 @@ class ErrorEstimator:
         report: Callable[[float], None] | None = None,
     ) -> Verdict:
         self._energies.reach(*self._run.energies)
-        stateful = callbacks.changed(self._contents, self._functions)
-        if stateful:
-            names = ", ".join(f"'{name}'" for name in stateful[:3])
+        with self._as_it_was():
+            self._recall = recall.call_again(self._functions, self._others)
+        if self._recall.differ:
+            names = ", ".join(f"'{name}'" for name in self._recall.differ[:3])
             why = f"no step was taken again, as {names} may remember the calls before"
-            memory = tuple(name for name in stateful if not callbacks.is_log(self._functions[name]))
-            return replace(self._by_balance(why, statistics), memory=memory)
+            found = self._by_balance(why, statistics)
+            return replace(found, memory=self._recall.remember, recalled=self._recall.example)
+        with self._as_it_was():
+            return self._by_steps(system, statistics, steps=steps, report=report)
+
+    def _as_it_was(self) -> Kept:
+        """A context that leaves what functions of the user's write to as it is now."""
+        return Kept(calls.function for _, calls in self._functions)
+
+    def _by_steps(
+        self,
+        system: System,
+        statistics: Mapping[str, Any],
+        *,
+        steps: bool,
+        report: Callable[[float], None] | None,
+    ) -> Verdict:
         try:
             verdict = self._judged(self._strict(system), statistics, steps=steps, report=report)
             if verdict.level != "good" and strict(self._options) != self._options:
@@ -262,21 +286,22 @@ def no_second_run(name: str) -> str:
     return f"verify: no second run was made, as '{name}' may remember the calls before"
 
 
-def of_memory(names: Sequence[str]) -> str:
-    """What is wrong with functions of the user's that remember calls."""
+def of_memory(names: Sequence[str], seen: str = "") -> str:
+    """What is wrong with functions of the user's that remember calls; `seen`: as one did."""
     listed = ", ".join(f"'{name}'" for name in names[:3])
+    example = f" ({seen})" if seen else ""
     return (
-        f"{listed}: remembers calls. They come in stages of steps, in steps that are taken again, for frames "
-        "in between and in other runs, so that what it remembers depends on the method, and how far the "
-        "motion is off is not known: let an event change what lasts, as samples of a controller (lw.Event, "
-        "change=)"
+        f"{listed}: remembers calls{example}. They come in stages of steps, in steps that "
+        "are taken again, for frames in between and in other runs, so that what it remembers depends on the "
+        "method, and how far the motion is off is not known: let an event change what lasts, as samples of a "
+        "controller (lw.Event, change=)"
     )
 
 
 def warn_of_memory(verdict: Verdict | None) -> None:
     """LinkworkWarning: functions of the user's remember calls."""
     if verdict is not None and verdict.memory:
-        warn(of_memory(verdict.memory))
+        warn(of_memory(verdict.memory, verdict.recalled))
 
 
 def apply_policy(result: Result | LastState, policy: str) -> None:

@@ -206,6 +206,7 @@ class Watched(NamedTuple):
     label: str
     compiled: _core.Event
     laws: tuple[str, str]  #: of its function and its change, see linkwork.fingerprints.law
+    event: Event
 
 
 def functions_of(events: object) -> dict[str, Callable[..., Any]]:
@@ -226,6 +227,6 @@ def compile_events(events: object, model: Model) -> list[Watched]:
         if not isinstance(event, Event):
             raise OptionError(f"events: {event!r} is no linkwork.Event", code="event")
     return [
-        Watched(event.label, event.compiled(model), (law(event.function), law(event.change)))
+        Watched(event.label, event.compiled(model), (law(event.function), law(event.change)), event)
         for event in listed
     ]

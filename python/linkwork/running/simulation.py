@@ -202,6 +202,7 @@ class Prepared:
     facts: Mapping[str, Any]  # for the manifest
     key: str  # of checkpoints, see `resuming`
     known: Sequence[float]  # [s], breaks of which the driver was told
+    watched: Sequence[Watched]
     forecast: forecast.Forecast | None = None  # of a large run
     looking: Mapping[str, float] = field(default_factory=dict)  # what it cost to make that, of the statistics
 
@@ -244,7 +245,7 @@ def _prepared(
     resume = resuming.of(start, key, plan.t_end)
     if start is not None:
         checks.check_start(model, system.compiled(), start, known=resume is not None)
-    known: Sequence[float] = breaks
+    known = breaks
     if resume is None:
         checks.warn_of_opposed_axes(model, start.q if start is not None else system.model.compiled().q0)
     else:
@@ -265,7 +266,8 @@ def _prepared(
         "events": [event.label for event in watched],
         **({} if start is None else {"resumed": resume is not None}),
     }
-    return Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts, key, known)
+    return Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts, key, known,
+                    watched)  # fmt: skip
 
 
 def _in_words(watched: Sequence[Watched], start: Snapshot | None) -> dict[str, Any]:
@@ -332,9 +334,10 @@ def concluded(it: Prepared, estimator: estimation.ErrorEstimator) -> Result:
 
 def estimator_of(it: Prepared) -> estimation.ErrorEstimator:
     """Before the first step."""
+    changes = [each.event.change for each in it.watched if each.event.change is not None]
     return estimation.ErrorEstimator(
         it.run, it.method, it.system, it.options, it.start, it.plan, breaks=it.breaks,
-        stops=it.given["on_inaccurate"] == "stop",
+        stops=it.given["on_inaccurate"] == "stop", others=changes,
     )  # fmt: skip
 
 

@@ -1,0 +1,81 @@
+"""Some calls of a function of the user's own, with what it returned: they tell later whether it remembers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from linkwork.arrays import Floats
+
+__all__ = ["Call", "Calls"]
+
+#: Calls in a row, as those of one step; with so many rows each second one is left out; bytes of arguments.
+ROW, ROWS, BYTES = 3, 64, 2**24
+
+
+class Call(NamedTuple):
+    """What a function was called with, and what it returned."""
+
+    given: tuple[Any, ...]
+    returned: Floats
+
+
+class Calls:
+    """A function that is called by `ask`, and calls of it: rows of them, evenly over all since `forget`."""
+
+    def __init__(self, function: Callable[..., Any]) -> None:
+        self.function = function
+        self.forget()
+
+    def forget(self) -> None:
+        self._rows: list[list[Call]] = []
+        self._left = 0  # calls until the next that is kept
+        self._apart = 0  # calls between rows
+
+    def ask(self, *given: Any) -> Any:
+        if self._left:
+            self._left -= 1
+            return self.function(*given)
+        kept = copied(given)  # the function may write into what it gets
+        returned = self.function(*given)
+        self._keep(kept, returned)
+        return returned
+
+    def again(self, call: Call) -> Floats:
+        """What it returns now for the same arguments."""
+        return np.array(self.function(*copied(call.given)), dtype=float)
+
+    def some(self, most: int) -> list[Call]:
+        """About so many of those that are kept, in rows, evenly over all; at least one row."""
+        every = max(1, ROW * len(self._rows) // max(most, ROW))
+        return [call for row in self._rows[every // 2 :: every] for call in row]
+
+    def _keep(self, given: tuple[Any, ...], returned: Any) -> None:
+        try:
+            call = Call(given, np.array(returned, dtype=float))
+        except Exception:  # of its objects; the caller refuses them, too
+            return
+        if not self._rows or len(self._rows[-1]) >= ROW:
+            self._make_room(sum(np.asarray(it).nbytes for it in given))
+            self._rows.append([])
+        self._rows[-1].append(call)
+        self._left = self._apart if len(self._rows[-1]) >= ROW else 0
+
+    def _make_room(self, size: int) -> None:
+        if len(self._rows) >= max(2, min(ROWS, BYTES // (ROW * size))):
+            self._rows = self._rows[::2]
+            self._apart = 2 * self._apart + ROW
+
+    def __reduce__(self) -> tuple[type[Calls], tuple[Callable[..., Any]]]:
+        """Without the calls."""
+        return Calls, (self.function,)
+
+    def __fingerprint__(self) -> str:
+        """Nothing of what the function is."""
+        return ""
+
+
+def copied(given: tuple[Any, ...]) -> tuple[Any, ...]:
+    return tuple(it.copy() if isinstance(it, np.ndarray) else it for it in given)
