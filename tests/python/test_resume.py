@@ -308,3 +308,95 @@ def test_random_mechanisms_go_on(
     except lw.LinkworkError:  # too stiff for this step
         return
     assert_goes_on(mechanism.model, end, 0.02, **choices)
+
+
+class Sampled:
+    """A controller that an event samples: what it holds is in an attribute, or in a list."""
+
+    def __init__(self, in_list: bool) -> None:
+        self.held, self.listed, self.in_list = 0.0, [0.0], in_list
+        self.period = 0.05
+
+    def set(self, held: float) -> None:
+        self.held = self.listed[0] = held
+
+    def events(self) -> lw.Event:
+        listed = self.listed
+
+        def sample(t: float, state: Any) -> None:
+            bob = state.body("bob")
+            listed[0] = self.held = -3.0 * bob.position[0] - 2.0 * bob.velocity[0]
+
+        return lw.Event(lambda t, state: np.sin(np.pi * t / self.period), "clock", change=sample)
+
+    def model(self) -> lw.Model:
+        model, listed = mechanisms.pendulum(), self.listed
+        law = (lambda t, q, v: [listed[0], 0, 0, 0, 0, 0]) if self.in_list else self.effort
+        model.user_force(law, "bob", name="controller")
+        return model
+
+    def effort(self, t: float, q: Any, v: Any) -> list[float]:
+        return [self.held, 0, 0, 0, 0, 0]
+
+
+@pytest.mark.parametrize("in_list", [True, False])
+def test_a_sampled_controller_goes_on_with_what_it_held_and_not_with_something_else(
+    in_list: bool, tmp_path: Path
+) -> None:
+    sampled = Sampled(in_list)
+    model, how = sampled.model(), {"rtol": 1e-8, "record_every": 1, "events": sampled.events()}
+    whole = run(model, 0.6, **how)
+    sampled.set(0.0)
+    first = run(model, 0.33, output=tmp_path / "first.h5", **how)
+    held = sampled.held
+    assert held != 0.0
+    rest = run(model, 0.6, start=first.snapshot(), **how)
+    assert rest.manifest["resumed"] and bits_after(rest, 0.33) == bits_after(whole, 0.33)
+    sampled.set(held)
+    rest = run(model, 0.6, start=lw.Result.load(tmp_path / "first.h5").snapshot(), **how)
+    assert rest.manifest["resumed"] and bits_after(rest, 0.33) == bits_after(whole, 0.33)
+    sampled.set(0.0)
+    with pytest.warns(lw.LinkworkWarning, match="start: 'controller': reads something else than at the end"):
+        rest = run(model, 0.6, start=lw.Result.load(tmp_path / "first.h5").snapshot(), **how)
+    assert rest.manifest["resumed"] is False
+    assert np.abs(rest.q[-1] - whole.q[-1]).max() > 1e-4
+
+
+@pytest.mark.parametrize("in_list", [True, False])
+def test_what_the_last_run_left_in_a_controller_is_told_as_the_next_begins(in_list: bool) -> None:
+    sampled = Sampled(in_list)
+    model, how = sampled.model(), {"rtol": 1e-8, "record_every": 1, "events": sampled.events()}
+    first = run(model, 0.33, **how)
+    with pytest.warns(
+        lw.LinkworkWarning, match="'controller': reads what events have changed in a run before"
+    ):
+        second = run(model, 0.33, **how)
+    assert np.abs(second.q[-1] - first.q[-1]).max() > 1e-6
+    sampled.set(0.0)
+    assert bits_after(run(model, 0.33, **how), 0.0) == bits_after(first, 0.0)
+    sampled.set(1.0)
+    run(model, 0.33, **how)
+
+
+def test_an_integrator_that_remembers_another_run_does_not_go_on() -> None:
+    """Adams-Bashforth 2."""
+
+    def ab2() -> Any:
+        past: list[Any] = [None]
+
+        def step(system: lw.System, t: float, y: Any, h: float) -> Any:
+            f, before = system.derivative(t, y), past[0]
+            past[0] = f
+            return y + h * f if before is None else y + h * (1.5 * f - 0.5 * before)
+
+        return step
+
+    model, method = mechanisms.pendulum(), ab2()
+    whole = run(model, 0.2, step=1e-3, integrator=ab2())
+    first = run(model, 0.1, step=1e-3, integrator=method)
+    rest = run(model, 0.2, step=1e-3, integrator=method, start=first.snapshot())
+    assert rest.manifest["resumed"] and np.array_equal(rest.q[-1], whole.q[-1])
+    for other in (method, ab2()):
+        with pytest.warns(lw.LinkworkWarning, match="start: the integrator: reads something else"):
+            rest = run(model, 0.2, step=1e-3, integrator=other, start=first.snapshot())
+        assert rest.manifest["resumed"] is False

@@ -43,9 +43,16 @@ class Calls:
         self._keep(kept, returned)
         return returned
 
-    def again(self, call: Call) -> Floats:
-        """What it returns now for the same arguments."""
-        return np.array(self.function(*copied(call.given)), dtype=float)
+    def again(self, call: Call) -> Floats | None:
+        """What it returns now for the same arguments; None: it fails."""
+        try:
+            return np.array(self.function(*copied(call.given)), dtype=float)
+        except Exception:  # of the user's
+            return None
+
+    @property
+    def first(self) -> list[Call]:
+        return self._rows[0] if self._rows else []
 
     def some(self, most: int) -> list[Call]:
         """About so many of those that are kept, in rows, evenly over all; at least one row."""

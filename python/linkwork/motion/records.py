@@ -76,6 +76,9 @@ class Checkpoint(NamedTuple):
     method: str  #: digest of the mechanism and of all that decides on the steps
     t: float  #: [s]
     state: bytes
+    #: functions that read something else than as the run began: name, digest then and now
+    changed: tuple[tuple[str, str, str], ...] = ()
+    returned: str = ""  #: what laws return now, see linkwork.running.returned
 
     def __repr__(self) -> str:
         return f"<Checkpoint: t = {self.t:g} s, {len(self.state)} bytes>"

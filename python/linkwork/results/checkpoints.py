@@ -14,6 +14,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import h5py
 import numpy as np
@@ -41,7 +42,10 @@ CHUNK_BYTES = (4096, 2**22)
 PIECE_BYTES = 2**24
 
 #: The line before the state is shorter [bytes].
-HEAD_BYTES = 4096
+HEAD_BYTES = 2**20
+
+#: Functions that are named in it.
+MOST_CHANGED = 1000
 
 #: Of the digest in a file beside [bytes].
 DIGEST_BYTES = 4
@@ -143,7 +147,9 @@ def read(file: h5py.File, run: str, limit: float) -> Checkpoint | None:
 
 def _head(checkpoint: Checkpoint, run: str) -> bytes:
     """The line before the state."""
-    head = {"run": run, "method": checkpoint.method, "t": float(checkpoint.t).hex()}
+    head: dict[str, Any] = {"run": run, "method": checkpoint.method, "t": float(checkpoint.t).hex()}
+    if checkpoint.changed or checkpoint.returned:
+        head |= {"changed": checkpoint.changed[:MOST_CHANGED], "returned": checkpoint.returned}
     return json.dumps(head).encode() + b"\n"
 
 
@@ -153,7 +159,9 @@ def _unpacked(content: memoryview, run: str) -> Checkpoint | None:
     found = json.loads(head)
     if found["run"] != run:
         return None
-    return Checkpoint(found["method"], float.fromhex(found["t"]), bytes(content[len(head) + 1 :]))
+    changed = tuple((name, then, now) for name, then, now in found.get("changed", ()))
+    state = bytes(content[len(head) + 1 :])
+    return Checkpoint(found["method"], float.fromhex(found["t"]), state, changed, found.get("returned", ""))
 
 
 def _digest(content: bytes | memoryview) -> int:

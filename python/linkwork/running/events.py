@@ -205,8 +205,11 @@ class Watched(NamedTuple):
 
     label: str
     compiled: _core.Event
-    laws: tuple[str, str]  #: of its function and its change, see linkwork.fingerprints.law
     event: Event
+
+    def laws(self) -> tuple[str, str]:
+        """Of its function and its change, with what they read now: see linkwork.fingerprints.law."""
+        return law(self.event.function), law(self.event.change)
 
 
 def functions_of(events: object) -> dict[str, Callable[..., Any]]:
@@ -226,7 +229,4 @@ def compile_events(events: object, model: Model) -> list[Watched]:
     for event in listed:
         if not isinstance(event, Event):
             raise OptionError(f"events: {event!r} is no linkwork.Event", code="event")
-    return [
-        Watched(event.label, event.compiled(model), (law(event.function), law(event.change)), event)
-        for event in listed
-    ]
+    return [Watched(event.label, event.compiled(model), event) for event in listed]

@@ -73,16 +73,9 @@ def _calls(functions: Sequence[tuple[str, Calls]]) -> list[_Seen]:
     of_each = MOST // max(1, len(functions))
     kept = [(k, call) for k, (_, calls) in enumerate(functions) for call in calls.some(of_each)]
     kept.sort(key=lambda it: _time(it[1]))
-    backward = [_again(functions[k][1], call) for k, call in reversed(kept)][::-1]
-    forward = [_again(functions[k][1], call) for k, call in kept]
+    backward = [functions[k][1].again(call) for k, call in reversed(kept)][::-1]
+    forward = [functions[k][1].again(call) for k, call in kept]
     return [_Seen(*known, *now) for known, *now in zip(kept, backward, forward, strict=True)]
-
-
-def _again(calls: Calls, call: Call) -> Floats | None:
-    try:
-        return calls.again(call)
-    except Exception:  # of the user's
-        return None
 
 
 def _time(call: Call) -> float:

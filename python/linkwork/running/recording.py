@@ -26,6 +26,7 @@ from linkwork.results.result import Result
 from linkwork.running.folded_joints import warn_of_folded_joints
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.progress import Report
+from linkwork.running.resuming import Identity
 from linkwork.running.tilted_axes import warn_of_tilted_axes
 
 if TYPE_CHECKING:
@@ -70,10 +71,10 @@ class Recorder(Protocol):
 
 
 class Checkpoints:
-    """Where a run can be gone on from to the last bit; `method`: see `Checkpoint`."""
+    """Where a run can be gone on from to the last bit."""
 
-    def __init__(self, run: _core.Run, method: str) -> None:
-        self._run, self._method = run, method
+    def __init__(self, run: _core.Run, identity: Identity) -> None:
+        self._run, self._identity = run, identity
 
     def of_frames(self) -> Checkpoint | None:
         """For the last frame that the run gave out."""
@@ -84,7 +85,7 @@ class Checkpoints:
         return self._of(self._run.last_checkpoint)
 
     def _of(self, found: tuple[float, bytes] | None) -> Checkpoint | None:
-        return None if found is None else Checkpoint(self._method, *found)
+        return None if found is None else self._identity.checkpoint(*found)
 
 
 class _Memory:

@@ -10,11 +10,15 @@ from typing import Any
 import numpy as np
 
 from linkwork.equations.assembly import Assembly
+from linkwork.errors import warn
 from linkwork.fingerprints import law
 from linkwork.integrators import Integrator
-from linkwork.motion.records import Resume, Snapshot
+from linkwork.modeling.model import Model
+from linkwork.motion.records import Checkpoint, Resume, Snapshot
 from linkwork.options import without_threads
+from linkwork.running import callbacks
 from linkwork.running.events import Watched
+from linkwork.running.returned import differing, left_by_a_run, note_left, text_of
 
 #: Of what the driver writes: another one is none of ours.
 FORMAT = 4
@@ -23,38 +27,137 @@ FORMAT = 4
 ASSEMBLED = "+assembled"
 
 
-def key(
-    model_hash: str,
-    method: Any,
-    choices: Mapping[str, Any],
-    events: Sequence[Watched],
-    given: Mapping[str, Any],
-    assembly: Assembly | None,
-) -> str:
-    """Equal for runs whose steps are the same: of one model, by one method, whatever they record."""
-    parts = {
-        "format": FORMAT,
-        "model": model_hash,
-        "method": repr(method) if isinstance(method, Integrator) else law(method),
-        "choices": {name: str(value) for name, value in sorted(without_threads(choices).items())},
-        "events": [(it.label, it.compiled.signature, it.laws) for it in events],
-        "breaks": np.ravel(given["breaks"]).astype(float).tolist(),
-        "assemble": given["assemble"],
-    }
-    digest = hashlib.blake2b(json.dumps(parts).encode(), digest_size=16).hexdigest()
-    return digest if assembly is None else digest + ASSEMBLED
+#: The integrator, where it is a function of the user's own, among names of what reads.
+INTEGRATOR = "the integrator"
 
 
-def of(start: Snapshot | None, key: str, t_end: float) -> Resume | None:
-    """What a run with this key can go on from; None: it begins anew at the start."""
-    resume = None if start is None else start.resume
-    if start is None or not isinstance(resume, Resume) or not start.t < t_end:
+class Identity:
+    """What tells a run from others: equal keys have runs whose steps are the same, whatever they record.
+
+    It changes with what functions read: an event may change that, as the effort that a controller holds.
+    """
+
+    def __init__(
+        self,
+        model: Model,
+        model_hash: str,
+        method: Any,
+        choices: Mapping[str, Any],
+        events: Sequence[Watched],
+        given: Mapping[str, Any],
+        assembly: Assembly | None,
+    ) -> None:
+        self._model, self._method, self._events = model, method, events
+        self._others = {
+            "format": FORMAT,
+            "choices": {name: str(value) for name, value in sorted(without_threads(choices).items())},
+            "breaks": np.ravel(given["breaks"]).astype(float).tolist(),
+            "assemble": given["assemble"],
+        }
+        self.suffix = "" if assembly is None else ASSEMBLED
+        self.model_hash = model_hash
+        self._first_key = self._key(self.model_hash)
+        self._changes = any(it.event.change for it in events) or not isinstance(method, Integrator)
+        self._first = self.read() if self._changes else {}
+
+    @property
+    def key(self) -> str:
+        """As the run began."""
+        return self._first_key + self.suffix
+
+    def checkpoint(self, t: float, state: bytes) -> Checkpoint:
+        """With what functions read and return now, where others may have changed that."""
+        found = self.read() if self._changes else {}
+        changed = tuple((it, then, found[it]) for it, then in self._first.items() if found[it] != then)
+        key = self._key(self._model.hash()) + self.suffix if changed else self.key
+        if found:
+            note_left(self._model._calls)
+        return Checkpoint(key, t, state, changed, text_of(self._model._calls) if found else "")
+
+    def differing(self, checkpoint: Checkpoint) -> list[str]:
+        """Functions that are the same, and return something else than then."""
+        if checkpoint.method not in (self.key, self.key + ASSEMBLED):
+            return []
+        return [f"'{name}'" for name in differing(self._model._calls, checkpoint.returned)]
+
+    def goes_on_from(self, checkpoint: Checkpoint) -> None:
+        """What was changed in the runs before counts as changed."""
+        self.suffix = ASSEMBLED if assembled(checkpoint.method) else self.suffix
+        self._changes = self._changes or bool(checkpoint.changed)
+        then = {name: then for name, then, _ in checkpoint.changed}
+        self._first = (
+            {name: then.get(name, now) for name, now in self.read().items()} if self._changes else {}
+        )
+
+    def read(self) -> dict[str, str]:
+        """Digests of the functions with what they read; what they change themselves is left out."""
+        found: dict[str, list[Any]] = {}
+        for name, calls in self._model._calls:
+            found.setdefault(f"'{name}'", []).append(law(calls.function))
+        for it in self._events:
+            found.setdefault(f"event '{it.label}'", []).append(it.laws())
+        if not isinstance(self._method, Integrator):
+            found[INTEGRATOR] = [str(callbacks.contents({"": self._method}))]
+        return {name: _digest(texts) for name, texts in found.items()}
+
+    def warn_of_what_runs_left(self) -> None:
+        """LinkworkWarning: functions read what an event has changed in a run before."""
+        if self._changes and (found := left_by_a_run(self._model._calls)):
+            names = ", ".join(f"'{name}'" for name in found[:3])
+            warn(
+                f"{names}: reads what events have changed in a run before, as it was at its "
+                "end: set it anew before each run, or the second is another one"
+            )
+
+    def _key(self, model_hash: str) -> str:
+        method = self._method
+        events = [(it.label, it.compiled.signature, it.laws()) for it in self._events]
+        of_method = repr(method) if isinstance(method, Integrator) else law(method)
+        return _digest({**self._others, "model": model_hash, "method": of_method, "events": events})
+
+
+def _digest(parts: object) -> str:
+    return hashlib.blake2b(json.dumps(parts, sort_keys=True).encode(), digest_size=16).hexdigest()
+
+
+def of(start: Snapshot | None, identity: Identity, t_end: float) -> Resume | None:
+    """What a run can go on from; None: it begins anew at the start.
+
+    LinkworkWarning: its functions do not read what they read at the end of the run that it goes on from.
+    """
+    if start is None:
+        identity.warn_of_what_runs_left()
+        return None
+    resume = start.resume
+    if not isinstance(resume, Resume) or not start.t < t_end:
+        return None
+    if other := _others(resume.checkpoint, identity):
+        warn(
+            f"start: {', '.join(other[:3])}: reads something else than at the end of the run that this one "
+            "goes on from, where events or steps have changed it: set it as it was there, or the motion is "
+            "another one"
+        )
         return None
     try:
-        fits = resume.checkpoint.method in (key, key + ASSEMBLED) and resume.state == start.digest
+        fits = resume.checkpoint.method in (identity.key, identity.key + ASSEMBLED)
+        fits = fits and resume.state == start.digest
     except (TypeError, ValueError):  # it is no state, which is told elsewhere
         return None
-    return resume if fits else None
+    if not fits:
+        return None
+    identity.goes_on_from(resume.checkpoint)
+    return resume
+
+
+def _others(checkpoint: Checkpoint, identity: Identity) -> list[str]:
+    """Functions that are as the run began that is gone on from, and not as at its end."""
+    found = identity.read() if checkpoint.changed else {}
+    began = [
+        name
+        for name, then, end in checkpoint.changed
+        if (now := found.get(name, end)) != end and (now == then or name == INTEGRATOR)
+    ]
+    return began or identity.differing(checkpoint)
 
 
 def assembled(key: str) -> bool:

@@ -200,7 +200,7 @@ class Prepared:
     run: _core.Run
     chosen: Mapping[str, Any]  # options with none left open
     facts: Mapping[str, Any]  # for the manifest
-    key: str  # of checkpoints, see `resuming`
+    identity: resuming.Identity  # of checkpoints
     known: Sequence[float]  # [s], breaks of which the driver was told
     watched: Sequence[Watched]
     forecast: forecast.Forecast | None = None  # of a large run
@@ -241,16 +241,16 @@ def _prepared(
     t_start = checks.start_time(start)
     model_hash = model.hash()  # before anything calls its functions, which may remember it
     method, options, system, assembly, breaks = what_steps(model, plan, given, options, start)
-    key = resuming.key(model_hash, method, {**plan.steps(), **system.options}, watched, given, assembly)
-    resume = resuming.of(start, key, plan.t_end)
+    choices = {**plan.steps(), **system.options}
+    identity = resuming.Identity(model, model_hash, method, choices, watched, given, assembly)
+    resume = resuming.of(start, identity, plan.t_end)
     if start is not None:
         checks.check_start(model, system.compiled(), start, known=resume is not None)
     known = breaks
     if resume is None:
         checks.warn_of_opposed_axes(model, start.q if start is not None else system.model.compiled().q0)
     else:
-        key = resume.checkpoint.method
-        system = _as_then(system, model, options, given["assemble"], key)
+        system = _as_then(system, model, options, given["assemble"], identity.key)
         known = breakpoints.of_run(model, given["breaks"], resume.checkpoint.t, plan.t_end)
     run = plan.run(method, system, [event.compiled for event in watched], start, known)
     if in_file:
@@ -259,14 +259,14 @@ def _prepared(
         run.resume(resume.checkpoint.state, resume.work)
     chosen = {"t_start": t_start, **plan.chosen(), "integrator": _name(method), **system.options}
     facts = {
-        **manifest(model, model_hash, {**given, **_in_words(watched, start)}, chosen),
+        **manifest(model, identity.model_hash, {**given, **_in_words(watched, start)}, chosen),
         "breaks": {"count": len(breaks), **plan.steps_with_breaks(breaks, t_start)},
         "constraints": checks.rank_numbers(system.compiled()),
         "assembled": assembly and str(assembly),
         "events": [event.label for event in watched],
         **({} if start is None else {"resumed": resume is not None}),
     }
-    return Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts, key, known,
+    return Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts, identity, known,
                     watched)  # fmt: skip
 
 
@@ -357,7 +357,7 @@ def _carried_out(
     estimator: estimation.ErrorEstimator | None = None,
 ) -> tuple[Result, estimation.ErrorEstimator]:
     """The result, with what the run took since `started` [s], and who can take steps of it again."""
-    checkpoints = recording.Checkpoints(it.run, it.key)
+    checkpoints = recording.Checkpoints(it.run, it.identity)
     with interrupts.computing():
         estimator = estimator or estimator_of(it)
         header = it.header()
