@@ -193,7 +193,7 @@ class UserForceMethods:
         model._core.add_breaks(times)
         place = _HERE if isinstance(function, int) else ""
         known = (_HERE, at) if isinstance(data, int | np.integer) else data
-        model._user_forces.append(own := UserForce(function, place, record, known if at else None))
+        model._user_forces.append(own := UserForce(function, place, record, data=known if at else None))
         own.fingerprint()  # compiled as it is now
 
 

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from linkwork.fingerprints import is_users
+from linkwork.functions.calls import Calls
 from linkwork.running.kept import is_opaque, names_in
 
 if TYPE_CHECKING:
@@ -174,6 +175,8 @@ def _inside(it: Any) -> list[Any] | None:
         return [it.__func__, it.__self__]
     if isinstance(it, functools.partial):
         return [it.func, *it.args, *it.keywords.values()]
+    if isinstance(it, Calls):
+        return [it.function]
     return None
 
 
