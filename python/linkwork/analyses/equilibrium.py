@@ -17,7 +17,7 @@ from linkwork.analyses.constraint_solver import (
     shared,
 )
 from linkwork.analyses.equations import LAST_DIGITS, Equations, Sparse
-from linkwork.analyses.stiffness import stiffness
+from linkwork.analyses.stiffness import Stiffness, stiffness, stiffness_and_parts
 from linkwork.analyses.tangent import between, displaced
 from linkwork.arrays import Floats
 from linkwork.errors import (
@@ -356,11 +356,11 @@ class _Search:
         from linkwork.analyses.eigenmodes import softest_by_lanczos
 
         _, multipliers = self._balance(q)
-        K = stiffness(self.eq, 0.0, q, self.rest, multipliers)
-        D = self._independent(q)
+        found = stiffness_and_parts(self.eq, 0.0, q, self.rest, multipliers)
+        K, D = found.K, self._independent(q)
         if len(self.rest) > DENSE:
             value, x = softest_by_lanczos(self.W, (K + K.T) / 2, D, self._stiffest(K))
-            return value, x, self._neutral(K, x)
+            return value, x, self._neutral(found, x)
         Z = null_space(self.eq, D)
         if not Z.shape[1]:
             return np.nan, self.rest, 0.0
@@ -376,13 +376,12 @@ class _Search:
             values, y = np.linalg.eig(k)
         lowest = int(np.argmin(values.real))
         x = Z @ y[:, lowest].real
-        return float(values[lowest].real), x, self._neutral(K, x)
+        return float(values[lowest].real), x, self._neutral(found, x)
 
-    def _neutral(self, K: Sparse, x: Floats) -> float:
+    def _neutral(self, found: Stiffness, x: Floats) -> float:
         """Stiffness of the motion x (6n,) that is rounding of the terms that it is the sum of [N/m]."""
-        x = np.abs(x)
-        noise = NEUTRAL * float(x @ (abs(K) @ x)) / (float(x @ (self.W @ x)) or 1.0)
-        return noise + EPSILON * self._stiffest(K)
+        noise = float(found.rounding(x, NEUTRAL)) / (float(x @ (self.W @ x)) or 1.0)
+        return noise + EPSILON * self._stiffest(found.parts)
 
     def _stiffest(self, K: Sparse) -> float:
         return float(abs(self._scaled(K)).max()) if K.nnz else 0.0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +19,7 @@ from linkwork.analyses.eigenmodes import (
 )
 from linkwork.analyses.equations import Equations, Sparse, Terms
 from linkwork.analyses.steadiness import is_nearly_steady
-from linkwork.analyses.stiffness import damping, stiffness
+from linkwork.analyses.stiffness import Stiffness, damping, stiffness_and_parts
 from linkwork.analyses.tangent import displaced, to_inertial_axes
 from linkwork.arguments import is_number
 from linkwork.arrays import Complex, Floats
@@ -31,8 +32,16 @@ from linkwork.running import checks
 
 __all__ = ["Linearization", "linearize"]
 
-#: M, C, K and the independent rows of D.
-Coefficients = tuple[Sparse, Sparse, Sparse, Sparse]
+
+class Coefficients(NamedTuple):
+    """At one state."""
+
+    M: Sparse
+    C: Sparse
+    K: Sparse
+    D: Sparse  # independent rows
+    stiffness: Stiffness
+
 
 #: Forces that are not in balance, relative to what acts on their body.
 BALANCE = 1e-6
@@ -184,7 +193,7 @@ def linearize(
     eq = _equations(model, start)
     at = _at_rest(eq, _begun(eq, start))
     coefficients = _coefficients(eq, at)
-    M, C, K, D = coefficients
+    M, C, K, D, _ = coefficients
     moving = np.abs(at.v).max(initial=0.0) > 0
     if moving:
         _refuse_velocity_rows(eq)
@@ -203,8 +212,8 @@ def _modes(
     eq: Equations, coefficients: Coefficients, Z: Floats | None, modes: int | None, near: float
 ) -> tuple[Complex, Complex]:
     """Eigenvalues and shapes (6n, k), of small models over the motions Z (6n, f)."""
-    M, C, K, D = coefficients
-    symmetric = _symmetric(_scaled(eq, K))
+    M, C, K, D, found = coefficients
+    symmetric = _symmetric(eq, found)
     if Z is not None:
         s, shapes, off = by_dense_matrices(M, C, K, Z, symmetric)
     else:
@@ -212,7 +221,7 @@ def _modes(
         undamped = symmetric and not C.count_nonzero()
         s, shapes = by_lanczos(M, K, D, modes, near) if undamped else by_arnoldi(M, C, K, D, modes, near)
         off = np.zeros(len(s))
-    s = np.where(_neutral(eq, s, shapes, M, K) & (off <= SURE), 0.0, s)
+    s = np.where(_neutral(eq, s, shapes, M, found) & (off <= SURE), 0.0, s)
     chosen = one_of_each_pair(s)
     chosen = chosen[nearest_to(s[chosen], near, modes)]
     _warn_of_unsure(off[chosen])
@@ -269,7 +278,7 @@ def _at_rest(eq: Equations, at: Snapshot) -> Snapshot:
 
 
 def _coefficients(eq: Equations, at: Snapshot, *, check: bool = True) -> Coefficients:
-    """M, C, K and the independent rows of D. ModelError: no balance."""
+    """ModelError: no balance."""
     q, v = np.ravel(at.q).astype(float), np.ravel(at.v).astype(float)
     M = eq.mass(q)
     if check:
@@ -282,18 +291,20 @@ def _coefficients(eq: Equations, at: Snapshot, *, check: bool = True) -> Coeffic
     terms = eq.terms(at.t, q, v)
     if check:
         _check_velocities(eq, terms, v, eq.gross_forces(at.t, q, v))
-    K, C = stiffness(eq, at.t, q, v, multipliers), damping(eq, at.t, q, v)
-    D = terms.D[eq.independent(terms.D)]
-    if check and not (v.any() and _is_nearly_steady(eq, v, unbalanced, (M, C, K, D))):
-        acting = eq.acting(at.t, q, v, multipliers, K)
-        _check_balance(eq, acting, eq.beyond_rounding(unbalanced, q, K, acting), moving=bool(v.any()))
-    return M, C, K, D
+    found = stiffness_and_parts(eq, at.t, q, v, multipliers)
+    C = damping(eq, at.t, q, v)
+    now = Coefficients(M, C, found.K, terms.D[eq.independent(terms.D)], found)
+    if check and not (v.any() and _is_nearly_steady(eq, v, unbalanced, now)):
+        acting = eq.acting(at.t, q, v, multipliers, now.K)
+        _check_balance(eq, acting, eq.beyond_rounding(unbalanced, q, now.K, acting), moving=bool(v.any()))
+    return now
 
 
-def _is_nearly_steady(eq: Equations, v: Floats, unbalanced: Floats, coefficients: Coefficients) -> bool:
+def _is_nearly_steady(eq: Equations, v: Floats, unbalanced: Floats, now: Coefficients) -> bool:
     """Of large models that is not known."""
-    _, C, K, D = coefficients
-    return D.shape[1] <= DENSE and is_nearly_steady(eq, v, unbalanced, K, C, null_space(eq, D))
+    if now.D.shape[1] > DENSE:
+        return False
+    return is_nearly_steady(eq, v, unbalanced, now.K, now.C, null_space(eq, now.D))
 
 
 def _accelerations(eq: Equations, t: float, q: Floats, v: Floats) -> tuple[Floats, Floats]:
@@ -353,14 +364,14 @@ def _refuse_change(eq: Equations, at: Snapshot, now: Coefficients, Z: Floats) ->
     soon = Snapshot(at.t, displaced(q, later * to_inertial_axes(q, v)).reshape(-1, 7), at.v)
     then = _coefficients(eq, soon, check=False)
     names = ("inertia", "damping", "stiffness")
-    inertia = _norm(Z.T @ (now[0] @ Z))
+    inertia = _norm(Z.T @ (now.M @ Z))
     changed = [
         name
         for k, (name, a, b) in enumerate(zip(names, now, then, strict=False))
         if _norm(Z.T @ (a @ Z) - Z.T @ (b @ Z))
         > STEADY * max(_norm(Z.T @ (a @ Z)), COUNTS * inertia * rate**k)
     ]
-    if then[3].nnz and _norm((then[3] @ Z) / np.abs(then[3]).max()) > STEADY * _norm(Z):
+    if then.D.nnz and _norm((then.D @ Z) / np.abs(then.D).max()) > STEADY * _norm(Z):
         changed.append("freedoms")
     if changed:
         change = "changes" if len(changed) == 1 and changed != ["freedoms"] else "change"
@@ -381,28 +392,30 @@ def _norm(a: Floats) -> float:
     return float(np.linalg.norm(a))
 
 
-def _neutral(eq: Equations, s: Complex, shapes: Complex, M: Sparse, K: Sparse) -> NDArray[np.bool_]:
+def _neutral(eq: Equations, s: Complex, shapes: Complex, M: Sparse, found: Stiffness) -> NDArray[np.bool_]:
     """Which motions have no stiffness, and no damping that brings them to rest (k,)."""
 
-    def of(A: Sparse, x: Complex | Floats) -> Floats:
-        return np.asarray(np.abs(np.sum(x.conj() * (A @ x), axis=0)))
+    def of(A: Sparse) -> Floats:
+        return np.asarray(np.abs(np.sum(shapes.conj() * (A @ shapes), axis=0)))
 
     largest = np.abs(s).max(initial=0.0)
-    stiffest = float(abs(_scaled(eq, K)).max()) if K.nnz else 0.0
-    noise = NEUTRAL * of(abs(K), np.abs(shapes))
+    stiffest = float(_scaled(eq, found.parts).max()) if found.parts.nnz else 0.0
+    noise = found.rounding(shapes, NEUTRAL)
     noise += EPSILON * stiffest * np.sum(np.abs(shapes / eq.scale[:, None]) ** 2, axis=0)
-    mass = of(M, shapes)
+    mass = of(M)
     slow = np.abs(s) ** 2 * mass <= noise + (ROUNDED * largest) ** 2 * mass
-    return np.asarray((of(K, shapes) <= noise) & slow)
+    return np.asarray((of(found.K) <= noise) & slow)
 
 
-def _symmetric(K: Sparse) -> bool:
+def _symmetric(eq: Equations, found: Stiffness) -> bool:
     """Whether scaled entries differ from those across the diagonal by rounding of their bodies' largest."""
-    skew, entries = abs(K - K.T).tocoo(), K.tocoo()
+    K, parts = _scaled(eq, found.K), _scaled(eq, found.parts).tocoo()
+    skew = abs(K - K.T).tocoo()
     size = np.zeros(K.shape[0] // 6)
-    for place in (entries.row, entries.col):
-        np.maximum.at(size, place // 6, np.abs(entries.data))
-    return bool((skew.data <= SMALL * np.sqrt(size[skew.row // 6] * size[skew.col // 6])).all())
+    for place in (parts.row, parts.col):
+        np.maximum.at(size, place // 6, parts.data)
+    rounding = max(SMALL, found.digits) * np.sqrt(size[skew.row // 6] * size[skew.col // 6])
+    return bool((skew.data <= rounding).all())
 
 
 def _some_motions(eq: Equations, D: Sparse) -> Floats:

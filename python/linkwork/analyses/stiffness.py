@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,9 +22,9 @@ from numpy.typing import NDArray
 from linkwork import _core
 from linkwork.analyses.equations import LAST_DIGITS, Equations, Sparse
 from linkwork.analyses.tangent import displaced
-from linkwork.arrays import Floats
+from linkwork.arrays import Complex, Floats
 
-__all__ = ["damping", "stiffness"]
+__all__ = ["Stiffness", "damping", "stiffness", "stiffness_and_parts"]
 
 Indices = NDArray[np.intp]
 
@@ -52,8 +52,28 @@ AGREEMENT, FEW = 1e-6, 50
 SHORTEN, SMOOTH, SHORTER = 8.0, 1e-6, 5
 
 
+class Stiffness(NamedTuple):
+    """K, and what is left of it where its parts cancel: rounding."""
+
+    K: Sparse  # (6n, 6n)
+    parts: Sparse  # |K| before that of joints and that of force elements add up
+    digits: float  # of differences, that positions do not have, relative
+
+    def rounding(self, x: Complex | Floats, least: float) -> Floats:
+        """Of the stiffnesses of motions x (6n, ...); `least`, relative to its parts."""
+        size = np.abs(x)
+        return np.asarray(max(least, self.digits) * np.sum(size * (self.parts @ size), axis=0))
+
+
 def stiffness(equations: Equations, t: float, q: Floats, v: Floats, multipliers: Floats) -> Sparse:
     """K (6n, 6n) at t, q (7n,), v (6n,) and multipliers (m,); at constant omega in body axes."""
+    return stiffness_and_parts(equations, t, q, v, multipliers).K
+
+
+def stiffness_and_parts(
+    equations: Equations, t: float, q: Floats, v: Floats, multipliers: Floats
+) -> Stiffness:
+    """The same, and what may be rounding of it."""
     turn = equations.turn(q)
     geometric = _constraint_part(equations, t, q, multipliers)
     units = 1 / equations.scale  # 1, or the length of the mechanism times the angle
@@ -65,8 +85,10 @@ def stiffness(equations: Equations, t: float, q: Floats, v: Floats, multipliers:
     gross = equations.gross_forces(t, q, v)
     places = float(np.abs(q.reshape(-1, 7)[:, :3]).max())
     step = max(FORCE_STEP * equations.length, PLACE_STEP * places)
-    elastic = _force_part(equations, force, step / units, gross, LAST_DIGITS * places / step)
-    return -(turn.T @ (geometric + elastic)).tocsr()
+    digits = LAST_DIGITS * places / step
+    elastic = _force_part(equations, force, step / units, gross, digits)
+    parts = abs(turn.T @ geometric) + abs(turn.T @ elastic)
+    return Stiffness(-(turn.T @ (geometric + elastic)).tocsr(), parts.tocsr(), digits)
 
 
 def damping(equations: Equations, t: float, q: Floats, v: Floats) -> Sparse:
