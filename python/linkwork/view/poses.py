@@ -36,7 +36,12 @@ def page_origin(result: Result) -> Floats:
     if not len(r):
         return np.zeros(3)
     low, high = r.min(axis=0), r.max(axis=0)
-    size = max(float((high - low).max()), float(np.abs(result.header.joint_origin[:, 1]).max(initial=0.0)))
+    header = result.header
+    arms = [
+        np.abs(header.joint_origin[header.joint_bodies >= 0]),
+        np.abs(header.force_origin[header.force_bodies >= 0]),
+    ]
+    size = max(float((high - low).max()), *(float(arm.max(initial=0.0)) for arm in arms))
     middle: Floats = (low + high) / 2
     return middle if np.abs(middle).max() > FAR * size else np.zeros(3)
 
