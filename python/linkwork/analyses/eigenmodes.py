@@ -286,9 +286,9 @@ def _nearest(
 
 def _largest(operator: Any, number: int, enough: int, first: Complex) -> tuple[Complex, Complex]:
     """Eigenvalues and vectors, `enough` at least: where there are no more others do not converge."""
-    from scipy.sparse.linalg import ArpackNoConvergence, eigs
+    from scipy.sparse.linalg import ArpackError, ArpackNoConvergence, eigs
 
-    error: ArpackNoConvergence | None = None
+    error: ArpackError | None = None
     for vectors in VECTORS:
         ncv = min(max(vectors * number + 1, FEWEST), operator.shape[0])
         try:
@@ -298,6 +298,8 @@ def _largest(operator: Any, number: int, enough: int, first: Complex) -> tuple[C
             error = failure
             if len(failure.eigenvalues) >= enough - 1:  # of a pair one may be left out
                 return failure.eigenvalues, failure.eigenvectors
+        except ArpackError as failure:  # a Krylov space that is exhausted goes on by chance
+            error = failure
     raise NotConvergedError(
         f"linearize: the iteration for {number} eigenvalues did not converge, as where very many are equal: "
         "give `near`, a frequency beside those, or ask for more modes",
