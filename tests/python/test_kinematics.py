@@ -667,3 +667,24 @@ def test_what_drivers_do_between_two_frames_counts(times: Sequence[float]) -> No
     k = list(times).index(1.0) if 1.0 in times else -1
     assert effort.motion.body("b").orientation[k] == pytest.approx((0, 0, 0, 1), abs=1e-9)
     assert effort.effort("drive")[k] == pytest.approx(2 * np.pi, abs=1e-9)
+
+
+def test_a_dead_point_before_the_first_frame_is_told_as_such() -> None:
+    """Beyond a break of the driver, beside which the motion is known."""
+    model, lift = lw.Model(gravity=(0, 0, 0)), 0.25
+    pin, end = np.array([0.0, 0, lift]), np.array([np.sqrt(1 - lift**2), 0, 0])
+    for name, at in (("crank", pin / 2), ("rod", (pin + end) / 2), ("slider", end)):
+        model.body(name, mass=1.0, inertia=(0.01, 0.02, 0.02), position=at)
+    model.revolute("ground", "crank", at=(0, 0, 0), axis=(0, 1, 0))
+    model.revolute("crank", "rod", at=pin, axis=(0, 1, 0))
+    model.revolute("rod", "slider", at=end, axis=(0, 1, 0))
+    model.translational("ground", "slider", at=end, axis=(1, 0, 0), name="guide")
+    push = lw.functions.piecewise_polynomial([-1, 0.1, 9], [[0.2], [1.0]])
+    model.drive("guide", velocity=push)
+    dead = 0.1 + (1 + lift - end[0] - 0.02) / 1.0
+    with pytest.raises(lw.NotConvergedError, match="a dead point") as told:
+        lw.kinematics(model, [2.0, 3.0])
+    assert told.value.result is None and told.value.state.t == pytest.approx(dead, abs=1e-6)
+    with pytest.raises(lw.NotConvergedError) as later:
+        lw.kinematics(model, [0.05, 2.0])
+    assert list(later.value.result.t) == [0.05]

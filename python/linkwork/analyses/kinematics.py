@@ -86,7 +86,7 @@ def kinematics(
                 fast.resume()
             k += taken or 1
     except LinkworkError as error:
-        error.result = frames.result(continuation, began, failed=True) if frames.rows else None
+        error.result = frames.result(continuation, began, failed=True) if frames.begun else None
         at = continuation.at
         error.state = Snapshot(at.t, at.q.reshape(-1, 7), at.v.reshape(-1, 6), at.history)
         if error.result is not None:
@@ -232,13 +232,18 @@ class _Frames:
         self.system = System(model)
         self.rows: dict[str, list[Any]] = {}
         breakpoints.velocity_jumps(model, 0.0, float(asked[-1]))  # those of positions are refused
-        breaks = {t for _, signal in model.drivers for t in signal.break_points if 0.0 < t < asked[-1]}
+        breaks = sorted({t for _, signal in model.drivers for t in signal.break_points if t > 0.0})
         #: The last time before each of these, and the first after it.
-        self.sides = [breakpoints.on_either_side(t) for t in sorted(breaks)]
+        self.sides = [it for it in map(breakpoints.on_either_side, breaks) if it[1] < asked[-1]]
 
     @property
     def times(self) -> Floats:
         return np.union1d(self.asked, np.ravel(self.sides))
+
+    @property
+    def begun(self) -> bool:
+        """Whether there is one of those that are asked for."""
+        return any(np.max(t) >= self.asked[0] for t in self.rows.get("t", ()))
 
     def add(self, continuation: Continuation) -> None:
         self.extend({name: [value] for name, value in self._values(continuation.at).items()})
