@@ -340,6 +340,12 @@ def test_a_compiled_force_is_the_same_without_python(tmp_path: Path) -> None:
     assert np.abs(run(model, 2.0, 1e-2).q - run(expected, 2.0, 1e-2).q).max() < 1e-12
 
 
+@pytest.mark.parametrize("data", ["x", [1.0], 1.5, None])
+def test_data_of_a_compiled_force_without_an_address_are_refused(data: Any) -> None:
+    with pytest.raises(lw.ModelError, match=r"'push': data .* is not an array of NumPy; .* or an address"):
+        lw.mechanisms.pendulum().compiled_force(12345, data=data, name="push")
+
+
 def test_a_compiled_function_of_another_signature_is_refused() -> None:
     numbers = ctypes.POINTER(ctypes.c_double)
     model = planets()

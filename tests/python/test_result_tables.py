@@ -200,6 +200,8 @@ def test_commands_write_pictures_movies_and_tables_of_a_file(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     result.save("run.h5")
+    code, _, error = words(capsys, "plot", "run.h5", "--kind", "forces")
+    assert code == 1 and "needs the laws of forces, which no file has" in error
     for kind in KINDS.keys() - {"forces"}:
         assert words(capsys, "plot", "run.h5", "--kind", kind)[0] == 0
         assert Path(f"run.{kind}.png").stat().st_size > 5000

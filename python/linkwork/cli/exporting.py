@@ -55,8 +55,15 @@ def plot(file: str, kind: str, output: str | None, bodies: tuple[str, ...], join
     import linkwork as lw
     from linkwork.arguments import one_of
     from linkwork.cli import output as out
+    from linkwork.errors import OptionError
     from linkwork.plots import figures
 
+    if kind == "forces":
+        raise OptionError(
+            "plot kind 'forces' needs the laws of forces, which no file has: in Python, of the result of a "
+            'run, result.plot("forces.png", "forces")',
+            code="no_model",
+        )
     one_of(kind, _kinds(), "plot kind")
     target = output or str(Path(file).with_suffix(f".{kind}.png"))
     out.check_writable(target, "picture")

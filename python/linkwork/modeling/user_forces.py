@@ -267,6 +267,9 @@ def _address_of_data(data: Any, name: str) -> int:
         return int(data.ctypes.data)
     if isinstance(data, ctypes.Structure | ctypes.Union | ctypes.Array | ctypes._SimpleCData):
         return ctypes.addressof(data)
+    if not isinstance(data, int | np.integer):
+        wanted = "an array of NumPy; a number, array or structure of ctypes; or an address"
+        raise ModelError(f"compiled force '{name}': data {data!r:.80} is not {wanted}", code="data")
     return arguments.whole(data, 0, f"compiled force '{name}': data", ModelError)
 
 
