@@ -216,6 +216,8 @@ MISTAKES = [
     # words, exit code, what the line says
     (["rnu"], 2, "no command 'rnu'; the nearest is 'run'"),
     (["run"], 2, "run needs a mechanism: "),
+    (["run", "--t-end", "1"], 2, "no option --t-end before a mechanism: run needs that first"),
+    (["run", "--hlep"], 2, "no option --hlep; the nearest is '--help'"),
     (["run", "pendulun"], 2, "no mechanism 'pendulun'; the nearest is 'pendulum'"),
     (["check", "brickard"], 2, "no mechanism 'brickard'; the nearest is 'bricard'"),
     (["run", "pendulum", "--stpe", "1"], 2, "no option --stpe; the nearest is '--step'"),

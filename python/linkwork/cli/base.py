@@ -80,7 +80,11 @@ def with_nearest_option(
         return rest
     except click.NoSuchOption as error:
         known = [name for parameter in command.get_params(context) for name in parameter.opts]
-        raise click.UsageError(_no_option(error.option_name, known)) from error
+        text = _no_option(error.option_name, known)
+        if isinstance(command, Group) and not command.invoke_without_command and "nearest" not in text:
+            needs = f"{context.info_name} needs that first"
+            text = f"no option {error.option_name} before a {command.what}: {needs}"
+        raise click.UsageError(text) from error
 
 
 def _no_option(name: str, known: list[str]) -> str:

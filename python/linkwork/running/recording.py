@@ -27,6 +27,7 @@ from linkwork.running.folded_joints import warn_of_folded_joints
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.progress import Report
 from linkwork.running.resuming import Identity
+from linkwork.running.short_steps import ShortSteps
 from linkwork.running.tilted_axes import warn_of_tilted_axes
 
 if TYPE_CHECKING:
@@ -215,15 +216,17 @@ def record(
     estimator: ErrorEstimator,
     interrupts: Interrupts,
     *,
+    t_end: float,
     warns: bool = False,
 ) -> float:
     """Write the pieces as they come; the time they took [s].
 
-    `labels` of the events, in the order in which the run knows them. LinkworkWarning: `warns`, and the run
-    has passed a singular pose. AccuracyError: `estimator` stops the run.
+    `labels` of the events, in the order in which the run knows them; `t_end` [s]. LinkworkWarning: `warns`, and
+    the run has passed a singular pose; its steps have become very short. AccuracyError: `estimator` stops the run.
     """
     spent, before, warned = 0.0, time.perf_counter(), 0
     violation: float | None = None
+    short_steps = ShortSteps(run.t, run.steps_done, t_end)
     for frames in pieces:
         spent += time.perf_counter() - before
         to.note(_occurrences(run, labels))
@@ -233,6 +236,7 @@ def record(
         if len(frames["t"]):
             violation = float(np.ravel(frames["violation"])[-3])  # of positions, at the last frame
         report(run.t, run.steps_done, violation)
+        short_steps.look(run.t, run.steps_done)
         if warns:
             warned = warn_of_singular_poses(run.statistics(), warned)
         before = time.perf_counter()

@@ -373,7 +373,7 @@ def _carried_out(
         with reporting(progress, plan.t_end, run.steps_total, t_start, spent["setup_seconds"]) as report:
             pieces = recording.pieces(run, interrupts, it.method, it.system)
             spent["driver_seconds"] = recording.record(
-                run, pieces, recorder, report, labels, estimator, interrupts, warns=warns
+                run, pieces, recorder, report, labels, estimator, interrupts, t_end=plan.t_end, warns=warns
             )
         statistics = {**it.statistics(), **plan.steps_with_breaks(it.breaks, t_start)}
         driven = time.perf_counter()

@@ -1,0 +1,65 @@
+"""Steps that become so short that a run does not come to its end."""
+
+import warnings
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork.running.short_steps import ShortSteps
+
+
+def sliding_block(law) -> lw.Model:
+    """1 kg with 1 m/s on a slide, held by a force along it."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("block", mass=1.0, inertia=(1, 1, 1), velocity=(1, 0, 0))
+    model.translational("ground", "block", at=(0, 0, 0), axis=(1, 0, 0), name="slide")
+    model.joint_force("slide", law)
+    return model
+
+
+def test_friction_by_the_sign_of_a_velocity_is_told_when_it_holds() -> None:
+    """The block stops after 0.5 s; then the force jumps with each step, and the run is interrupted."""
+    model, warned = sliding_block(lambda t, x, v: -2 * np.sign(v)), []
+
+    def interrupt(info: lw.ProgressInfo) -> None:
+        if warned:
+            raise KeyboardInterrupt
+
+    def listen(message: Warning | str, *_: object) -> None:
+        warned.append(str(message))
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("always")
+        warnings.showwarning = listen
+        with pytest.raises(KeyboardInterrupt) as stopped:
+            lw.simulate(model, t_end=2.0, rtol=1e-6, progress=interrupt)
+    assert "since t = 0.500" in warned[0] and "a force that jumps" in warned[0].lower()
+    assert 0.49 < stopped.value.result.t[-1] < 0.6
+
+
+def test_smooth_friction_comes_to_its_end_without_a_word() -> None:
+    model = sliding_block(lambda t, x, v: -2 * np.tanh(v / 1e-3))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert lw.simulate(model, t_end=2.0, rtol=1e-6).t[-1] == 2.0
+
+
+STEADY = [1e-3] * 20  # s
+LOOKS = [
+    (STEADY + [1e-9] * 30, True),
+    (STEADY + [1e-9] * 9 + STEADY, False),  # a moment
+    ([1e-9] * 50, False),  # always so
+    (STEADY + [1e-6] * 40, False),  # not so many
+]
+
+
+@pytest.mark.parametrize(("steps", "told"), LOOKS)
+def test_short_steps_that_stay_are_told_once(steps: list[float], told: bool) -> None:
+    """One look after 600 steps of each length."""
+    looking, t = ShortSteps(0.0, 0, 100.0), 0.0
+    with warnings.catch_warnings(record=True) as found:
+        warnings.simplefilter("always")
+        for count, step in enumerate(steps, start=1):
+            t += 600 * step
+            looking.look(t, 600 * count)
+    assert len(found) == told
