@@ -221,8 +221,8 @@ def record(
 ) -> float:
     """Write the pieces as they come; the time they took [s].
 
-    `labels` of the events, in the order in which the run knows them; `t_end` [s]. LinkworkWarning: `warns`, and
-    the run has passed a singular pose; its steps have become very short. AccuracyError: `estimator` stops the run.
+    `labels` of the events, in the order in which the run knows them; `t_end` [s]. LinkworkWarning: `warns`,
+    and the run has passed a singular pose; steps have become very short. AccuracyError: `estimator` stops it.
     """
     spent, before, warned = 0.0, time.perf_counter(), 0
     violation: float | None = None

@@ -45,6 +45,6 @@ class ShortSteps:
         warn(
             f"since t = {since:.6g} s steps are about {step:.2g} s, {self._usual:.2g} s and more before: to "
             f"{self._t_end:.6g} s there would be {rest}. A force that jumps to and fro does so, such as "
-            "friction by the sign of a velocity: let it go through zero within a small velocity, as linkwork's "
-            "own friction does, or end the run there by an event. Interrupted (ctrl-C), it keeps what it has"
+            "friction by the sign of a velocity: let it go through zero within a small velocity, as that of "
+            "linkwork does, or end the run there by an event. Interrupted (ctrl-C), it keeps what it has"
         )
