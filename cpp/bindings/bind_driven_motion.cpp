@@ -46,7 +46,8 @@ void bind_driven_motion(py::module_& module) {
       .def_readonly("converged", &DrivenLimits::converged)
       .def_readonly("rounding", &DrivenLimits::rounding)
       .def_readonly("iterations", &DrivenLimits::iterations)
-      .def_readonly("closed", &DrivenLimits::closed);
+      .def_readonly("closed", &DrivenLimits::closed)
+      .def_readonly("touch_part", &DrivenLimits::touch_part);
   py::class_<DrivenMotion>(module, "DrivenMotion", "The motion that drivers prescribe, away from singular poses.")
       .def(py::init<Dynamics&, double, VectorXd, double, double>(), py::arg("dynamics"), py::arg("length"),
            py::arg("row_lengths"), py::arg("rounding"), py::arg("unit"), py::keep_alive<1, 2>())

@@ -499,6 +499,13 @@ void bind_formulation(py::module_& module) {
              return d.system().beginning_history(t, q, v);
            }),
            py::arg("t"), py::arg("q"), py::arg("v"), "Of a motion that begins in this state.")
+      .def("begins_contact", exclusive(+[](const Dynamics& d, const VectorXd& before, const VectorXd& after) {
+             for (const VectorXd* history : {&before, &after})
+               check_size(*history, d.system().history_size(), "history");
+             return d.system().begins_contact(before, after);
+           }),
+           py::arg("history_before"), py::arg("history_after"),
+           "Whether one is under way after a step that was not before it.")
       .def("advanced_history",
            exclusive(
                +[](const Dynamics& d, double t, const ConstVector& q, const ConstVector& v, const History& history) {

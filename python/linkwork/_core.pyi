@@ -187,6 +187,8 @@ class DrivenLimits:
     def longest_step(self) -> float: ...
     @property
     def rounding(self) -> float: ...
+    @property
+    def touch_part(self) -> float: ...
 
 class DrivenMotion:
     """
@@ -277,6 +279,14 @@ class Dynamics:
     ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
         Of a motion that begins in this state.
+        """
+    def begins_contact(
+        self,
+        history_before: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+        history_after: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+    ) -> bool:
+        """
+        Whether one is under way after a step that was not before it.
         """
     def constraint_rates(
         self,

@@ -549,6 +549,33 @@ def test_turns_between_frames_count_for_springs(frames: int) -> None:
     assert effort.effort("drive")[-1] == pytest.approx(2 * np.pi, rel=1e-9)
 
 
+@pytest.mark.usefixtures("matrices")
+@pytest.mark.filterwarnings("ignore:kinematics. the work")
+@pytest.mark.parametrize("frames", [8, 60, 301])
+def test_contacts_know_the_speed_at_which_they_began_between_frames(frames: int) -> None:
+    """Two balls on a lever that swings, K d^1.5 (1 + c d_dot / d_dot_0) each: touch in closed form."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("lever", mass=1.0, inertia=(1, 1, 1), position=(0, 0, 0.3))
+    model.revolute("ground", "lever", at=(0, 0, 0.3), axis=(0, -1, 0), name="pin")
+    places, size, stiffness, loss = {"left": -0.8, "right": 1.0}, 0.12, 1e4, 0.4
+    for name, x in places.items():
+        at = ((0, 0, 0), (x, 0, 0.3))
+        model.sphere_plane_contact("ground", "lever", at=at, normal=(0, 0, 1), radius=size,
+                                   stiffness=stiffness, hysteresis=loss, name=name)  # fmt: skip
+    model.drive("pin", position=lw.functions.harmonic(0.25, 3.0))
+    t = np.linspace(0.0, 2.0, frames)
+    motion = lw.kinematics(model, t)
+    angle, rate = 0.25 * np.sin(3 * t), 0.75 * np.cos(3 * t)
+    for name, x in places.items():
+        touch = np.arcsin((size - 0.3) / x)  # angle
+        speed = abs(x) * np.cos(touch) * 0.75 * np.sqrt(1 - (touch / 0.25) ** 2)
+        depth = np.maximum(size - 0.3 - x * np.sin(angle), 0.0)
+        expected = stiffness * depth**1.5 * (1 - loss * x * np.cos(angle) * rate / speed)
+        assert depth.max() > 0.01
+        found = motion.force(name).force[:, 2]
+        np.testing.assert_allclose(found, expected, atol=1e-8 * expected.max())
+
+
 def test_work_that_frames_are_too_few_for_is_told() -> None:
     model = cranked(lw.functions.harmonic(1.0, 2 * np.pi))
     with pytest.warns(lw.LinkworkWarning, match="the work is about .* % off"):

@@ -32,6 +32,12 @@ VectorXd System::beginning_history(double t, const ConstVector& q, const ConstVe
   return at.history;
 }
 
+bool System::begins_contact(const ConstVector& history_before, const ConstVector& history_after) const {
+  return std::any_of(switches_.begin(), switches_.end(), [&](int contact) {
+    return contact >= 0 && history_before[contact] == 0.0 && history_after[contact] != 0.0;
+  });
+}
+
 bool System::shares_work() const {
   return body_count() > chunk || joint_count() > chunk || !body_wrench_begin_.empty();
 }

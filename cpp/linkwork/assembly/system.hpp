@@ -126,6 +126,8 @@ class System {
   const std::vector<HistoryOwner>& history_owners() const { return history_owners_; }
   /// Of each switch the history variable of the contact that begins where it becomes positive, or -1.
   const std::vector<int>& switches() const { return switches_; }
+  /// Whether one is under way after a step that was not before it.
+  bool begins_contact(const ConstVector& history_before, const ConstVector& history_after) const;
   std::string history_element(int variable) const;  ///< the name of its joint, force element or law of a joint's force
   std::string history_name(int variable) const;     ///< such as "force 'mainspring'"
   /// That of the model, or of a motion that begins: angles within half a turn of zero, no contacts. Where a joint is

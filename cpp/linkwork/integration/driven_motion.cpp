@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "linkwork/math/error.hpp"
@@ -14,6 +15,7 @@ namespace {
 constexpr int first_iterations = 6;  // toward the smallest singular value
 constexpr double noise = 0.1;        // so that another one is found when it becomes the smallest
 constexpr double inside = 0.618;     // of a step: in step with nothing
+constexpr double rounding_of_times = 4.0 * std::numeric_limits<double>::epsilon();
 
 /// q after the small motion x: shifts in inertial axes, rotation vectors in body axes.
 VectorXd displaced(const VectorXd& q, const VectorXd& x) {
@@ -132,38 +134,58 @@ bool DrivenMotion::try_frame(double t, DrivenFrames& out) {
 
 bool DrivenMotion::go_to(double t) {
   double h = t - now_.t;
-  const double smallest = limits_.shortest_part * h;
+  const double smallest = limits_.shortest_part * h, soon = std::max(limits_.touch_part * h, rounding_of_times * t);
   while (now_.t < t) {
     const bool last = now_.t + h >= t - smallest;
-    if (step(last ? t : now_.t + h)) {
+    const double to = last ? t : now_.t + h;
+    const Step found = step(to, soon);
+    if (found == Step::taken) {
       h *= 2.0;
       continue;
     }
+    if (!factorize(here_)) return false;
+    if (found == Step::touches) {
+      if (!touch(to, soon)) return false;
+      continue;
+    }
     h /= 2.0;
-    if (h < smallest || !factorize(here_)) return false;
+    if (h < smallest) return false;
   }
   return true;
 }
 
-bool DrivenMotion::step(double t) {
+/// To where a contact begins that has begun at t, by halves.
+bool DrivenMotion::touch(double t, double soon) {
+  while (now_.t < t) {
+    const double to = t - now_.t > soon ? 0.5 * (now_.t + t) : t;
+    const Step found = step(to, soon);
+    if (found == Step::taken) continue;
+    if (found == Step::refused || !factorize(here_)) return false;
+    t = to;
+  }
+  return true;
+}
+
+DrivenMotion::Step DrivenMotion::step(double t, double soon) {
   const double h = t - now_.t;
   const VectorXd x = predicted(h);
   const double moved = reach(x);
   const double largest_correction = std::max(limits_.largest_correction * moved, 1e-9);
-  if (!(moved <= limits_.longest_step) || !foreseen(h, largest_correction)) return false;
+  if (!(moved <= limits_.longest_step) || !foreseen(h, largest_correction)) return Step::refused;
   DrivenState next{t, displaced(now_.q, x), now_.v + h * now_.v_dot, now_.v_dot, {}};
   const int sign = lu_.sign(), pivots = pivots_;
-  if (!correct(t, next.q, largest_correction)) return false;
+  if (!correct(t, next.q, largest_correction)) return Step::refused;
   VectorXd left;
-  if (!factorize(there_) || !same_side(sign, pivots) || !regular(1, left)) return false;
-  if (left.dot(left_) < 0.0) return false;  // two singular values at once keep the sign of the determinant
-  left_ = left;
+  if (!factorize(there_) || !same_side(sign, pivots) || !regular(1, left)) return Step::refused;
+  if (left.dot(left_) < 0.0) return Step::refused;  // two singular values at once keep the sign of the determinant
   complete(next);
+  if (h > soon && system_.begins_contact(now_.history, next.history)) return Step::touches;
+  left_ = left;
   now_ = std::move(next);
   std::swap(here_, there_);
   dynamics_.set_history(now_.history);
   steps_ += 1;
-  return true;
+  return Step::taken;
 }
 
 // Whether drivers do within the step what they did at its beginning: a whole turn looks like none at its end.

@@ -19,6 +19,7 @@ struct DrivenLimits {
   double regular = 1e-4;        ///< the smallest singular value of a pose that is far from singular
   double balanced = 1e-9;       ///< forces that multipliers may leave, as a part of theirs
   double shortest_part = 1e-3;  ///< of the time between two frames that a step may take
+  double touch_part = 1e-9;  ///< the same of the step in which a contact begins: its force depends on the speed there
 };
 
 /// Frame after frame of a driven motion.
@@ -65,9 +66,12 @@ class DrivenMotion {
   const DrivenState& state() const { return now_; }
 
  private:
+  enum class Step { taken, refused, touches };  ///< `touches`: it is not taken, as a contact begins in it
+
   bool try_frame(double t, DrivenFrames& out);
   bool go_to(double t);
-  bool step(double t);
+  bool touch(double t, double soon);
+  Step step(double t, double soon);
   bool foreseen(double h, double largest_correction);
   VectorXd predicted(double h) const;
   bool correct(double t, VectorXd& q, double largest);

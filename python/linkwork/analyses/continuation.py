@@ -48,6 +48,9 @@ NEARBY = 1e-2
 #: The shortest step, as a part of the time between two frames.
 SHORTEST_STEP = 2.0**-40
 
+#: Of times, relative.
+ROUNDING_OF_TIMES = 4 * np.finfo(float).eps
+
 #: Of the integration where joints restrict velocities only, relative and absolute.
 ROLLING = 1e-11
 
@@ -137,12 +140,12 @@ class Continuation:
     def go_to(self, t: float) -> None:
         """NotConvergedError: there is no way to go on."""
         start, h = self.at.t, t - self.at.t
-        smallest = SHORTEST_STEP * h
+        smallest, soon = SHORTEST_STEP * h, max(LIMITS.touch_part * h, ROUNDING_OF_TIMES * t)
         while self.at.t < t:
             last = self.at.t + h >= t - smallest
             found = self._step(t if last else self.at.t + h)
-            if found is None:
-                h /= 2
+            if found is None or (h > soon and self._touches(found)):
+                h = min(h, t - self.at.t) / 2
                 if h < smallest:
                     self._refuse_to_go_on(start, t)
             else:
@@ -152,6 +155,10 @@ class Continuation:
                 h *= 2
                 if self.watch is not None:
                     self.watch(before, found)
+
+    def _touches(self, found: MotionState) -> bool:
+        """Whether a contact begins on the way: its force depends on the speed there."""
+        return bool(self.equations.dynamics.begins_contact(self.at.history, found.history))
 
     def soon_after(self, first: MotionState, t: float) -> MotionState | None:
         """The mechanism soon after `first`, without going there."""
