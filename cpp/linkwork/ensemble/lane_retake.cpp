@@ -52,6 +52,7 @@ std::vector<RetakenSteps> LaneRetake::retake(const std::vector<std::vector<Step>
       found.end.resize(structure_.y_size());
       stepper_.state(l, found.end);
       found.rows_change = steps[l][step].rows_change;
+      found.smallest_pivot = lanes_[l].smallest_pivot;
     }
     look();
   }
@@ -61,6 +62,7 @@ std::vector<RetakenSteps> LaneRetake::retake(const std::vector<std::vector<Step>
 void LaneRetake::begin(int l, const Step& step, std::size_t parts) {
   Lane& lane = lanes_[l];
   lane.step = step.kept;
+  lane.smallest_pivot = 1.0;
   lane.looked = step.rows_change;
   lane.spans = lane.parts.of(*step.kept);
   lane.active = lane.spans.size() == parts && step.kept->left_out == structure_.dropped &&
@@ -94,6 +96,7 @@ void LaneRetake::hold() {
 
 void LaneRetake::note(int l, double t, double pivot, bool first) {
   SingularWatch& watch = lanes_[l].run->dynamics.formulation().watch();
+  lanes_[l].smallest_pivot = std::min(lanes_[l].smallest_pivot, pivot);
   const bool ahead = first && lanes_[l].looked;  // the watch does not hear of such a factorization
   if (!ahead) watch.note(t, pivot);
   const bool usual = pivot > singular_pivot && (ahead || watch.usual(pivot));

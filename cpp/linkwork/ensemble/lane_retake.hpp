@@ -37,6 +37,7 @@ class LaneRetake final : private LaneGuard {
     const KeptStep* step = nullptr;  ///< that is taken
     std::vector<Span> spans;
     bool active = false, looked = false;
+    double smallest_pivot = 1.0;
   };
 
   bool steps(int l) const override { return lanes_[l].active; }

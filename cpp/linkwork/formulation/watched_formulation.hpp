@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "linkwork/constraints/dropped_rows.hpp"
@@ -55,6 +56,8 @@ class WatchedFormulation final : public Formulation {
   bool factorized() const { return factorized_; }
   std::int64_t factorizations() const { return factorizations_; }
   double smallest_pivot() const { return smallest_pivot_; }  ///< of all, 0 where one broke down
+  /// Of those since the last call.
+  double take_smallest_pivot() { return std::exchange(smallest_pivot_, 1.0); }
   /// Of the last factorization: the root of the smallest pivot, see SingularWatch.
   double root_of_pivot() const { return std::sqrt(std::max(saddle().smallest_pivot(), 0.0)); }
   /// The last factorization is that of RankTolerant: some rows have no part in solutions.

@@ -13,7 +13,8 @@ namespace linkwork {
 namespace {
 
 constexpr int divisions_where_contacts_begin = 3;
-constexpr double beside = 1e-9;  // of a step: how far from a break the parts on its sides end and begin
+constexpr double well_chosen = 0.1;  // root of the smallest pivot, relative to the usual one
+constexpr double beside = 1e-9;      // of a step: how far from a break the parts on its sides end and begin
 
 /// One step of a one-step method in parts, with the correction that a multistep method adds.
 class CorrectedApart final : public Integrator {
@@ -104,13 +105,7 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside, co
   dynamics_.correct_over(step.correction_length);
   if (take_.divide) take_.divide(step.history_new.size() > 0 ? divisions_where_contacts_begin : 1);
   try {
-    choose_rows(step);
-    const bool rows_change = dynamics_.dropped().rows() != rows_;
-    if (retaken.end.size() == 0 || retaken.rows_change != rows_change || choices_.size() > 1) take_again(step);
-    else {
-      y_ = retaken.end;
-      if (rows_change) leave_out_as_in(step);
-    }
+    find_end(step, retaken);
     compare(step, out);
     if (step.history_new.size() > 0) compare_history(step, out);
     out.violation = violation_.largest(step.t + step.h, step.y_new, step.history);
@@ -124,10 +119,25 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside, co
   return out;
 }
 
-/// Those of the run in this step; others, where the run had others that are as many, and these are better all over it.
-void StepJudge::choose_rows(const KeptStep& step) {
+/// With the rows that the run left out in this step; with others, where parts came near a pose in which these are bad.
+void StepJudge::find_end(const KeptStep& step, const RetakenStep& retaken) {
   rows_ = step.left_out;
-  if (choices_.size() < 2) return;
+  const bool rows_change = dynamics_.dropped().rows() != rows_;
+  double pivot = retaken.smallest_pivot;
+  if (retaken.end.size() == 0 || retaken.rows_change != rows_change) {
+    pivot = take_again(step);
+  } else {
+    y_ = retaken.end;
+    if (rows_change) leave_out_as_in(step);
+  }
+  if (choices_.size() < 2 || std::sqrt(pivot) >= well_chosen * dynamics_.watch().root_of_level()) return;
+  choose_rows(step);
+  if (rows_ != step.left_out) take_again(step);
+  else if (dynamics_.dropped().rows() != rows_) leave_out_as_in(step);
+}
+
+/// Others that are as many, where the run had such, and these are better all over the step.
+void StepJudge::choose_rows(const KeptStep& step) {
   double most = least_with(step.left_out, step);
   for (const std::vector<int>& rows : choices_) {
     if (rows.size() != step.left_out.size() || rows == step.left_out) continue;
@@ -143,9 +153,9 @@ double StepJudge::least_with(const std::vector<int>& rows, const KeptStep& step)
   double least = INFINITY;
   dynamics_.set_history(step.history);
   for (const double theta : {0.0, 0.5, 1.0}) {
-    y_ = (1.0 - theta) * step.y + theta * step.y_new;
-    dynamics_.system().normalize(y_.head(dynamics_.system().q_size()));
-    dynamics_.evaluate(step.t + theta * step.h, y_);
+    VectorXd y = (1.0 - theta) * step.y + theta * step.y_new;
+    dynamics_.system().normalize(y.head(dynamics_.system().q_size()));
+    dynamics_.evaluate(step.t + theta * step.h, y);
     try {
       leave_out(rows);
       least = std::min(least, dynamics_.formulation().least_singular_value());
@@ -156,11 +166,13 @@ double StepJudge::least_with(const std::vector<int>& rows, const KeptStep& step)
   return least;
 }
 
-void StepJudge::take_again(const KeptStep& step) {
+/// The smallest pivot on the way.
+double StepJudge::take_again(const KeptStep& step) {
   const std::vector<Span> parts = parts_.of(step);
   const double end_of_first = step.t + take_.share * step.h;
   came_inside_ = false;
   y_ = step.y;
+  dynamics_.formulation().take_smallest_pivot();
   dynamics_.set_history(step.history);
   dynamics_.begin_parts((parts.front().to - parts.front().from) / std::max(step.h, step.correction_length));
   for (const Span& part : parts) {
@@ -175,6 +187,7 @@ void StepJudge::take_again(const KeptStep& step) {
     }
   }
   dynamics_.end_parts();
+  return dynamics_.formulation().take_smallest_pivot();
 }
 
 /// What comes afterwards looks at the end of the step with what solves as it was analyzed at its begin.

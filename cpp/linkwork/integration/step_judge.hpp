@@ -78,8 +78,9 @@ struct StepError {
 
 /// Where a step ends in parts.
 struct RetakenStep {
-  VectorXd end;              ///< empty where that has to be found
-  bool rows_change = false;  ///< other rows were left out before: its first stage is factorized ahead
+  VectorXd end;                 ///< empty where that has to be found
+  bool rows_change = false;     ///< other rows were left out before: its first stage is factorized ahead
+  double smallest_pivot = 0.0;  ///< of all factorizations on the way
 };
 
 /// Takes steps again. `dynamics` is used up: its memory, statistics and watch are those of these steps afterwards.
@@ -100,7 +101,8 @@ class StepJudge {
   double diagonal() const { return (high_ - low_).matrix().norm(); }
 
  private:
-  void take_again(const KeptStep& step);
+  void find_end(const KeptStep& step, const RetakenStep& retaken);
+  double take_again(const KeptStep& step);
   void choose_rows(const KeptStep& step);
   double least_with(const std::vector<int>& rows, const KeptStep& step);
   void leave_out_as_in(const KeptStep& step);

@@ -66,7 +66,8 @@ void check_inertia(const Mat3<double>& J, bool as_is, const NameWhereWanted& nam
   if (!as_is && moments[2] > (moments[0] + moments[1]) * (1.0 + tolerance) + tolerance * scale)
     refuse("inertia_triangle", "inertia",
            "principal moments of inertia " + text(moments) +
-               " violate the triangle inequality: the largest must not exceed the sum of the others",
+               " violate the triangle inequality: the largest exceeds the sum of the others by " +
+               text(moments[2] - moments[0] - moments[1]) + " kg m^2, which it must not",
            name);
 }
 
