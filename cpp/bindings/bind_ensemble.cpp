@@ -15,8 +15,8 @@ struct AllBusy {
 };
 
 py::list run_ensemble(const std::vector<Dynamics*>& dynamics, const ButcherTableau& tableau, double t_end, double step,
-                      std::int64_t record_every, int threads, std::vector<LaneRun*> runs) {
-  const FixedSteps steps(t_end, step, record_every);
+                      std::int64_t record_every, int threads, std::vector<LaneRun*> runs, std::vector<double> breaks) {
+  const FixedSteps steps(t_end, step, record_every, std::move(breaks));
   const InstructionSet widest = best_instruction_set();
   const AllBusy busy(dynamics);
   std::vector<Ensemble::Member> members;
@@ -73,10 +73,11 @@ void bind_ensemble(py::module_& module) {
   module.def(
       "run_ensemble", &run_ensemble, py::arg("dynamics"), py::arg("tableau"), py::arg("t_end"), py::arg("step"),
       py::arg("record_every"), py::arg("threads"), py::arg("runs") = std::vector<LaneRun*>(),
+      py::arg("breaks") = std::vector<double>(),
       "Simulates all `dynamics`, of equal options, from their initial states by an explicit Runge-Kutta method, "
       "in the lanes of the processor. Of each {reason, left_at [s], frames}: frames as of Run.advance where the "
       "reason is empty, else why it has to be simulated by itself. `runs`: of each what its verdict is made of, or "
-      "none of them.");
+      "none of them. `breaks`: times [s] at which something is not smooth, beside those that they know.");
 }
 
 }  // namespace linkwork::python

@@ -296,15 +296,19 @@ void bind_runs(py::module_& module) {
 void bind_fixed_steps(py::module_& module) {
   py::class_<Simulation, Run>(module, "Simulation", "A run with a fixed step.")
       .def(py::init([](Dynamics& dynamics, const py::object& integrator, double t_end, double step,
-                       std::int64_t record_every, double t_start, const VectorXd& start) {
+                       std::int64_t record_every, double t_start, const VectorXd& start, std::vector<double> breaks) {
              const Busy busy(dynamics);
-             return std::make_unique<Simulation>(
-                 dynamics, make_integrator(integrator),
-                 Schedule{
-                     .t_end = t_end, .step = step, .record_every = record_every, .t_start = t_start, .start = start});
+             return std::make_unique<Simulation>(dynamics, make_integrator(integrator),
+                                                 Schedule{.t_end = t_end,
+                                                          .step = step,
+                                                          .record_every = record_every,
+                                                          .t_start = t_start,
+                                                          .start = start,
+                                                          .breaks = std::move(breaks)});
            }),
            py::arg("dynamics"), py::arg("integrator"), py::arg("t_end"), py::arg("step"), py::arg("record_every") = 1,
-           py::arg("t_start") = 0.0, py::arg("start") = VectorXd(), py::keep_alive<1, 2>())
+           py::arg("t_start") = 0.0, py::arg("start") = VectorXd(), py::arg("breaks") = std::vector<double>(),
+           py::keep_alive<1, 2>())
       .def("begin_step", exclusive(+[](Simulation& simulation) {
              const double h = simulation.begin_step();
              return py::make_tuple(simulation.t(), VectorXd(simulation.y().head(simulation.y().size() - 1)), h);

@@ -1172,6 +1172,7 @@ class Simulation(Run):
         record_every: typing.SupportsInt | typing.SupportsIndex = 1,
         t_start: typing.SupportsFloat | typing.SupportsIndex = 0.0,
         start: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"] = ...,
+        breaks: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] = [],
     ) -> None: ...
     def accept(self, y: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]) -> None: ...
     def begin_step(
@@ -1341,9 +1342,10 @@ def run_ensemble(
     record_every: typing.SupportsInt | typing.SupportsIndex,
     threads: typing.SupportsInt | typing.SupportsIndex,
     runs: collections.abc.Sequence[LaneRun] = [],
+    breaks: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] = [],
 ) -> list:
     """
-    Simulates all `dynamics`, of equal options, from their initial states by an explicit Runge-Kutta method, in the lanes of the processor. Of each {reason, left_at [s], frames}: frames as of Run.advance where the reason is empty, else why it has to be simulated by itself. `runs`: of each what its verdict is made of, or none of them.
+    Simulates all `dynamics`, of equal options, from their initial states by an explicit Runge-Kutta method, in the lanes of the processor. Of each {reason, left_at [s], frames}: frames as of Run.advance where the reason is empty, else why it has to be simulated by itself. `runs`: of each what its verdict is made of, or none of them. `breaks`: times [s] at which something is not smooth, beside those that they know.
     """
 
 def special_joint_kinds() -> list[KindInfo]:

@@ -39,6 +39,15 @@ TEST_CASE("a step ends at the next break, and functions are evaluated beside it,
   CHECK(breaks.before(1.5) == 1.5);
 }
 
+TEST_CASE("up to a break there is room for whole steps, and up to just before it where it is the end of one") {
+  const BreakPoints breaks(free_body(), {1.0, 2.05});
+  CHECK(breaks.room(0.5, 0.1) < 0.5);
+  CHECK(breaks.room(0.5, 0.1) == doctest::Approx(0.5));
+  CHECK(breaks.room(1.0 - 1e-15, 0.1) == doctest::Approx(1.0));  // a step begins there
+  CHECK(breaks.room(2.0, 0.1) == 0.0);
+  CHECK(std::isinf(breaks.room(2.1, 0.1)));
+}
+
 TEST_CASE("breaks that differ by roundoff are one") {
   const double nearly = 0.1 + 0.2;  // above 0.3 by one unit
   const BreakPoints breaks(free_body(), {0.3, nearly});

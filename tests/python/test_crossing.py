@@ -166,6 +166,39 @@ def test_a_start_beside_a_pose_asks_a_users_load_only_where_the_motion_goes(thet
     assert result.recorded("vdot")[0].ravel() == pytest.approx(np.ravel(expected), abs=1e-12)
 
 
+def struck_parallelogram(start: float, torque: float = 200.0, told: str = "force") -> lw.Model:
+    """In line at 1/3 s; a torque [N m] for 5 ms from `start` on, whose breaks the function, the `force` or
+    nobody but the `run` knows."""
+    model = lw.Model(gravity=(0, 0, 0))
+    parallelogram(model, 0.0, 0.5, -1.5)
+    end = start + 5e-3
+    table = lw.functions.piecewise_polynomial([-1, start, end, 9], [[0], [torque], [0]])
+    pulse = table if told == "function" else lambda t: torque * (start <= t < end)
+    model.force("body 1", torque=(0, 0, pulse), breaks=(start, end) if told == "force" else ())
+    return model
+
+
+@pytest.mark.parametrize("told", ["function", "force", "run"])
+@pytest.mark.parametrize("start", [0.3295, 0.3332, 0.33343, 0.338])
+def test_fixed_steps_do_not_leap_over_breaks(start: float, told: str) -> None:
+    """By 5/3 kg m2 the torque adds 0.6 rad/s: up to what one step of it does, as away from poses."""
+    breaks = (start, start + 5e-3) if told == "run" else ()
+    options = {"step": 1e-4, "breaks": breaks, "on_inaccurate": "pass", "progress": False}
+    result = lw.simulate(struck_parallelogram(start, told=told), 0.4, **options)
+    assert result.omega[-1, 0, 2] == pytest.approx(-1.5 + 0.6, abs=200 * 1e-4 / (5 / 3))
+    assert len(result.singular_poses) == 1
+
+
+def test_ensembles_do_not_leap_over_breaks_either() -> None:
+    models = [struck_parallelogram(0.338, torque, "run") for torque in (0.0, 100.0, 200.0)]
+    options = {"step": 1e-3, "breaks": (0.338, 0.343), "deterministic": True, "progress": False}
+    found = lw.simulate_many(models, None, 0.4, threads=1, on_inaccurate="pass", **options)
+    assert found.alone == {}
+    alone = lw.simulate(models[2], 0.4, on_inaccurate="pass", **options)
+    assert found.member(2).omega[-1].tolist() == alone.omega[-1].tolist()
+    assert alone.omega[-1, 0, 2] == pytest.approx(-1.5 + 0.6, abs=0.12)
+
+
 @pytest.mark.parametrize("options", [{"step": 1e-3}, {"step": 5e-3}, {"rtol": 1e-4}, {"rtol": 1e-8}], ids=str)
 @pytest.mark.parametrize("apart", [0.005, 0.03, 0.06, 0.15])
 def test_poses_of_independent_loops_are_all_listed(apart: float, options: dict[str, float]) -> None:

@@ -81,7 +81,8 @@ void Ensemble::run_task(const Task& task, const std::function<void()>& look) {
   for (const int member : task.members) {
     do_apart(
         [&] {
-          lanes.push_back(std::make_unique<Lane>(*dynamics_[member], runs_.empty() ? nullptr : runs_[member]));
+          lanes.push_back(
+              std::make_unique<Lane>(*dynamics_[member], steps_.breaks(), runs_.empty() ? nullptr : runs_[member]));
           members.push_back(member);
           alive.push_back(lanes.back().get());
         },

@@ -14,8 +14,8 @@ constexpr double same_time = 1e-9;  // as in Simulation
 
 }  // namespace
 
-FixedSteps::FixedSteps(double t_end, double step, std::int64_t record_every)
-    : t_end_(t_end), step_(step), record_every_(record_every) {
+FixedSteps::FixedSteps(double t_end, double step, std::int64_t record_every, std::vector<double> breaks)
+    : t_end_(t_end), step_(step), record_every_(record_every), breaks_(std::move(breaks)) {
   if (!(step > 0.0) || !std::isfinite(step)) throw OptionError("step", "step must be positive and finite");
   if (!(t_end >= 0.0) || !std::isfinite(t_end)) throw OptionError("t_end", "t_end must be finite and not negative");
   if (record_every < 1) throw OptionError("record_every", "record_every must be at least 1");
@@ -31,9 +31,10 @@ LaneRun::LaneRun(Dynamics& mechanism, const FixedSteps& steps, bool keeps_balanc
   sampling.expect(steps.count());
 }
 
-Lane::Lane(Dynamics& dynamics, LaneRun* run)
+Lane::Lane(Dynamics& dynamics, const std::vector<double>& breaks, LaneRun* run)
     : dynamics_(dynamics),
       recorder_(dynamics),
+      breaks_(dynamics.system().model(), breaks),
       crossing_(dynamics),
       redundancy_(dynamics.system(), dynamics.initial_y().head(dynamics.system().q_size())),
       turns_(dynamics),
@@ -176,7 +177,8 @@ void Lane::look_ahead(std::int64_t at, const FixedSteps& steps, const Speeds& sp
   const double t = steps.time(at), h = steps.size(at);
   const bool changed = std::exchange(changed_, false);
   StepStart start(dynamics_, t, y, recording_, changed ? nullptr : factors);
-  const double most = dynamics_.system().model().autonomous() ? INFINITY : steps.t_end() - t;
+  const double end = dynamics_.system().model().autonomous() ? INFINITY : steps.t_end() - t;
+  const double most = std::min(end, breaks_.room(t, steps.step()));
   const std::int64_t changes = dynamics_.watch().row_changes(), poses = dynamics_.watch().singular_poses();
   guarded(t, [&] {
     if (crossing_.due(t, h, speeds, false, start)) {

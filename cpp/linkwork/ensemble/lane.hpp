@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "linkwork/constraints/redundancy_watch.hpp"
+#include "linkwork/integration/break_points.hpp"
 #include "linkwork/integration/crossing.hpp"
 #include "linkwork/integration/divergence.hpp"
 #include "linkwork/integration/history_watch.hpp"
@@ -21,11 +22,13 @@ namespace linkwork {
 class FixedSteps {
  public:
   /// OptionError: sizes that make no sense.
-  FixedSteps(double t_end, double step, std::int64_t record_every);
+  FixedSteps(double t_end, double step, std::int64_t record_every, std::vector<double> breaks = {});
 
   std::int64_t count() const { return count_; }
   double step() const { return step_; }
   double t_end() const { return t_end_; }
+  /// Times at which something is not smooth, beside those that models know.
+  const std::vector<double>& breaks() const { return breaks_; }
   /// As Simulation counts them.
   double time(std::int64_t step) const {
     return step >= count_ && !whole_ ? t_end_ : static_cast<double>(step) * step_;
@@ -40,6 +43,7 @@ class FixedSteps {
  private:
   double t_end_, step_;
   std::int64_t record_every_, count_ = 0;
+  std::vector<double> breaks_;
   bool whole_ = false;
 };
 
@@ -79,7 +83,7 @@ class StageFactors {
 class Lane {
  public:
   /// `run`, if any, refers to the same `dynamics`, and hears of every step.
-  explicit Lane(Dynamics& dynamics, LaneRun* run = nullptr);
+  explicit Lane(Dynamics& dynamics, const std::vector<double>& breaks = {}, LaneRun* run = nullptr);
 
   Dynamics& dynamics() { return dynamics_; }
   bool alive() const { return alive_ && !moves_; }
@@ -156,6 +160,7 @@ class Lane {
 
   Dynamics& dynamics_;
   Recorder recorder_;
+  BreakPoints breaks_;
   Crossing crossing_;
   RedundancyWatch redundancy_;
   TurnGuard turns_;

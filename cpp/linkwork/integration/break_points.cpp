@@ -8,6 +8,7 @@ namespace {
 
 constexpr double ulp = std::numeric_limits<double>::epsilon();
 constexpr double same = 64 * ulp, beside = 4 * ulp;  // relative to t
+constexpr double same_time = 1e-9;                   // relative to the step
 constexpr double smaller = 10.0;                     // so many times the estimate an error may be
 constexpr double roundoff = 1e-13;
 constexpr double sliver = 1e-2;  // of a step
@@ -56,6 +57,12 @@ const BreakPoints::Cluster* BreakPoints::find(double t) const {
 double BreakPoints::next(double t) const {
   const Cluster* found = following(t);
   return found ? found->last : std::numeric_limits<double>::infinity();
+}
+
+double BreakPoints::room(double t, double h) const {
+  const Cluster* found = following(t + same_time * h);
+  if (!found) return std::numeric_limits<double>::infinity();
+  return std::min(before(found->last) - t, std::floor((found->last - t) / h + same_time) * h);
 }
 
 double BreakPoints::after(double t) const {

@@ -22,6 +22,9 @@ class BreakPoints {
   /// The first break after t at which a step ends in any case; infinite where there is none.
   double next(double t) const;
   bool at(double t) const { return find(t) != nullptr; }
+  /// What there is from t, where a step begins, up to just before the next such break, in whole steps h where that is
+  /// not the end of one [s]; infinite where there is none.
+  double room(double t, double h) const;
   /// Where functions are evaluated for what begins or ends at t.
   double after(double t) const;
   double before(double t) const;

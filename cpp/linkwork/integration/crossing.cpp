@@ -391,6 +391,10 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   leap_.followed = leap_.h;
   dynamics_.formulation().watch().forget_trend();
   forget_looks();
+  if (!leap_.poses.empty() && leap_.poses.back() > leap_.h) {  // something ends it before
+    known_ = leap_.t + leap_.poses.back();
+    known_rate_ = fastest_;
+  }
   leaves_ = !(grid > 0.0);
   return true;
 }

@@ -26,6 +26,7 @@ Simulation::Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrato
       integrator_(std::move(integrator)),
       schedule_(schedule),
       divergence_(dynamics.system()),
+      breaks_(dynamics.system().model(), schedule.breaks),
       crossing_(dynamics) {
   if (!(schedule.step > 0.0) || !std::isfinite(schedule.step))
     throw OptionError("step", "step must be positive and finite");
@@ -159,7 +160,8 @@ void Simulation::finish() {
 /// Where a singular pose is ahead.
 void Simulation::begin_leap() {
   if (!crossing_.due(t(), next_step(), y_, false)) return;
-  const double most = dynamics_.system().model().autonomous() ? INFINITY : schedule_.t_end - t();
+  const double end = dynamics_.system().model().autonomous() ? INFINITY : schedule_.t_end - t();
+  const double most = std::min(end, breaks_.room(t(), schedule_.step));
   leaping_ = crossing_.leap(t(), next_step(), schedule_.step, most, y_);
   bounded_ = bounded_ || crossing_.limited();
   if (!leaping_) return dynamics_.evaluate(t(), y_);

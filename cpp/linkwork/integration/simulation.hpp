@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
+#include "linkwork/integration/break_points.hpp"
 #include "linkwork/integration/crossing.hpp"
 #include "linkwork/integration/divergence.hpp"
 #include "linkwork/integration/integrator.hpp"
@@ -16,7 +18,8 @@ struct Schedule {
   double step = 0.0;
   std::int64_t record_every = 1;  ///< steps between frames; the first and the last state are always recorded
   double t_start = 0.0;
-  VectorXd start = {};  ///< y = (q, v) at t_start; empty: that of the model
+  VectorXd start = {};              ///< y = (q, v) at t_start; empty: that of the model
+  std::vector<double> breaks = {};  ///< times at which something is not smooth, beside those that the model knows
 };
 
 /// A run with a fixed step: t_n = n h exactly, a shortened last step where t_end is no multiple of h. A run that starts
@@ -71,6 +74,7 @@ class Simulation final : public Run {
   std::int64_t steps_total_ = 0;
   std::int64_t start_step_ = 0;  ///< of a run that was resumed, the first that is not before its start
   double given_start_ = NAN;     ///< its start, where that is the end of a step
+  BreakPoints breaks_;
   Crossing crossing_;
   bool evaluated_ = false;
   bool leaping_ = false;  ///< over a singular pose: states come from the leap

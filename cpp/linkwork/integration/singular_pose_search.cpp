@@ -102,7 +102,7 @@ void SingularPoseSearch::restart(bool away) {
 
 bool SingularPoseSearch::worth_a_search(double value) const {
   const double level = dynamics_.watch().root_of_level();
-  return value < passed * level && (highest_ > away * level || (away_ && count_ == 2));
+  return value < passed * level && (highest_ > away * level || away_);
 }
 
 bool SingularPoseSearch::pass(double t, double value, const VectorXd& y, int parts) {
@@ -225,6 +225,7 @@ bool SingularPoseSearch::list_zero(const SingularValueAt& zero) {
   const double value = value_at(zero.at, y_);
   if (!dynamics_.formulation().cross(y_.head(dynamics_.system().q_size()), value * value)) return false;
   highest_ = marks_[2].value;
+  away_ = false;
   last_listed_ = zero.at;
   return true;
 }

@@ -11,6 +11,7 @@ from linkwork import _core
 from linkwork.accuracy.verdict import Verdict
 from linkwork.equations.system import System
 from linkwork.errors import LinkworkError
+from linkwork.functions import check_breaks
 from linkwork.integrators import ButcherTableau, EmbeddedPair, Integrator, named
 from linkwork.modeling.model import Model
 from linkwork.motion.header import Header
@@ -309,6 +310,7 @@ def _in_lanes(ready: Sequence[_Ready], method: Method) -> dict[int, Member | _Le
         answers = _core.run_ensemble(
             [it.system.compiled() for it in ready], tableau, plan.t_end, plan.step, method.lanes_record_every,
             method.threads, [it.run for it in ready if it.run is not None],
+            list(check_breaks(method.given["breaks"], "simulate")),
         )  # fmt: skip
     found: dict[int, Member | _Left] = {}
     for it, answer in zip(ready, answers, strict=True):

@@ -99,6 +99,7 @@ class Fixed:
             t_end=self.t_end,
             step=self.step,
             record_every=self.record_every,
+            breaks=list(breaks),
             **_from(start),
         )
 
