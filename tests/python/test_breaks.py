@@ -2,6 +2,7 @@
 
 import itertools
 import math
+import re
 import warnings
 
 import linkwork as lw
@@ -299,6 +300,7 @@ def test_a_driver_whose_velocity_jumps_strikes(pair: str, stabilization: str) ->
     assert result.v[1, 0, 0] == pytest.approx(V, abs=1e-9)
     assert result.v[1, 1, [0, 4]] == pytest.approx([v_c, (V - v_c) / arm], abs=1e-8)
     assert result.statistics["impacts"] == 1
+    assert re.search("bodies struck 1 time at 0.25 s, first as the rate of .*'driver'", result.summary())
     assert np.abs(result.energy_error).max() < 1e-7
     assert result.q[-1, 0, 0] == pytest.approx(V * 0.05, abs=1e-7)
 

@@ -602,9 +602,9 @@ def test_work_over_times_at_which_accelerations_jump_is_what_the_bar_has(turn: f
     assert np.abs(result.work - expected).max() < 1e-4 * expected.max()
 
 
-def struck_bar(jumps: list[float], rates: list[float]) -> lw.Model:
+def struck_bar(jumps: list[float], rates: list[float], g: float = 9.81) -> lw.Model:
     """Hinged at its end, of moment of inertia 0.12; driven at `rates` from 0 and each of `jumps` on."""
-    model = lw.Model()
+    model = lw.Model(gravity=(0, 0, -g))
     bar = model.body("bar", mass=1.0, inertia=(0.003, 0.03, 0.03), position=(0.3, 0, 0))
     model.revolute("ground", bar, at=(0, 0, 0), axis=(0, 1, 0), name="hinge")
     pieces = [[rate] for rate in rates]
@@ -617,7 +617,9 @@ def struck_bar(jumps: list[float], rates: list[float]) -> lw.Model:
 @pytest.mark.parametrize("frames", [21, 201])
 def test_work_over_blows_is_what_the_bar_has(jumps: list[float], frames: int) -> None:
     rates = [2.0, -1.0, 3.0][: len(jumps) + 1]
-    result = lw.kinematics(struck_bar(jumps, rates), np.linspace(0, 1, frames))
+    with pytest.warns(lw.LinkworkWarning, match=rf"'drive'.* jumps by 3 at t = {jumps[0]} s.*: an impact"):
+        result = lw.kinematics(struck_bar(jumps, rates), np.linspace(0, 1, frames))
+    assert result.statistics["impacts"] == len(jumps)
     edges = [0.0, *jumps]
     rate = np.array(rates)[np.searchsorted(jumps, result.t, side="right")]
     ends = np.append(jumps, np.inf)
@@ -625,6 +627,22 @@ def test_work_over_blows_is_what_the_bar_has(jumps: list[float], frames: int) ->
     gained = 0.06 * (rate**2 - rates[0] ** 2) - 9.81 * 0.3 * np.sin(angle)
     assert np.abs(result.work - gained).max() < (2e-3 if frames == 21 else 1e-7)
     assert list(result.t) == list(np.linspace(0, 1, frames))
+
+
+def test_efforts_say_that_they_are_without_the_impulse_of_a_blow() -> None:
+    """Without weight nothing else is needed: T = 0 beside the blow, which gives the bar its energy."""
+    model = struck_bar([0.5], [0.0, 2.0], g=0.0)
+    with pytest.warns(lw.LinkworkWarning, match="by 2 at t = 0.5 s: an impact, by .* efforts"):
+        needed = lw.inverse_dynamics(model, np.linspace(0, 1, 101))
+    assert np.abs(needed.effort("drive")).max() < 1e-12
+    assert needed.motion.work[-1] == pytest.approx(0.24)
+    assert "impacts: bodies struck 1 time at 0.5 s" in str(needed)
+    assert "bodies struck 1 time at 0.5 s" in needed.motion.summary()
+
+
+def test_blows_before_the_first_frame_are_not_told() -> None:
+    needed = lw.inverse_dynamics(struck_bar([0.5], [0.0, 2.0]), np.linspace(0.6, 1, 11))
+    assert "impacts" not in str(needed)
 
 
 @pytest.mark.parametrize("size", [0.3, 1e-3])
@@ -712,6 +730,6 @@ def test_a_dead_point_before_the_first_frame_is_told_as_such() -> None:
     with pytest.raises(lw.NotConvergedError, match="a dead point") as told:
         lw.kinematics(model, [2.0, 3.0])
     assert told.value.result is None and told.value.state.t == pytest.approx(dead, abs=1e-6)
-    with pytest.raises(lw.NotConvergedError) as later:
+    with pytest.warns(lw.LinkworkWarning, match="an impact"), pytest.raises(lw.NotConvergedError) as later:
         lw.kinematics(model, [0.05, 2.0])
     assert list(later.value.result.t) == [0.05]

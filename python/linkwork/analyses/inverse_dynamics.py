@@ -17,6 +17,7 @@ from linkwork.equations.system import System
 from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.modeling.elements import KINDS
 from linkwork.modeling.model import Model
+from linkwork.motion import summary
 from linkwork.results.result import Result
 from linkwork.running import checks
 
@@ -63,8 +64,10 @@ class InverseDynamics:
         return self.drives[name].effort
 
     def __str__(self) -> str:
-        """A line for each driver, with the largest of what it needs."""
-        return "\n".join(self._line(drive) for drive in self.drives.values())
+        """A line for each driver, with the largest of what it needs, and one for impacts."""
+        struck = summary.impacts(self.motion)
+        lines = [self._line(drive) for drive in self.drives.values()]
+        return "\n".join([*lines, *([f"impacts: {struck}"] if struck else [])])
 
     def _line(self, drive: Drive) -> str:
         k = int(np.abs(drive.effort).argmax())
@@ -95,6 +98,9 @@ def inverse_dynamics(
 
     drivers  names of one-equation joints; without them all that are drivers, and others of one
              equation with a function of time, such as a distance joint of variable length
+
+    Where the velocity of a driver jumps, bodies are struck by an impulse, which no effort has a part of: a
+    warning says when, and so does what is printed.
 
     Errors as for `kinematics`. ModelError: a driver that does not exist, or with more than one equation.
     OptionError: drivers that are no names.

@@ -58,7 +58,7 @@ def kinematics(
     which the message names with its time; the error's `result` is the motion up to there.
     SingularSystemError: a singular pose with on_singular="stop", or at the start of a large model.
     OptionError: times, or a function of time that is not known there. LinkworkWarning: a singular pose was
-    passed.
+    passed; the velocity of a driver jumps, by an impulse that multipliers and reactions are without.
     """
     began = time.perf_counter()
     t = _times(times)
@@ -231,7 +231,7 @@ class _Frames:
         self.model, self.asked = model, asked
         self.system = System(model)
         self.rows: dict[str, list[Any]] = {}
-        breakpoints.velocity_jumps(model, 0.0, float(asked[-1]))  # those of positions are refused
+        self.struck = breakpoints.struck_between_frames(model, float(asked[0]), float(asked[-1]))
         breaks = sorted({t for _, signal in model.drivers for t in signal.break_points if t > 0.0})
         #: The last time before each of these, and the first after it.
         self.sides = [it for it in map(breakpoints.on_either_side, breaks) if it[1] < asked[-1]]
@@ -257,10 +257,14 @@ class _Frames:
         fields, dynamics = self._fields(), self.system.compiled()
         given = {"times": self.asked}
         chosen = {"analysis": "kinematics", "integrator": "kinematics"}
-        facts = manifest(self.model, self.model.hash(), given, chosen)
+        facts = {
+            **manifest(self.model, self.model.hash(), given, chosen),
+            "breaks": {"count": len(self.sides), **breakpoints.noted(self.struck)},
+        }
         header = Header.of(self.model.compiled(), dynamics, facts, None, self.model.shapes, self.model.curves)
         crossings = continuation.crossings
-        statistics = {**continuation.counts, "singular_poses": len(crossings),
+        struck = {it.time for it in self.struck if it.time <= fields["t"][-1]}
+        statistics = {**continuation.counts, "impacts": len(struck), "singular_poses": len(crossings),
                       "singularity_crossings": crossings, "seconds": time.perf_counter() - began,
                       "failed": failed}  # fmt: skip
         return Result(fields, header, statistics)

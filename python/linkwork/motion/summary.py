@@ -34,6 +34,7 @@ def numbers(result: Result) -> dict[str, Any]:
         "max_energy_error": _number(np.abs(result.energy_error).max()) if len(result) else None,
         "events": [{"name": it.name, "t": it.t} for it in result.events],
         "breaks": int(result.statistics.get("breaks", 0)),
+        "impacts": int(result.statistics.get("impacts", 0)),
         "steps_with_breaks": int(result.statistics.get("steps_with_breaks", 0)),
         "violations": int(result.statistics.get("violations", 0)),
         "projections": int(result.statistics.get("projections", 0)),
@@ -69,6 +70,7 @@ def lines(result: Result) -> list[tuple[str, str]]:
         ("reactions", _reactions(found)),
         ("events", _events(result)),
         ("breaks", _breaks(result)),
+        ("impacts", impacts(result)),
         ("singular", _singular(result)),
         ("redundant", _row_changes(result)),
         ("limits", _excesses(result)),
@@ -111,6 +113,18 @@ def _breaks(result: Result) -> str:
         return ""
     steps = "1 step contains" if count == 1 else f"{count} steps contain"
     return f"{steps} break points, where the method loses its order; rtol makes steps that end there"
+
+
+def impacts(result: Result) -> str:
+    """Where drivers have struck the bodies."""
+    count = int(result.statistics.get("impacts", 0))
+    if not count:
+        return ""
+    noted = result.manifest.get("breaks", {}).get("impacts", ())
+    times = [f"{t:.4g}" for t in sorted({it["t"] for it in noted})[: min(count, LISTED)]]
+    when = f" at {', '.join(times)}{', ...' if count > LISTED else ''} s" if times else ""
+    first = f", first as {noted[0]['of']} jumps" if noted else ""
+    return f"bodies struck {counted(count, 'time')}{when}{first}; reactions are without the impulses"
 
 
 def _singular(result: Result) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -21,6 +21,9 @@ ROUNDOFF = 1e-9
 
 #: The same, relative to the largest values up to the next breaks: near zero these are differences of numbers.
 CANCELLED = 16 * float(np.finfo(float).eps)
+
+#: So many jumps are noted in a manifest.
+NOTED = 100
 
 #: Beside a break at t = 0 [s].
 LEAST = float(np.finfo(float).tiny)
@@ -55,11 +58,11 @@ class Jump(NamedTuple):
 
 
 def velocity_jumps(model: Model, t_start: float, t_end: float) -> list[Jump]:
-    """That the drivers demand, after the start and before the end [s].
+    """That the drivers demand, after the start and before the end [s], in order of time.
 
     ModelError: the position that one demands jumps there, or at the end, which no force can bring about.
     """
-    found = []
+    found: list[Jump] = []
     for what, signal in model.drivers:
         inside = [t for t in signal.break_points if t_start < t <= t_end]
         for last, t, following in zip([t_start, *inside], inside, [*inside[1:], t_end], strict=False):
@@ -73,22 +76,50 @@ def velocity_jumps(model: Model, t_start: float, t_end: float) -> list[Jump]:
                 )
             if order == 1 and t < t_end:
                 found.append(Jump(what, t, size))
-    return found
+    return sorted(found, key=lambda it: it.time)
 
 
-def check_drivers(model: Model, t_start: float, t_end: float, *, adaptive: bool) -> None:
-    """ModelError: the position that a driver demands jumps in the run, which no force can bring about.
+def check_drivers(model: Model, t_start: float, t_end: float, *, adaptive: bool) -> list[Jump]:
+    """Of the velocities that drivers demand in the run, by which bodies are struck.
 
+    ModelError: the position that a driver demands jumps in the run, which no force can bring about.
     LinkworkWarning: its velocity jumps, and the steps are fixed. With steps that follow tolerances the bodies
     are struck there.
     """
     struck = velocity_jumps(model, t_start, t_end)
     if struck and not adaptive:
-        first, more = struck[0], f", and {len(struck) - 1} more do" if len(struck) > 1 else ""
         warn(
-            f"the rate of {first.what} jumps by {first.size:.4g} at t = {first.time:.6g} s{more}: an impact, "
+            f"{_told(struck)}: an impact, "
             "which fixed steps smear over some steps; with rtol the bodies are struck at that time"
         )
+    return struck
+
+
+def struck_between_frames(model: Model, first: float, last: float) -> list[Jump]:
+    """Of a motion that drivers prescribe from t = 0 on, those from the first to the last frame [s].
+
+    ModelError: a position jumps. LinkworkWarning: a velocity does, and no frame can have what that takes.
+    """
+    struck = [it for it in velocity_jumps(model, 0.0, last) if it.time >= first]
+    if struck:
+        warn(
+            f"{_told(struck)}: an impact, by an impulse that forces, efforts and reactions of the frames are "
+            "without; give the driver a ramp, such as functions.cycloidal, to know what it takes"
+        )
+    return struck
+
+
+def noted(struck: Sequence[Jump]) -> dict[str, Any]:
+    """The first hundred for a manifest."""
+    told = [{"t": it.time, "jump": it.size, "of": f"the rate of {it.what}"} for it in struck[:NOTED]]
+    return {"impacts": told} if told else {}
+
+
+def _told(struck: Sequence[Jump]) -> str:
+    """ "the rate of driver 'd': velocity jumps by 2 at t = 0.5 s", of the first one, and how many more do."""
+    first = struck[0]
+    more = f", and {len(struck) - 1} more do" if len(struck) > 1 else ""
+    return f"the rate of {first.what} jumps by {first.size:.4g} at t = {first.time:.6g} s{more}"
 
 
 def on_either_side(t: float) -> tuple[float, float]:

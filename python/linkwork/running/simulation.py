@@ -240,7 +240,7 @@ def _prepared(
     """
     t_start = checks.start_time(start)
     model_hash = model.hash()  # before anything calls its functions, which may remember it
-    method, options, system, assembly, breaks = what_steps(model, plan, given, options, start)
+    method, options, system, assembly, breaks, impacts = what_steps(model, plan, given, options, start)
     choices = {**plan.steps(), **system.options}
     identity = resuming.Identity(model, model_hash, method, choices, watched, given, assembly)
     resume = resuming.of(start, identity, plan.t_end)
@@ -260,7 +260,7 @@ def _prepared(
     chosen = {"t_start": t_start, **plan.chosen(), "integrator": _name(method), **system.options}
     facts = {
         **manifest(model, identity.model_hash, {**given, **_in_words(watched, start)}, chosen),
-        "breaks": {"count": len(breaks), **plan.steps_with_breaks(breaks, t_start)},
+        "breaks": {"count": len(breaks), **plan.steps_with_breaks(breaks, t_start), **impacts},
         "constraints": checks.rank_numbers(system.compiled()),
         "assembled": assembly and str(assembly),
         "events": [event.label for event in watched],
@@ -284,6 +284,7 @@ class Stepped(NamedTuple):
     system: System
     assembly: Assembly | None  # what it took to make the initial state consistent
     breaks: Sequence[float]  # [s], in the run
+    impacts: Mapping[str, Any]  # where velocities of drivers jump, for the manifest
 
 
 def what_steps(
@@ -301,11 +302,12 @@ def what_steps(
     t_start = checks.start_time(start)
     checks.check_tables(model, plan.t_end)
     breaks = breakpoints.of_run(model, given["breaks"], t_start, plan.t_end)
-    breakpoints.check_drivers(model, t_start, plan.t_end, adaptive=isinstance(plan, schedule.Adaptive))
+    adaptive = isinstance(plan, schedule.Adaptive)
+    struck = breakpoints.check_drivers(model, t_start, plan.t_end, adaptive=adaptive)
     method = _method(plan.usual_integrator if given["integrator"] is None else given["integrator"])
     options = _honored(method, options)
     system, assembly = _system(model, method, options, plan, given["assemble"], start, like)
-    return Stepped(method, options, system, assembly, breaks)
+    return Stepped(method, options, system, assembly, breaks, breakpoints.noted(struck))
 
 
 def _looked_ahead(it: Prepared, output: str | os.PathLike[str] | None) -> Prepared:
