@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import Any
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import fields
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Complex", "Floats", "Indices", "Number", "VectorLike", "near_one", "pieces"]
+__all__ = [
+    "Complex", "Floats", "Indices", "Number", "ReadOnly", "VectorLike", "near_one", "pieces", "read_only",
+]  # fmt: skip
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -21,6 +24,8 @@ Number = float | np.floating[Any] | np.integer[Any]
 
 #: A point or axis, several, or one for each body, of whatever numbers and arrays: ArrayLike has no mixtures.
 VectorLike = ArrayLike | Sequence[ArrayLike] | Sequence[Sequence[ArrayLike]]
+
+Found = TypeVar("Found")
 
 #: Rows of a large array that are worked on at a time: with what is computed on the way they fit into a cache.
 PIECE = 4096
@@ -37,3 +42,30 @@ def pieces(count: int) -> Iterator[slice]:
     """Slices of so many rows, one after the other."""
     for first in range(0, count, PIECE):
         yield slice(first, min(first + PIECE, count))
+
+
+def read_only(found: Found) -> Found:
+    """The same numbers in arrays that nobody can write through, also those in a mapping.
+
+    What is computed once and given out often would else be another one after `x = result.t; x *= 1e3`.
+    """
+    if isinstance(found, np.ndarray):
+        view = found.view()
+        view.flags.writeable = False
+        return view  # type: ignore[return-value]
+    if isinstance(found, Mapping):
+        return {name: read_only(values) for name, values in found.items()}  # type: ignore[return-value]
+    return found
+
+
+class ReadOnly:
+    """Of a dataclass: the arrays in its fields are read-only, whoever made it, also by a pickle."""
+
+    def __post_init__(self) -> None:
+        for it in fields(self):  # type: ignore[arg-type]
+            values = getattr(self, it.name)
+            object.__setattr__(self, it.name, read_only(values))
+
+    def __setstate__(self, state: Mapping[str, Any]) -> None:
+        self.__dict__.update(state)
+        self.__post_init__()

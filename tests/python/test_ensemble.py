@@ -584,7 +584,35 @@ def test_parameters_are_coordinates_of_the_data_set() -> None:
     dataset = found.to_xarray()
     assert dataset["crank.mass"].values.tolist() == [0.1, 0.2]
     assert dataset["crank.mass"].attrs["units"] == "kg"
-    assert dataset["q"].dims == ("member", "time", "body", "q")
+    assert dataset["q"].dims == ("member", "time", "body", "q_component")
+
+
+def test_motions_are_variables_of_the_data_set_and_have_means_over_members() -> None:
+    pytest.importorskip("xarray")
+    found = lw.simulate_many(mechanisms.rod_pendulum(), {"gravity[2]": [-9.81, -5.0]}, 0.05, 1e-2,
+                             progress=False)  # fmt: skip
+    mean = found.to_xarray().mean("member")
+    assert set(mean.data_vars) == {"q", "v", "vdot", "lambda", "energy"}
+    assert np.array_equal(mean["q"].values, found.q.mean(axis=0))
+    height, spin = mean.q.sel(q_component="z"), mean.v.sel(v_component="omega_y")
+    assert np.array_equal(height.values, found.q[..., 2].mean(axis=0))
+    assert np.array_equal(spin.values, found.v[..., 4].mean(axis=0))
+
+
+def test_what_an_ensemble_gives_out_cannot_make_it_another_one() -> None:
+    values = np.array([-9.81, -5.0])
+    ensemble = lw.Ensemble(mechanisms.rod_pendulum(), {"gravity[2]": values})
+    found = ensemble.simulate(0.05, 1e-2, progress=False)
+    outputs = ensemble.simulate(0.05, 1e-2, outputs=["energy.max"], progress=False).outputs["energy.max"]
+    for it in (found.q, found.v, found.t, found.member(0).q, found.parameters["gravity[2]"],
+               found.accuracy, outputs):  # fmt: skip
+        with pytest.raises(ValueError, match="read-only"):
+            it -= 1.0
+    ensemble.parameters["gravity[2]"][:] = values[:] = 0.0
+    assert ensemble.parameters["gravity[2]"].tolist() == [-9.81, -5.0]
+    if pytest.importorskip("xarray"):
+        found.to_xarray()["q"].values[:] = 0.0
+        assert found.q.any()
 
 
 def test_members_may_differ_in_the_number_of_bodies() -> None:

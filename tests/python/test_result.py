@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import pickle
 from pathlib import Path
 
@@ -286,3 +287,81 @@ def test_what_does_not_change_is_not_read_again_for_each_run(monkeypatch: pytest
     monkeypatch.setattr("importlib.metadata.version", lambda name: pytest.fail(f"read {name} again"))
     again = lw.simulate(lw.mechanisms.pendulum(), t_end=0.01, step=1e-2).manifest
     assert again["versions"] == manifest["versions"] and again["versions"]["linkwork"]
+
+
+# --- what is given out ---
+
+
+def swinging() -> lw.Result:
+    return lw.simulate(lw.mechanisms.rod_pendulum(), t_end=0.1, step=1e-2)
+
+
+def test_what_a_result_gives_out_cannot_make_it_another_one(tmp_path: Path) -> None:
+    """In place, as NumPy is written: a time in milliseconds, a height above the lowest point."""
+    result, file = swinging(), tmp_path / "motion.h5"
+    swinging().save(file)
+    pin = result.joint_names[0]
+    for it in (result, Result.load(file), pickle.loads(pickle.dumps(result)), copy.deepcopy(result)):
+        given = [it.t, it.q, it.v, it.multipliers, it.position, it.omega, it.acceleration, it.work,
+                 it.violation, it.history, it.kinetic_energy, it.recorded("q", -1),
+                 *it.reactions(), *it.reaction(pin), it.body(0).position, it.body(0).omega, it.joint_axes(0),
+                 it.header.mass, it.header.joint_origin]  # fmt: skip
+        for values in given:
+            with pytest.raises(ValueError, match="read-only"):
+                values *= 1e3
+        it.statistics["verdict"]["error"] = it.manifest["options"]["t_end"] = 1e3
+        assert it.verdict == result.verdict and it.manifest["options"]["t_end"] == 0.1
+        assert np.array_equal(it.q, swinging().q) and it.t[-1] == 0.1
+
+
+def test_what_is_made_for_the_one_who_asks_is_his() -> None:
+    result = swinging()
+    state, q = result.snapshot(), result.q.copy()
+    state.q[0, 1] += 0.1
+    energy, points = result.energy, result.joint_points(0)
+    energy -= energy[0]
+    points += 1.0
+    assert np.array_equal(result.q, q)
+    y = lw.System(lw.mechanisms.rod_pendulum()).initial_state()
+    start = lw.Snapshot.of(0.0, y)
+    x = start.q[0, 0]
+    y += 1.0
+    assert start.q[0, 0] == x
+
+
+def test_tables_can_be_written_in_and_leave_the_result_as_it_is() -> None:
+    pytest.importorskip("xarray")
+    pytest.importorskip("pandas")
+    result = swinging()
+    data, frame = result.to_xarray(), result.to_frame()
+    data["kinetic_energy"] *= 2
+    data["position"].values[:] = 0
+    frame["energy_error [J]" if "energy_error [J]" in frame else frame.columns[0]] *= 2
+    frame.iloc[:] = 0.0
+    assert np.array_equal(result.q, swinging().q)
+    assert np.array_equal(result.kinetic_energy, swinging().kinetic_energy)
+
+
+def test_a_shape_is_the_one_that_was_checked() -> None:
+    corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])
+    mesh = lw.Mesh(corners, [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+    corners *= 2
+    assert mesh.vertices.max() == 1.0
+    for values in (mesh.vertices, lw.Box((1, 2, 3)).size):
+        with pytest.raises(ValueError, match="read-only"):
+            values *= 2
+
+
+def test_what_analyses_found_cannot_be_written_over() -> None:
+    """Reactions of an equilibrium follow from its multipliers, residuals of an assembly from its arrays."""
+    rest = lw.equilibrium(lw.mechanisms.chain(2))
+    vibration, assembly = lw.linearize(rest.model), lw.assemble(lw.mechanisms.four_bar())
+    found = lw.sensitivity(lambda k: lw.mechanisms.chain(2), {"k": 1.0},
+                           {"r": lambda result: result.position[-1, 0]}, t_end=0.02, step=1e-2)  # fmt: skip
+    for values in (rest.multipliers, rest.moved, vibration.eigenvalues, vibration.shapes, assembly.moved,
+                   assembly.position_after, found.values["r"], found.derivatives["r"]["k"]):  # fmt: skip
+        with pytest.raises(ValueError, match="read-only"):
+            values[...] = 1.0
+    for matrix in (vibration.M, vibration.C, vibration.K, vibration.D):
+        with pytest.raises(ValueError, match="read-only"):
+            matrix *= 2

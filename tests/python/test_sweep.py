@@ -33,6 +33,7 @@ from numpy.testing import assert_array_equal
 
 RUN: dict[str, Any] = {"t_end": 0.05, "step": 5e-3, "progress": False}
 FEW: dict[str, Any] = {**RUN, "processes": 1}
+FEW_OF: dict[Any, dict[str, Any]] = {lw.sweep: FEW, lw.simulate_many: RUN}
 GRID = {"rod.mass": [1.0, 2.0, 3.0], "gravity[2]": [-9.81, -1.62]}
 
 
@@ -1508,6 +1509,47 @@ def test_values_that_a_directory_cannot_hold_are_refused_and_run_without_one(
     assert (lw.sweep(build, {"it": values}, "final", **FEW).status == "finished").all()
     with pytest.raises(lw.OptionError, match="parameter 'it': .* cannot be kept in a directory"):
         lw.sweep(build, {"it": values}, "final", **FEW, directory=tmp_path / "kept")
+
+
+def test_an_output_function_cannot_spoil_the_outputs_after_it() -> None:
+    """A height above the lowest point in place is refused, and with a copy it is free fall: g t^2 / 2."""
+
+    def falling(gravity: float) -> lw.Model:
+        model = lw.Model(gravity=(0, 0, -gravity))
+        model.body("ball", mass=1.0, inertia=(1, 1, 1))
+        return model
+
+    def in_place(result: lw.Result) -> Any:
+        height = result.position[:, 0, 2]
+        height -= height.min()
+        return height.max()
+
+    def own(result: lw.Result) -> Any:
+        height = result.position[:, 0, 2].copy()
+        height -= height.min()
+        return height.max()
+
+    after = "body('ball').position.z.final"
+    for call in (lw.sweep, lw.simulate_many):
+        refused = call(falling, {"gravity": [10.0]}, outputs={"drop": in_place, "z": after}, **FEW_OF[call])
+        assert (
+            "output 'drop': its function writes into an array of the result" in refused.errors[0]["message"]
+        )
+        found = call(falling, {"gravity": [10.0]}, outputs={"drop": own, "z": after}, **FEW_OF[call])
+        assert found.outputs["drop"] == pytest.approx(0.0125) and found.outputs["z"] == pytest.approx(-0.0125)
+
+
+def test_what_a_study_gives_out_cannot_make_it_another_one() -> None:
+    study = lw.sweep(rod, {"length": [1.0, 2.0]}, "final", **FEW)
+    for given in (study.outputs["final.q"], study.parameters["length"], study.accuracy, study.seconds,
+                  study.case(0)["final.q"]):  # fmt: skip
+        with pytest.raises(ValueError, match="read-only"):
+            given *= 2.0
+    table = study.to_table()
+    table["length"] *= 2
+    if pytest.importorskip("xarray"):
+        study.to_xarray()["final.q"].values[:] = 0.0
+    assert study.case(1)["length"] == 2.0 and study.outputs["final.q"].any()
 
 
 def test_an_output_that_raises_is_named() -> None:

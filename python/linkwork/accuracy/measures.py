@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork.arrays import Floats
+from linkwork.arrays import Floats, ReadOnly
 from linkwork.errors import OptionError
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ SAME_TIME = 1e-9
 
 
 @dataclass(frozen=True)
-class Sampled:
+class Sampled(ReadOnly):
     """The frames of a result that a comparison needs; k times, n bodies, j joints with unique reactions."""
 
     t: Floats  # (k,) [s]
@@ -108,7 +108,7 @@ class Scales:
 
 
 @dataclass(frozen=True)
-class Differences:
+class Differences(ReadOnly):
     """From the reference, at k times: the largest of any body or joint. NaN where nothing is comparable."""
 
     t: Floats  # (k,) [s]

@@ -19,7 +19,7 @@ from linkwork.analyses.constraint_solver import (
 from linkwork.analyses.equations import LAST_DIGITS, Equations, Sparse
 from linkwork.analyses.stiffness import Stiffness, stiffness, stiffness_and_parts
 from linkwork.analyses.tangent import between, displaced
-from linkwork.arrays import Floats
+from linkwork.arrays import Floats, ReadOnly
 from linkwork.errors import (
     ModelError,
     NotConvergedError,
@@ -75,7 +75,7 @@ NEUTRAL, EPSILON = 1e-9, 1e-14
 
 
 @dataclass(frozen=True, eq=False)
-class Equilibrium:
+class Equilibrium(ReadOnly):
     """A model at rest in balance: g + D^T lambda = 0, Phi = 0."""
 
     model: Model  #: the given one in this pose, at rest

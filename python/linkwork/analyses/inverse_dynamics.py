@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from linkwork import _core
 from linkwork.analyses.kinematics import kinematics
 from linkwork.arguments import is_iterable
-from linkwork.arrays import Floats
+from linkwork.arrays import Floats, ReadOnly
 from linkwork.equations.system import System
 from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.modeling.elements import KINDS
@@ -28,7 +28,7 @@ UNITS = {"rotation": "N m", "translation": "N", "distance": "N"}
 
 
 @dataclass(frozen=True)
-class Drive:
+class Drive(ReadOnly):
     """What one driver does over time (k,)."""
 
     joint: str

@@ -22,7 +22,7 @@ from linkwork.analyses.steadiness import is_nearly_steady
 from linkwork.analyses.stiffness import Stiffness, damping, stiffness_and_parts
 from linkwork.analyses.tangent import displaced, to_inertial_axes
 from linkwork.arguments import is_number
-from linkwork.arrays import Complex, Floats
+from linkwork.arrays import Complex, Floats, ReadOnly
 from linkwork.equations.system import System
 from linkwork.errors import ModelError, OptionError, warn
 from linkwork.modeling.model import Model
@@ -83,7 +83,7 @@ MODES = 10
 
 
 @dataclass(frozen=True, eq=False)
-class Linearization:
+class Linearization(ReadOnly):
     """M x'' + C x' + K x = D^T mu, D x = 0, and the motions x = Re(shape exp(s t)) that it has.
 
     x (6n,): of each body a shift of its center of mass [m] and a rotation vector [rad], inertial axes. K has
@@ -99,6 +99,12 @@ class Linearization:
     eigenvalues: Complex  #: s (k,) [1/s], one of each conjugate pair, slow ones first
     shapes: Complex  #: (k, n, 6) of the bodies, the largest motion 1 (of rotations: angle times size)
     _equations: Equations = field(repr=False)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        for matrix in (self.M, self.C, self.K, self.D):
+            matrix.sum_duplicates()
+            matrix.data.flags.writeable = False
 
     @property
     def frequencies(self) -> Floats:

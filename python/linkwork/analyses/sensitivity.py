@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from linkwork.accuracy.verdict import Verdict
 from linkwork.arguments import UNREADABLE, reals
-from linkwork.arrays import Floats
+from linkwork.arrays import Floats, ReadOnly
 from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.modeling.model import Model
 from linkwork.results.result import Result
@@ -25,7 +25,7 @@ SMALLEST_STEP = 1e-13
 
 
 @dataclass(frozen=True, eq=False)
-class Sensitivity:
+class Sensitivity(ReadOnly):
     """Derivatives of outputs by parameters, each with an estimate of its error."""
 
     values: Mapping[str, Floats]  #: outputs at the parameters as given

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork.arguments import optional_package
-from linkwork.arrays import Floats
+from linkwork.arrays import Floats, ReadOnly
 from linkwork.errors import OptionError
 from linkwork.results.result import Result
 from linkwork.studies.datasets import dimensions, without_groups
@@ -25,20 +25,26 @@ __all__ = ["EnsembleResult"]
 #: Reasons that a summary lists.
 LISTED = 3
 
-#: Arrays over time that are kept: their dimensions after lane and time, and unit.
+#: Arrays over time that are kept: their dimensions after lane and time, and unit. A variable with the name of
+#: a dimension of its own would be a coordinate to xarray, and no mean over members would have it.
 TRAJECTORIES = {
-    "q": (("body", "q"), "m, 1"), "v": (("body", "v"), "m/s, rad/s"),
-    "vdot": (("body", "v"), "m/s2, rad/s2"), "lambda": (("row",), "N, N m"), "energy": ((), "J"),
+    "q": (("body", "q_component"), "m, 1"), "v": (("body", "v_component"), "m/s, rad/s"),
+    "vdot": (("body", "v_component"), "m/s2, rad/s2"), "lambda": (("row",), "N, N m"), "energy": ((), "J"),
 }  # fmt: skip
 
+#: Of q and v, and so of their rates, in a data set.
+COMPONENTS = {
+    "q_component": ("x", "y", "z", "e0", "e1", "e2", "e3"),
+    "v_component": ("x", "y", "z", "omega_x", "omega_y", "omega_z"),
+}
 
 #: Coordinates that a data set has of every ensemble, and dimensions that it has of motions.
 OWN = ("member", "status", "accuracy", "alone", "error", "time")
-DIMENSIONS = ("body", "row")
+DIMENSIONS = ("body", "row", *COMPONENTS)
 
 
 @dataclass(frozen=True, repr=False)
-class EnsembleResult:
+class EnsembleResult(ReadOnly):
     """n members, of which k frames or the outputs that were asked for are kept.
 
     parameters    by name: values (n, ...)
@@ -127,7 +133,7 @@ class EnsembleResult:
         or outputs as variables, units as attributes, the manifest as text. Names have "_" for "/", by which
         files would put them into groups; the attribute `name` has what it was.
 
-            many.to_xarray().q.mean("member")
+            many.to_xarray().q.mean("member").sel(q_component="z")
 
         OptionError: xarray is not installed, or members have frames at times of their own.
         """
@@ -148,8 +154,9 @@ class EnsembleResult:
         for name, values in self.trajectories.items():
             dims, unit = TRAJECTORIES[name]
             variables[name] = ("member", "time", *dims), values, {"units": unit}
+            coordinates |= {dim: list(COMPONENTS[dim]) for dim in dims if dim in COMPONENTS}
         attributes = {"manifest": json.dumps(self.manifest, default=str)}
-        return without_groups(package.Dataset(variables, coordinates, attributes))
+        return without_groups(package.Dataset(variables, coordinates, attributes).copy(deep=True))
 
     def _variable(self, name: str, values: NDArray[Any]) -> tuple[Any, Any, dict[str, str]]:
         dims = dimensions(name, values.ndim - 1, {*self.parameters, *self.outputs})

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from linkwork import _core
 from linkwork.arguments import is_number
-from linkwork.arrays import Floats
+from linkwork.arrays import Floats, ReadOnly
 from linkwork.equations import branches
 from linkwork.errors import ModelError, NotConvergedError
 from linkwork.modeling.handles import BodiesLike, BodyLike
@@ -39,7 +39,7 @@ class JointResidual:
 
 
 @dataclass(frozen=True, eq=False)
-class Assembly:
+class Assembly(ReadOnly):
     """A model with consistent initial conditions, and what it took. Arrays are over bodies or joints."""
 
     model: Model  #: the given model with other initial positions and velocities

@@ -21,7 +21,7 @@ import numpy as np
 
 from linkwork import rotation
 from linkwork.arguments import array, is_iterable, is_number, optional_package
-from linkwork.arrays import Floats, Indices, Number, VectorLike
+from linkwork.arrays import Floats, Indices, Number, VectorLike, read_only
 from linkwork.errors import FileError, ModelError
 
 __all__ = ["Box", "Cylinder", "Mesh", "Rod", "Shape", "Shapes", "ShapesLike", "Sphere"]
@@ -51,7 +51,7 @@ class Shape:
 
     def _set(self, **values: Any) -> None:
         for name, value in values.items():
-            object.__setattr__(self, name, value)
+            object.__setattr__(self, name, read_only(value))
 
     def dimensions(self) -> dict[str, Any]:
         """
@@ -194,7 +194,7 @@ class Mesh(Shape):
     def __init__(self, vertices: VectorLike, triangles: VectorLike, *, position: VectorLike = (0, 0, 0),
                  orientation: VectorLike = (1, 0, 0, 0), color: str | None = None) -> None:  # fmt: skip
         """ModelError: arrays of other shapes, or triangles of vertices that there are not."""
-        points, corners = np.asarray(vertices, float), np.asarray(triangles, np.int32)
+        points, corners = np.array(vertices, float), np.array(triangles, np.int32)
         if points.ndim != 2 or points.shape[1] != 3 or not np.isfinite(points).all():
             raise ModelError(f"mesh: vertices of shape {points.shape} are not finite (n, 3)", code="shape")
         if corners.ndim != 2 or corners.shape[1] != 3 or not len(corners):

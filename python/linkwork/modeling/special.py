@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from linkwork import _core, rotation
 from linkwork.arguments import UNREADABLE, is_one_of, is_text, reals
-from linkwork.arrays import Floats, VectorLike
+from linkwork.arrays import Floats, ReadOnly, VectorLike
 from linkwork.errors import ModelError
 from linkwork.functions import TimeFunction, TimeFunctionLike, as_time_function, broken, infinite_derivative
 from linkwork.modeling.coordinates import coordinate_of
@@ -56,7 +56,7 @@ class CouplerData:
 
 
 @dataclass(frozen=True)
-class CurveData:
+class CurveData(ReadOnly):
     """The curve of a point_on_curve."""
 
     points: Floats  #: (k, 3) in body a [m]

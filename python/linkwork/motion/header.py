@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from linkwork.arrays import Floats
+from linkwork.arrays import Floats, ReadOnly
 from linkwork.errors import counted
 from linkwork.modeling.shapes import Shapes
 
@@ -37,7 +37,7 @@ def _none(*shape: int) -> Callable[[], Any]:
 
 
 @dataclass(frozen=True, repr=False)
-class Header:
+class Header(ReadOnly):
     """n bodies, J joints, m constraint rows. SI units; ground is body index -1."""
 
     manifest: Mapping[str, Any]

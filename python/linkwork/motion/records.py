@@ -9,7 +9,7 @@ from typing import NamedTuple, NoReturn
 
 import numpy as np
 
-from linkwork.arrays import Floats
+from linkwork.arrays import Floats, ReadOnly
 
 __all__ = [
     "BodyResult",
@@ -53,7 +53,7 @@ class ForceResult(NamedTuple):
 
 
 @dataclass(frozen=True)
-class BodyResult:
+class BodyResult(ReadOnly):
     """The motion of one body's center of mass and its rotation; k frames, SI units."""
 
     name: str
@@ -119,6 +119,7 @@ class Snapshot(NamedTuple):
             start = lw.Snapshot.of(0.0, lw.System(model).initial_state())
         """
         split = 7 * (len(y) // 13)
+        y = np.array(y)  # the caller may go on in his
         return cls(t, y[:split].reshape(-1, 7), y[split:].reshape(-1, 6), history)
 
     @property
@@ -173,7 +174,7 @@ class SingularPose(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Occurrence:
+class Occurrence(ReadOnly):
     """An event that came: poses q (n, 7) and velocities v (n, 6) before and after it."""
 
     name: str

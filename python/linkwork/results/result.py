@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import hashlib
 import math
 import os
@@ -18,7 +19,7 @@ from linkwork.accuracy.verdict import Verdict
 from linkwork.accuracy.verification import Finer, band, difference
 from linkwork.arguments import check_new, check_suffix, one_of
 from linkwork.arguments import path as path_of
-from linkwork.arrays import Floats
+from linkwork.arrays import Floats, read_only
 from linkwork.errors import ModelError, OptionError, counted, nearest, warn
 from linkwork.modeling.coordinates import JointCoordinate, coordinate_of, coordinates_of
 from linkwork.modeling.handles import Body, Joint, Named
@@ -66,6 +67,8 @@ class Result:
     """k frames of n bodies, J joints and m constraint rows. SI units; inertial axes unless said otherwise.
 
     A fresh result holds its frames in memory; a loaded one leaves them in the file until they are asked for.
+    What it recorded is read-only: `result.q.copy()` is one's own.
+
     `manifest` says what was run (versions, options, hash of the model), `statistics` what it took
     (times of mechanisms below 20 bodies are estimated from a part of the evaluations).
     """
@@ -85,8 +88,8 @@ class Result:
         self._events = tuple(events)
         self._checkpoint = checkpoint
         self._places: dict[str, dict[str, int]] = {}
-        self.statistics = dict(statistics)
-        self.t: Floats = self._frames["t"][:]
+        self._statistics = dict(statistics)
+        self.t: Floats = self._field("t")
         self._finer: Finer | None = None
 
     # --- what was run ---
@@ -94,7 +97,12 @@ class Result:
     @property
     def manifest(self) -> dict[str, Any]:
         """Versions, options and the hash of the model: what is needed to run it again."""
-        return {**self._header.manifest, **self._said()}
+        return copy.deepcopy({**self._header.manifest, **self._said()})
+
+    @property
+    def statistics(self) -> dict[str, Any]:
+        """What the run took, and how it ended."""
+        return copy.deepcopy(self._statistics)
 
     @property
     def header(self) -> Header:
@@ -112,14 +120,14 @@ class Result:
     @property
     def finished(self) -> bool:
         """False for a run that failed, and for a file that is damaged or of a run that was interrupted."""
-        return bool(self.statistics) and not self.statistics.get("failed", False) and not self.missing
+        return bool(self._statistics) and not self._statistics.get("failed", False) and not self.missing
 
     @property
     def status(self) -> Literal["finished", "failed", "interrupted"]:
         """How the run ended; "interrupted" also where a file does not say how, see `missing`."""
         if self.finished:
             return "finished"
-        return "failed" if self.statistics.get("failed", False) else "interrupted"
+        return "failed" if self._statistics.get("failed", False) else "interrupted"
 
     @property
     def missing(self) -> tuple[str, ...]:
@@ -132,12 +140,12 @@ class Result:
 
         None: the run did not finish, or had no step.
         """
-        numbers = self.statistics.get("verdict")
+        numbers = self._statistics.get("verdict")
         return None if numbers is None else Verdict.of(numbers)
 
     def _said(self) -> dict[str, Any]:
         """Of the verdict for the manifest."""
-        found = self.statistics.get("verdict")
+        found = self._statistics.get("verdict")
         return {"verdict": {name: found[name] for name in ("level", "sentence", "error")}} if found else {}
 
     @property
@@ -256,7 +264,7 @@ class Result:
         """The first hundred times in which a `violation_limit` was passed, and the last."""
         return tuple(
             Excess(it["level"], it["t"], it["largest"], it["joint"])
-            for it in self.statistics.get("excesses", ())
+            for it in self._statistics.get("excesses", ())
         )
 
     @property
@@ -281,14 +289,14 @@ class Result:
                 f"{count - 1}, or -1 for the last",
                 code="frame",
             )
-        state = self._field("q", frame), self._field("v", frame)
+        state = self._field("q", frame).copy(), self._field("v", frame).copy()
         t = float(self.t[frame])
         came = [
             (it.name, np.concatenate([it.q_before.ravel(), it.v_before.ravel()]))
             for it in self.events
             if it.t == t
         ]
-        found = Snapshot(t, *state, self.history[frame], self._error_at(frame), happened=came)
+        found = Snapshot(t, *state, self.history[frame].copy(), self._error_at(frame), happened=came)
         last = int(frame) % count == count - 1
         if not last:
             return found
@@ -318,7 +326,7 @@ class Result:
         """
         return tuple(
             SingularPose(it["t"], tuple(it["joints"]), it["pivot"], it["fallback_evaluations"])
-            for it in self.statistics.get("singularity_crossings", ())
+            for it in self._statistics.get("singularity_crossings", ())
             if not it["rows_changed"]
         )
 
@@ -582,7 +590,7 @@ class Result:
             target,
             self._header,
             self._frames,
-            self.statistics,
+            self._statistics,
             self._run,
             self._events,
             checkpoint,
@@ -820,7 +828,9 @@ class Result:
         """What earlier versions pickled says of itself what it says today."""
         header = replace(state["_header"], manifest=renamed_manifest(state["_header"].manifest))
         self._checkpoint = None
-        self.__dict__.update(state, _header=header, statistics=renamed_statistics(state["statistics"]))
+        given = state.get("_statistics", state.get("statistics"))  # the latter in those of version 0.1
+        self.__dict__.update(state, _header=header, _statistics=renamed_statistics(given))
+        self.t = read_only(self.t)
 
     def __fingerprint__(self) -> str:
         """Of the motion, whatever time it took: see linkwork.fingerprints."""
@@ -836,7 +846,7 @@ class Result:
     # --- how it works ---
 
     def _field(self, name: str, part: Any = np.s_[:]) -> Floats:
-        values: Floats = self._frames[name][part]
+        values: Floats = read_only(self._frames[name][part])
         return values
 
     def _need_reactions(self) -> None:

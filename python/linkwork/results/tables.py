@@ -268,7 +268,7 @@ def to_xarray(result: Result, choice: Choice) -> xarray.Dataset:
     }  # fmt: skip
     kept = {name: it for name, it in coordinates.items() if name in used | {"time"}}
     found: xarray.Dataset = package.Dataset(variables, kept, attributes)
-    return found
+    return found.copy(deep=True)  # to write in, other than what the result gives out
 
 
 def _coordinate_variables(result: Result, choice: Choice) -> dict[str, Any]:

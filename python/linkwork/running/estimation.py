@@ -153,7 +153,7 @@ class ErrorEstimator:
         if verdict is not None:
             second = None if self._energies.at_rest else found.verdict
             new = verified(verdict, state_error(result, finer), self._resolution(), second)
-            result.statistics["verdict"] = self._explained(new).numbers()
+            result._statistics["verdict"] = self._explained(new).numbers()
         if output is not None:
             from linkwork.results.writing import add_finer
 

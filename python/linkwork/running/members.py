@@ -265,9 +265,9 @@ def _concluded(
                 result = concluded(it, estimator)
         except Exception as error:
             return Member(None, error=facts_of(error), remarks=[*remarks, *more])
-    result.statistics["lane"] = True
+    result._statistics["lane"] = True
     for name in SHARED:
-        result.statistics.pop(name, None)
+        result._statistics.pop(name, None)
     return Member(result, remarks=list(dict.fromkeys([*remarks, *more])))
 
 

@@ -269,7 +269,7 @@ def _abandon(
             state = Snapshot.of(run.t, run.last_state, run.history)
             error.state, error.result = state.resumable(checkpoints.of_state(), run.work), result
             if result is not None:
-                result.statistics.update(run.statistics(), failed=True)
+                result._statistics.update(run.statistics(), failed=True)
                 warn_of_tilted_axes(result)
                 warn_of_folded_joints(result)
         elif isinstance(error, Exception):  # of the user's own function

@@ -120,7 +120,7 @@ class Output:
             return np.array(result.recorded("q" if self.function is _final_q else "v", -1))
         assert isinstance(result, Result)
         if self.function is not None:
-            return _numbers(self.label, self.function(result))
+            return _numbers(self.label, _called(self.function, result))
         found: Floats = _followed(result, self.steps)
         if not _is_over_time(found, result):
             raise OptionError(f"output '{self.label}': is no array over time", code="outputs")
@@ -195,6 +195,19 @@ def _final_q(result: Result) -> Floats:
 
 def _final_v(result: Result) -> Floats:
     return result.recorded("v", -1)
+
+
+def _called(function: Callable[[Result], Any], result: Result) -> Any:
+    """OptionError: it writes where the outputs after it read."""
+    try:
+        return function(result)
+    except ValueError as error:
+        if "read-only" not in str(error):
+            raise
+        raise OptionError(
+            "its function writes into an array of the result, which is read-only: let it take a .copy()",
+            code="outputs",
+        ) from error
 
 
 def _numbers(label: str, found: Any) -> Floats:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork.arguments import check_new, optional_package
-from linkwork.arrays import Floats
+from linkwork.arrays import Floats, ReadOnly
 from linkwork.errors import OptionError, unwritable
 from linkwork.replacement import replacing
 from linkwork.results.result import Result
@@ -40,7 +40,7 @@ LISTED = 3
 
 
 @dataclass(frozen=True, repr=False)
-class Study:
+class Study(ReadOnly):
     """n cases of a study: `parameters`, `outputs` and `status`, case by case.
 
     parameters  by name: values (n, ...)
@@ -275,7 +275,7 @@ class Study:
         variables = {name: self._variable(name, it, self.described.get(name, ""))
                      for name, it in self.outputs.items()}  # fmt: skip
         attributes = {"manifest": json.dumps(self.manifest, default=str)}
-        return without_groups(package.Dataset(variables, coordinates, attributes))
+        return without_groups(package.Dataset(variables, coordinates, attributes).copy(deep=True))
 
     def _variable(self, name: str, values: NDArray[Any], about: str) -> tuple[Any, Any, dict[str, str]]:
         dims = dimensions(name, values.ndim - 1, {*self.parameters, *self.outputs})
