@@ -332,6 +332,44 @@ def test_stages_are_at_the_times_of_their_states(name: str, change: dict[str, An
         dataclasses.replace(METHODS[name], **change)
 
 
+@pytest.mark.parametrize(
+    ("name", "change", "message"),
+    [
+        ("rk4", {"b": (1 / 6, 1 / 3, 1 / 3, 0.2)}, "have order 0, not 4.* 1 gives 1.03333333 instead"),
+        ("rk4", {"b": (1 / 6, 1 / 3, 1 / 6, 1 / 3)}, "have order 1, not 4"),
+        ("rk4", {"A": ((), (0.5,), (0.25, 0.25), (0, 0, 1))}, "have order 2, not 4"),
+        ("tsit5", {"error": (1, 0, 0, 0, 0, 0, 0)}, "have error_order 0, not 4"),
+        ("dopri5", {"dense_order": 5, "interpolant": [(*row, 0.0) for row in METHODS["dopri5"].interpolant]},
+         "have dense_order 4, not 5"),
+        ("hem4", {"A_bar": [*METHODS["hem4"].A_bar[:-1], [1, *[0] * (len(METHODS["hem4"].A) - 1)]]},
+         "have order 1, not 4"),
+        ("ab2", {"predictor": (1.0, 0.0)}, "have order of predictor 1, not 2"),
+        ("abm4", {"corrector": (0.5, 0.5)}, "have order of corrector 2, not 4"),
+    ],
+)  # fmt: skip
+def test_an_order_is_one_that_the_coefficients_have(name: str, change: dict[str, Any], message: str) -> None:
+    """Errors are estimated by it."""
+    with pytest.raises(lw.OptionError, match=message):
+        dataclasses.replace(METHODS[name], **change)
+
+
+def test_a_lower_order_may_be_declared() -> None:
+    euler = [(1.0,), (0.0,), (0.0,), (0.0,)]
+    dataclasses.replace(METHODS["bs32"], order=2, error_order=1, interpolant=euler, dense_order=1)
+
+
+def test_a_method_is_the_one_that_was_checked_whatever_becomes_of_the_lists_it_was_given() -> None:
+    A, b, c = [[], [0.5]], [0.0, 1.0], np.array([0.0, 0.5])
+    midpoint = ButcherTableau("midpoint", 2, "", A=A, b=b, c=c)
+    same = ButcherTableau("midpoint", 2, "", A=((), (0.5,)), b=(0.0, 1.0), c=(0.0, 0.5))
+    predictor = [1.5, -0.5]
+    ab2 = dataclasses.replace(METHODS["ab2"], predictor=predictor)
+    A[1][0] = c[1] = predictor[0] = 1.0
+    b[:] = [0.5, 0.5]
+    assert midpoint == same and ab2 == METHODS["ab2"]
+    assert hash(midpoint) == hash(same)
+
+
 def test_a_tableau_of_the_users_own_runs() -> None:
     ralston = ButcherTableau(
         name="ralston", order=2, reference="Ralston (1962)", A=((), (2 / 3,)), b=(1 / 4, 3 / 4), c=(0, 2 / 3)

@@ -9,8 +9,9 @@ import numpy as np
 
 from linkwork import _core
 from linkwork.errors import OptionError
-from linkwork.integrators.data import check_name, check_numbers, check_order
+from linkwork.integrators.data import check_name, check_numbers, check_order, keep
 from linkwork.integrators.growth import added_growth, damped_roots
+from linkwork.integrators.order_conditions import check_multistep
 from linkwork.integrators.runge_kutta import ButcherTableau
 
 
@@ -18,7 +19,7 @@ from linkwork.integrators.runge_kutta import ButcherTableau
 class AdamsBashforth:
     """Explicit: y_next = y + h sum_j predictor_j f_{n-j}, the newest f first.
 
-    OptionError: what is no number or no starter, an order that so many steps cannot have.
+    OptionError: what is no number or no starter, an order that the coefficients do not have.
     """
 
     name: str
@@ -29,6 +30,7 @@ class AdamsBashforth:
 
     def __post_init__(self) -> None:
         _check(self, predictor=self.predictor)
+        check_multistep(self.name, "predictor", self.predictor, 0, self.order)
 
     def compiled(self) -> _core.Multistep:
         """The same method in the compiled module."""
@@ -64,6 +66,8 @@ class AdamsBashforthMoulton:
 
     def __post_init__(self) -> None:
         _check(self, predictor=self.predictor, corrector=self.corrector)
+        check_multistep(self.name, "predictor", self.predictor, 0, self.order - 1)
+        check_multistep(self.name, "corrector", self.corrector, 1, self.order)
 
     def compiled(self) -> _core.Multistep:
         """The same method in the compiled module."""
@@ -99,6 +103,7 @@ def _check(method: AdamsBashforth | AdamsBashforthMoulton, **coefficients: Seque
     for field, given in coefficients.items():
         if not len(given):
             raise OptionError(f"integrator '{method.name}': {field} is empty", code="tableau")
+    keep(method, *coefficients)
 
 
 def _largest_root(past: Sequence[np.ndarray[tuple[int], np.dtype[np.complex128]]]) -> float:

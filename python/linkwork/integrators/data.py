@@ -66,6 +66,13 @@ def check_order(name: str, most: int, **fields: Any) -> None:
             )
 
 
+def keep(method: Any, *names: str) -> None:
+    """Tuples for lists of the caller's, who may change them: the method would be another, unchecked."""
+    for name in names:
+        rows = (it if is_number(it) else tuple(it) for it in getattr(method, name))
+        object.__setattr__(method, name, tuple(rows))
+
+
 def _check_list(name: str, field: str, given: Any) -> None:
     several = isinstance(given, Sequence) or (isinstance(given, np.ndarray) and given.ndim > 0)
     if not several or isinstance(given, str | bytes):

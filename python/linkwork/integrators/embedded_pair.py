@@ -10,7 +10,8 @@ import numpy as np
 from linkwork import _core
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError
-from linkwork.integrators.data import check_nodes, check_numbers, check_order, check_rows
+from linkwork.integrators.data import check_nodes, check_numbers, check_order, check_rows, keep
+from linkwork.integrators.order_conditions import check_dense_order, check_error_order
 from linkwork.integrators.runge_kutta import ButcherTableau
 
 
@@ -57,6 +58,18 @@ class EmbeddedPair(ButcherTableau):
             )
         check_order(self.name, stages + 1, error_order=self.error_order)
         check_order(self.name, columns, dense_order=self.dense_order)
+        keep(self, "error", "interpolant", "second_error", "extra_A", "extra_c")
+        self._check_conditions(stages + 1)
+
+    def _check_conditions(self, stages: int) -> None:
+        """OptionError: the estimate or the interpolant has not the order that is declared."""
+        A = np.zeros((len(self.interpolant), len(self.interpolant)))
+        A[: stages - 1, : stages - 1], A[stages - 1, : stages - 1] = self.matrix, self.b
+        A[stages:] = self.extra_matrix
+        if not self.second_error:  # of two estimates neither has the order of what is made of them
+            error = np.array(self.error, float)
+            check_error_order(self.name, A[:stages, :stages], error, self.error_order)
+        check_dense_order(self.name, A, np.array(self.interpolant, float), self.dense_order)
 
     @property
     def extra_matrix(self) -> Floats:

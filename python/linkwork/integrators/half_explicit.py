@@ -10,8 +10,9 @@ import numpy as np
 from linkwork import _core
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError
-from linkwork.integrators.data import check_name, check_order, check_rows
+from linkwork.integrators.data import check_name, check_order, check_rows, keep
 from linkwork.integrators.growth import damped_roots, stability
+from linkwork.integrators.order_conditions import check_runge_kutta
 
 
 @dataclass(frozen=True)
@@ -48,6 +49,9 @@ class HalfExplicit:
                 code="tableau",
             )
         check_order(self.name, len(stages), order=self.order)
+        keep(self, "A", "A_bar")
+        A, A_bar = self.matrices  # where nothing is constrained, a Runge-Kutta method
+        check_runge_kutta(self.name, A, A_bar[-1], self.order)
 
     @property
     def matrices(self) -> tuple[Floats, Floats]:

@@ -10,8 +10,9 @@ import numpy as np
 from linkwork import _core
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError
-from linkwork.integrators.data import check_name, check_nodes, check_numbers, check_order, check_rows
+from linkwork.integrators.data import check_name, check_nodes, check_numbers, check_order, check_rows, keep
 from linkwork.integrators.growth import damped_roots, held_growth, stability
+from linkwork.integrators.order_conditions import check_runge_kutta
 
 
 @dataclass(frozen=True)
@@ -21,8 +22,8 @@ class ButcherTableau:
     Y_i = y + h sum_j A_ij f(t + c_j h, Y_j),   y_next = y + h sum_i b_i f(t + c_i h, Y_i)
 
     `A` holds the strictly lower triangle, row i with i numbers, which add up to c_i (Hairer, Norsett and
-    Wanner I, eq. II.1.9). OptionError: sizes that do not fit, what is no number, another c, an order that so
-    many stages cannot have.
+    Wanner I, eq. II.1.9). OptionError: sizes that do not fit, what is no number, another c, an order that the
+    coefficients do not have.
     """
 
     name: str
@@ -45,6 +46,8 @@ class ButcherTableau:
             )
         check_nodes(self.name, self.A, self.c)
         check_order(self.name, stages, order=self.order)
+        keep(self, "A", "b", "c")
+        check_runge_kutta(self.name, self.matrix, np.array(self.b, float), self.order)
 
     @property
     def matrix(self) -> Floats:
