@@ -34,13 +34,19 @@ SPECIAL = {
     stat.S_IFCHR: "device", stat.S_IFBLK: "device", stat.S_IFIFO: "pipe", stat.S_IFSOCK: "socket",
 }  # fmt: skip
 
-#: Suffixes of the files that are written, by what is in them.
+#: Suffixes by what is in files, of those that are written and of others that a name could ask for. The last
+#: two have suffixes that have a kind of their own, which is what errors call it.
 SUFFIXES = {
     "result": (".h5", ".hdf5", ".hdf"), "table": (".csv",), "page": (".html", ".htm"),
-    "movie": (".mp4", ".gif"), "data set": (".nc",),
+    "movie": (".mp4", ".gif"), "data set": (".nc", ".nc4", ".cdf"),
     "picture": (".png", ".pdf", ".svg", ".eps", ".ps", ".jpg", ".jpeg", ".tif", ".tiff", ".webp"),
     "model": (".yaml", ".yml", ".json"), "robot": (".urdf", ".sdf", ".xml"),
     "spreadsheet": (".xlsx", ".xls", ".ods"), "column store": (".parquet", ".feather", ".arrow"),
+    "Zarr store": (".zarr",), "NumPy file": (".npz", ".npy"), "MATLAB file": (".mat",),
+    "text": (".txt", ".tsv", ".md", ".tex"), "pickle": (".pkl", ".pickle"),
+    "video": (".avi", ".mov", ".mkv", ".webm"), "database": (".db", ".sqlite", ".sqlite3"),
+    "compressed file": (".zip", ".gz", ".xz", ".bz2", ".zst", ".tar", ".tgz"),
+    "table of cases": (".csv", ".nc", ".nc4", ".cdf"), "comparison": (".json",),
 }  # fmt: skip
 
 #: What NumPy and Python raise for what is not made of numbers.

@@ -198,6 +198,10 @@ def test_demo_compares_the_four_methods(screen: Screen, tmp_path: Path) -> None:
     assert all(0 < method["reaction_difference"] < 0.1 for method in shown["methods"])
     assert Result.load(tmp_path / "linkwork-demo.h5").finished
     assert (tmp_path / "linkwork-demo.png").stat().st_size > 10_000
+    (tmp_path / "linkwork-demo.h5").write_text("precious")
+    code, _, err = screen("demo", "--output-dir", tmp_path)
+    assert code == 1 and "linkwork-demo.h5': there is such a file already" in err
+    assert (tmp_path / "linkwork-demo.h5").read_text() == "precious"
 
 
 def test_demo_table_fits_a_terminal_of_80_columns(tmp_path: Path) -> None:

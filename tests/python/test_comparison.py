@@ -436,6 +436,22 @@ def test_a_file_that_grows_too_large_ends_with_one_line_and_the_cells_so_far(tmp
     assert len(quick(t_end=1.0, steps=STEPS, resume=tmp_path / "c")) == 33
 
 
+def test_texts_of_a_comparison_replace_no_file_and_have_suffixes_of_their_kinds(tmp_path: Path) -> None:
+    comparison = quick(integrators=["rk4"])
+    for write, suffix in ((comparison.to_csv, "csv"), (comparison.to_json, "json")):
+        file = tmp_path / f"it.{suffix}"
+        file.write_text("precious")
+        with pytest.raises(lw.FileError, match="there is such a file already"):
+            write(file)
+        assert file.read_text() == "precious"
+        write(file, overwrite=True)
+        assert file.stat().st_size > 200
+        with pytest.raises(lw.FileError, match=rf"\.html is the suffix of a page: .* written to \.{suffix}"):
+            write(tmp_path / "it.html")
+    with pytest.raises(lw.FileError, match="is the suffix of a table: a page is written to"):
+        comparison.to_html(tmp_path / "it.csv")
+
+
 def test_a_page_that_cannot_be_written_leaves_the_old_one(tmp_path: Path) -> None:
     comparison = quick(integrators=["rk4"])
     (tmp_path / "table.csv").write_text("old")
@@ -443,7 +459,7 @@ def test_a_page_that_cannot_be_written_leaves_the_old_one(tmp_path: Path) -> Non
     resource.setrlimit(resource.RLIMIT_FSIZE, (100, limits[1]))
     try:
         with pytest.raises(lw.FileError, match=r"table.csv': cannot be written: file too large"):
-            comparison.to_csv(tmp_path / "table.csv")
+            comparison.to_csv(tmp_path / "table.csv", overwrite=True)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)
     assert os.listdir(tmp_path) == ["table.csv"] and (tmp_path / "table.csv").read_text() == "old"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import os
 from pathlib import Path
 
 import h5py
@@ -175,12 +176,29 @@ def test_files_are_replaced_on_request_only(result: lw.Result, tmp_path: Path) -
 def test_a_suffix_of_another_kind_of_file_is_refused(result: lw.Result, tmp_path: Path) -> None:
     for write, name in (
         (result.save, "a.csv"), (result.to_csv, "a.h5"), (result.plot, "a.html"), (result.view, "a.png"),
-        (result.movie, "a.png"),
+        (result.movie, "a.png"), (result.save, "a.zarr"), (result.save, "a.npz"), (result.to_csv, "a.txt"),
     ):  # fmt: skip
         with pytest.raises(lw.FileError, match="is the suffix of a") as caught:
             write(tmp_path / name)
         assert caught.value.code == "format"
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_picture_has_no_name_of_a_kind(
+    result: lw.Result, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    drawn = {"gravity[2]": [-9.0, -8.0]}
+    study = lw.sweep(lw.mechanisms.pendulum(), drawn, "energy.max", t_end=0.02, step=1e-2, processes=1)
+    comparison = lw.compare(lw.mechanisms.pendulum(), 0.02, steps=[1e-2], integrators=["rk4"])
+    for draw, kind in ((result.plot, "energy"), (study.plot, "tornado"), (comparison.plot, "order")):
+        with pytest.raises(
+            lw.FileError, match=f"picture '{kind}' is the name of a kind, which kind='{kind}' draws"
+        ):
+            draw(path=kind)
+        with pytest.raises(lw.OptionError, match="'it.png' does not exist; a file is given as path='it.png'"):
+            draw(kind="it.png")
+    assert os.listdir() == []
 
 
 @pytest.mark.parametrize("kind", ["positions", "velocities", "accelerations"])

@@ -1264,8 +1264,13 @@ def test_command_says_that_all_have_failed(folder: Path, capsys: pytest.CaptureF
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        (["--output", "cases.xlsx"], "xlsx is the suffix of a spreadsheet: a table is written to .csv"),
+        (
+            ["--output", "cases.xlsx"],
+            "xlsx is the suffix of a spreadsheet: a table of cases is written to .csv or .nc",
+        ),
         (["--output", "cases.parquet"], "parquet is the suffix of a column store"),
+        (["--output", "cases.zarr"], "zarr is the suffix of a Zarr store"),
+        (["--output", "cases.npz"], "npz is the suffix of a NumPy file"),
         (["--plot", "p.png", "--kind", "bands"], "no output is an array over time"),
         (["--plot", "p.png", "--kind", "surface"], "needs two parameters, and the study has 1"),
     ],

@@ -236,7 +236,7 @@ def demo(output_dir: str, as_json: bool) -> None:
     linkwork demo --output-dir demo
 
     A spatial slider-crank by the four methods of Flores (2015), chapter 12, in one table: violation, energy,
-    reactions, effort. Writes linkwork-demo.h5 and linkwork-demo.png.
+    reactions, effort. Writes linkwork-demo.h5 and linkwork-demo.png; --force replaces those that are there.
     """
     from linkwork.cli.demonstration import show
 

@@ -49,7 +49,7 @@ def compare_and_show(
     if html is not None:
         comparison.to_html(html)
     if csv is not None:
-        comparison.to_csv(csv)
+        comparison.to_csv(csv, overwrite=True)
     if plot is not None:
         comparison.plot(path=plot)
     if as_json:

@@ -94,7 +94,7 @@ def show(output_dir: str, as_json: bool) -> None:
     }
     _make_directory(output_dir)
     for what, file in files.items():
-        out.check_writable(file, what, own=True)
+        out.check_writable(file, what)
 
     settings = dict(MECHANISMS[MECHANISM].settings)
     step, t_end = settings.pop("step"), settings.pop("t_end")

@@ -56,10 +56,10 @@ def print_table(columns: Sequence[str], rows: Iterable[Sequence[str]], title: st
     Console(highlight=False, width=width).print(table)
 
 
-def check_writable(path: str | os.PathLike[str], what: str = "output", *, own: bool = False) -> None:
+def check_writable(path: str | os.PathLike[str], what: str = "output") -> None:
     """FileError, before a long run, where a file to be written at its end could not be, or may not.
 
-    A file that is there is replaced where `--force` says so, or where its name is the command's `own`.
+    A file that is there is replaced where `--force` says so.
     """
     parent = Path(path).absolute().parent
     if not parent.is_dir():
@@ -68,7 +68,7 @@ def check_writable(path: str | os.PathLike[str], what: str = "output", *, own: b
             code="not_writable",
         )
     if what in SUFFIXES:
-        check_new(path, what, own or may_replace())
+        check_new(path, what, may_replace())
     else:
         path_of(path, what)
     if Path(path).is_dir():

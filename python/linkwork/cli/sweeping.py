@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -54,7 +55,7 @@ def sweep(file: str, shard: str | None, gather: bool, retry: bool, processes: in
 
     part = None if shard is None else _shard(shard)
     if output is not None:
-        out.check_writable(output, "data set" if output.endswith(".nc") else "table")
+        out.check_writable(output, "table of cases")
     if picture is not None:
         from linkwork.plots.figures import check_format
 
@@ -70,8 +71,7 @@ def sweep(file: str, shard: str | None, gather: bool, retry: bool, processes: in
     study = run(**given, shard=part, gather=gather, retry=retry, processes=processes,
                 case_seconds=case_seconds)  # fmt: skip
     if output is not None:
-        save = study.save if output.endswith(".nc") else study.to_csv
-        save(output, overwrite=True)
+        _save(study, output)
     if picture is not None:
         study.plot(kind, picture)
     if page is not None:
@@ -85,6 +85,13 @@ def sweep(file: str, shard: str | None, gather: bool, retry: bool, processes: in
     if message := _failure(study):
         streams.say("error", message)
         raise click.exceptions.Exit(1)
+
+
+def _save(study: Study, output: str) -> None:
+    from linkwork.arguments import SUFFIXES
+
+    save = study.save if Path(output).suffix.lower() in SUFFIXES["data set"] else study.to_csv
+    save(output, overwrite=True)
 
 
 def _failure(study: Study) -> str:

@@ -11,8 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from linkwork.comparison.runs import WRONG, Outcome
-from linkwork.errors import OptionError, nearest
-from linkwork.plots.figures import COLORS, literal, new_figure, written
+from linkwork.plots.figures import COLORS, check_picture, literal, new_figure, written
 
 if TYPE_CHECKING:
     from linkwork.comparison.table import Comparison
@@ -26,9 +25,8 @@ MARKERS = "os^Dv<>pPX*hd8"
 
 
 def plot(comparison: Comparison, kind: str, path: str | os.PathLike[str] | None = None) -> Figure:
-    """One picture, and its file. OptionError: no such kind. FileError: `path` cannot be written."""
-    if kind not in KINDS:
-        raise OptionError(f"plot '{kind}' does not exist{nearest(kind, KINDS)}", code="unknown_option")
+    """One picture, and its file. See Comparison.plot."""
+    check_picture(kind, path, KINDS)
     figure = new_figure(9.0, 4.8)
     ax = figure.subplots()
     KINDS[kind](ax, comparison)

@@ -10,10 +10,10 @@ import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from itertools import pairwise
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
-from linkwork.arguments import optional_package
-from linkwork.arguments import path as path_of
+from linkwork.arguments import check_new, check_suffix, optional_package
 from linkwork.comparison.order import OrderStudy
 from linkwork.comparison.reference import Reference
 from linkwork.comparison.runs import ERRORS, Outcome
@@ -209,30 +209,40 @@ class Comparison:
         found: pandas.DataFrame = package.DataFrame(self._flat_rows())
         return found
 
-    def to_csv(self, path: str | os.PathLike[str] | None = None) -> str:
+    def to_csv(self, path: str | os.PathLike[str] | None = None, *, overwrite: bool = False) -> str:
         """
-        The table as CSV, also written to `path`. FileError.
+        The table as CSV, also written to `path`.
 
             comparison.to_csv("methods.csv")
+
+        overwrite  whether it may replace a file
+
+        FileError: there is a file, it has another suffix, or cannot be written.
         """
+        target = None if path is None else check_new(path, "table", overwrite)
         out = io.StringIO()
         rows = self._flat_rows()
         writer = csv.DictWriter(out, list(rows[0]) if rows else [], lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
-        return _written(out.getvalue(), path)
+        return _written(out.getvalue(), target)
 
-    def to_json(self, path: str | os.PathLike[str] | None = None) -> str:
+    def to_json(self, path: str | os.PathLike[str] | None = None, *, overwrite: bool = False) -> str:
         """
-        Everything, the curves over time too, as JSON, also written to `path`. FileError.
+        Everything, the curves over time too, as JSON, also written to `path`.
 
             comparison.to_json("methods.json")
+
+        overwrite  whether it may replace a file
+
+        FileError: there is a file, it has another suffix, or cannot be written.
         """
+        target = None if path is None else check_new(path, "comparison", overwrite)
         document = {**self.document(), "cells": [
             {**row, "curves": it.curves and asdict(it.curves)}
             for row, it in zip(self.rows(), self.outcomes, strict=True)
         ]}  # fmt: skip
-        return _written(json.dumps(_plain(document), indent=1, allow_nan=False) + "\n", path)
+        return _written(json.dumps(_plain(document), indent=1, allow_nan=False) + "\n", target)
 
     def to_html(self, path: str | os.PathLike[str] | None = None) -> str:
         """
@@ -242,14 +252,15 @@ class Comparison:
         """
         from linkwork.comparison import page
 
-        return _written(page.page(self), path)
+        return _written(page.page(self), None if path is None else check_suffix(path, "page"))
 
     def plot(self, kind: str = "work_precision", path: str | os.PathLike[str] | None = None) -> Figure:
         """A picture, also written to `path`: "work_precision", "order", "violation", "energy" or "error".
 
             comparison.plot("work_precision", "methods.png")
 
-        OptionError: no such kind. FileError.
+        OptionError: no such kind. FileError: `path` cannot be written, or is the name of a kind. A picture
+        that is there is replaced.
         """
         from linkwork.comparison import plots
 
@@ -360,10 +371,10 @@ def _plain(value: Any) -> Any:
     return value
 
 
-def _written(text: str, path: str | os.PathLike[str] | None) -> str:
+def _written(text: str, path: Path | None) -> str:
     """Also to a file, if one is named."""
     if path is None:
         return text
-    with replacing(path_of(path, "output"), "output") as beside:
+    with replacing(path, "output") as beside:
         beside.write_text(text, encoding="utf-8")
     return text

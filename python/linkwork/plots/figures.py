@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import io
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -15,9 +15,10 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex
 from matplotlib.figure import Figure
 
+from linkwork.arguments import check_suffix, one_of
 from linkwork.arguments import path as path_of
 from linkwork.arrays import Floats
-from linkwork.errors import FileError, nearest
+from linkwork.errors import FileError, OptionError, nearest
 from linkwork.options import LEVELS
 from linkwork.replacement import replacing
 
@@ -324,6 +325,30 @@ def check_format(path: str | os.PathLike[str]) -> None:
         raise FileError(
             f"picture '{path}': no format '{suffix}'{nearest(suffix, known)}", code="not_writable"
         )
+
+
+def check_picture(kind: Any, path: Any, kinds: Iterable[str]) -> None:
+    """Before anything is drawn, and in whichever order they were given.
+
+    OptionError: no such kind. FileError: `path` is the name of a kind, which would be another picture in a
+    file of an unexpected name, or no picture can be written to it.
+    """
+    known = list(kinds)
+    if kind not in known and isinstance(kind, str) and os.path.splitext(kind)[1]:
+        raise OptionError(
+            f"plot kind '{kind}' does not exist; a file is given as path='{kind}'", code="unknown_option"
+        )
+    one_of(kind, known, "plot kind")
+    if path is None:
+        return
+    name = str(check_suffix(path, "picture"))
+    if name in known:
+        raise FileError(
+            f"picture '{name}' is the name of a kind, which kind='{name}' draws; a file that is called so is "
+            f"'{name}.png'",
+            code="path",
+        )
+    check_format(name)
 
 
 def written(figure: Figure, path: str | os.PathLike[str] | None, dpi: float = 110) -> Figure:

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from linkwork.arguments import one_of
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError
 from linkwork.modeling.coordinates import known_coordinates
@@ -51,7 +50,7 @@ def plot(
     OptionError: no such kind, or it does not show what is chosen, or too much is. ModelError: no such body,
     joint or force element.
     """
-    one_of(kind, KINDS, "plot kind")
+    figures.check_picture(kind, path, KINDS)
     for what, names in (("bodies", bodies), ("joints", joints), ("forces", forces)):
         if not isinstance(names, Iterable) or isinstance(names, str):
             raise ModelError(f"{what} {names!r:.80} is no list of names, indices or handles", code="names")

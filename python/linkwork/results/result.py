@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from linkwork import rotation
 from linkwork.accuracy.verdict import Verdict
 from linkwork.accuracy.verification import Finer, band, difference
-from linkwork.arguments import check_new, check_suffix, one_of
+from linkwork.arguments import check_new, one_of
 from linkwork.arguments import path as path_of
 from linkwork.arrays import Floats, read_only
 from linkwork.errors import ModelError, OptionError, counted, nearest, warn
@@ -710,11 +710,10 @@ class Result:
 
         Reactions that do not follow from the motion are dashed and marked. OptionError: no such kind, or it
         does not show what is chosen, or more than 20 of it. ModelError: no such body, joint or force element.
-        FileError: `path` cannot be written.
+        FileError: `path` cannot be written, or is the name of a kind. A picture that is there is replaced.
         """
         from linkwork.plots import kinds
 
-        path = None if path is None else check_suffix(path, "picture")
         return kinds.plot(self, path, kind, bodies, joints, forces)
 
     def index(self, what: Literal["body", "joint", "force"], name: Named) -> int:

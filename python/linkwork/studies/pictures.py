@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError, counted, nearest
-from linkwork.plots.figures import COLORS, check_format, literal, new_figure, style, written
+from linkwork.plots.figures import COLORS, check_picture, literal, new_figure, style, written
 
 if TYPE_CHECKING:
     from linkwork.studies.study import Study
@@ -79,10 +79,7 @@ def plot(
     parameters: str | Sequence[str] | None = None,
 ) -> Figure:
     """See Study.plot."""
-    if kind not in KINDS:
-        raise OptionError(f"plot '{kind}' does not exist{nearest(kind, KINDS)}", code="unknown_option")
-    if path is not None:
-        check_format(path)
+    check_picture(kind, path, KINDS)
     if not (study.status == "finished").any():
         raise OptionError("study: no case has finished, so that there is nothing to draw", code="outputs")
     chosen = _chosen("output", study.outputs, outputs), _chosen("parameter", study.parameters, parameters)

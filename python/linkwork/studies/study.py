@@ -137,7 +137,8 @@ class Study(ReadOnly):
                     "tornado": the change of outputs with each parameter, see `swings`
         outputs, parameters   which; None: all that are numbers and not the same in every case
 
-        OptionError: no such kind or name, or nothing to draw. FileError: `path` cannot be written.
+        OptionError: no such kind or name, or nothing to draw. FileError: `path` cannot be written, or is the
+        name of a kind. A picture that is there is replaced.
         """
         from linkwork.studies import pictures
 
@@ -285,7 +286,8 @@ class Study(ReadOnly):
         return ("case", *dims), values, {key: text for key, text in attributes.items() if text}
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
-        """Write the data set of `to_xarray` as netCDF: .nc, which xarray.load_dataset reads.
+        """Write the data set of `to_xarray` as netCDF: .nc, which xarray.load_dataset reads. As Zarr
+        `study.to_xarray().to_zarr("cases.zarr")` writes it.
 
             study.save("cases.nc")
 
