@@ -645,6 +645,23 @@ def test_blows_before_the_first_frame_are_not_told() -> None:
     assert "impacts" not in str(needed)
 
 
+@pytest.mark.usefixtures("matrices")
+@pytest.mark.parametrize("end", [0.5, 1.0, 1.0 + 2e-16])
+def test_the_last_frame_at_a_break_is_of_what_comes_before_it(end: float) -> None:
+    """A driver turns the bar by 3 rad/s and stops it at the end: it is not struck there yet, as in a run."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("bar", mass=1.0, inertia=(0.03, 0.03, 0.03), position=(0.3, 0, 0))
+    model.revolute("ground", "bar", at=(0, 0, 0), axis=(0, 1, 0), name="pin")
+    knots = [[0.0, 3.0], [3.0 * round(end, 1), 0.0]]
+    model.drive("pin", position=lw.functions.piecewise_polynomial([0.0, round(end, 1), 3.0], knots))
+    t = np.append(np.linspace(0.0, 0.95 * end, 20), end)
+    motion = lw.kinematics(model, t)
+    energy = 0.5 * (1.0 * 0.3**2 + 0.03) * 3.0**2
+    assert motion.kinetic_energy[-1] == pytest.approx(energy, rel=1e-12)
+    assert motion.work[-1] - motion.work[0] == pytest.approx(0.0, abs=1e-12)
+    assert motion.t[-1] == end
+
+
 @pytest.mark.parametrize("size", [0.3, 1e-3])
 @pytest.mark.parametrize("when", [0.5, 1.0])
 def test_positions_that_jump_are_refused_by_every_analysis_and_run(size: float, when: float) -> None:

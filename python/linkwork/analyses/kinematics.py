@@ -234,11 +234,15 @@ class _Frames:
         self.struck = breakpoints.struck_between_frames(model, float(asked[0]), float(asked[-1]))
         breaks = sorted({t for _, signal in model.drivers for t in signal.break_points if t > 0.0})
         #: The last time before each of these, and the first after it.
-        self.sides = [it for it in map(breakpoints.on_either_side, breaks) if it[1] < asked[-1]]
+        sides = list(map(breakpoints.on_either_side, breaks))
+        self.sides = [it for it in sides if it[1] < asked[-1]]
+        at_end = [before for before, after in sides if asked[-2] < before <= asked[-1] <= after]
+        #: When frames are found: at a break the last one is of what comes before it, as that of a run.
+        self.taken = np.append(asked[:-1], at_end[:1]) if at_end else asked
 
     @property
     def times(self) -> Floats:
-        return np.union1d(self.asked, np.ravel(self.sides))
+        return np.union1d(self.taken, np.ravel(self.sides))
 
     @property
     def begun(self) -> bool:
@@ -296,7 +300,9 @@ class _Frames:
         states = (arrays["q"].reshape(len(t), -1), arrays["v"].reshape(len(t), -1))
         kinetic = self.system.compiled().kinetic_energies(*states)
         found = {**arrays, "kinetic": kinetic, "work": self._work(t, power, kinetic)}
-        return {name: values[np.isin(t, self.asked)] for name, values in found.items()}
+        found = {name: values[np.isin(t, self.taken)] for name, values in found.items()}
+        found["t"] = self.asked[: len(found["t"])]
+        return found
 
     def _work(self, t: Floats, power: Floats, kinetic: Floats) -> Floats:
         """The integral of the power, and what bodies gain or lose where drivers demand another velocity."""
