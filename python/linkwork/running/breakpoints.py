@@ -74,7 +74,7 @@ def velocity_jumps(model: Model, t_start: float, t_end: float) -> list[Jump]:
                     code="position_jump",
                     time=t,
                 )
-            if order == 1 and t < t_end:
+            if order == 1 and on_either_side(t)[1] < t_end:
                 found.append(Jump(what, t, size))
     return sorted(found, key=lambda it: it.time)
 
