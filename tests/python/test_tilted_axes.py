@@ -159,6 +159,6 @@ def test_the_tilt_that_is_told_is_the_largest_of_all_frames() -> None:
 
 
 def test_of_a_sample_of_the_frames_the_tilt_is_at_least_what_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("linkwork.running.tilted_axes.LOOKS", 100)
+    monkeypatch.setattr("linkwork.running.sampled_frames.LOOKS", 100)
     word, tilt, largest = told(flick())
     assert word == "at least" and 0.0 < tilt < largest

@@ -23,9 +23,8 @@ from linkwork.motion.header import Header
 from linkwork.motion.records import Snapshot
 from linkwork.results.result import Result
 from linkwork.running import breakpoints, checks
-from linkwork.running.folded_joints import warn_of_folded_joints
 from linkwork.running.manifest import manifest
-from linkwork.running.tilted_axes import warn_of_tilted_axes
+from linkwork.running.seen_in_frames import warn_of_what_frames_show
 
 __all__ = ["kinematics"]
 
@@ -90,12 +89,11 @@ def kinematics(
         at = continuation.at
         error.state = Snapshot(at.t, at.q.reshape(-1, 7), at.v.reshape(-1, 6), at.history)
         if error.result is not None:
-            warn_of_tilted_axes(error.result)
+            warn_of_what_frames_show(error.result)
         raise
     result = frames.result(continuation, began)
     _check_work(result)
-    warn_of_tilted_axes(result)
-    warn_of_folded_joints(result)
+    warn_of_what_frames_show(result)
     return result
 
 

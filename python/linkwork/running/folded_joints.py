@@ -11,35 +11,31 @@ import numpy as np
 
 from linkwork.errors import warn
 from linkwork.results.result import Result
-from linkwork.running.tilted_axes import Elements, axes_of
+from linkwork.running.sampled_frames import ELEMENTS, Elements, axes_of, every_of, listed, times_of
 
 __all__ = ["warn_of_folded_joints"]
 
 #: Of p_3^2 - p_0^2 on the wrong side: less is roundoff beside 180 degrees.
 FOLDED = 1e-6
 
-#: How many joints are looked at, and how many of them in frames.
-JOINTS, LOOKS = 100_000, 200_000
-
 
 def warn_of_folded_joints(result: Result) -> None:
     """LinkworkWarning: joints of constant velocity that are on the other side, as far as the frames tell."""
     header = result.header
-    places = [k for k, kind in enumerate(header.joint_kinds) if kind == "constant_velocity"][:JOINTS]
+    places = [k for k, kind in enumerate(header.joint_kinds) if kind == "constant_velocity"][:ELEMENTS]
     if not places or not len(result):
         return
     names = [header.joint_names[k] for k in places]
     elements = Elements(names, header.joint_bodies[places], header.joint_frame[places])
-    every = -(-len(result) // max(1, LOOKS // len(places)))
+    every = every_of(result, len(places))
     axis = axes_of(result, elements, every)
     along = sum(np.einsum("kei,kei->ke", axis(0, which), axis(1, which)) for which in (0, 1))
     folded = np.flatnonzero((np.asarray(along) < -2 * FOLDED).any(axis=0))
     if not len(folded):
         return
     first = int(np.argmax((np.asarray(along)[:, folded] < -2 * FOLDED).any(axis=1)))
-    t = float(result.t[min(first * every, len(result) - 1)])
-    listed = ", ".join(repr(names[k]) for k in folded[:3])
+    t = float(times_of(result, every)[first])
     warn(
-        f"{listed}: folded through 180 degrees, beyond which such a joint is none: by t = {t:.6g} s the "
-        "motion has gone on along another one, and is wrong from there on"
+        f"{listed([names[k] for k in folded])}: folded through 180 degrees, beyond which such a joint is "
+        f"none: by t = {t:.6g} s the motion has gone on along another one, and is wrong from there on"
     )

@@ -19,7 +19,6 @@ from linkwork.options import TABLE
 from linkwork.results.last_state import LastState
 from linkwork.results.result import Result
 from linkwork.running import checks, estimation, recording, schedule
-from linkwork.running.folded_joints import warn_of_folded_joints
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.leaving_no_memory import (
     Memory,
@@ -30,6 +29,7 @@ from linkwork.running.leaving_no_memory import (
 )
 from linkwork.running.manifest import manifest
 from linkwork.running.remarks import facts_of, remarked
+from linkwork.running.seen_in_frames import warn_of_what_frames_show
 from linkwork.running.simulation import (
     Prepared,
     Stepped,
@@ -39,7 +39,6 @@ from linkwork.running.simulation import (
     simulate,
     what_steps,
 )
-from linkwork.running.tilted_axes import warn_of_tilted_axes
 
 __all__ = ["FRAMES", "Member", "Method", "method_of", "refusal", "run_members"]
 
@@ -328,8 +327,7 @@ def _ended(it: _Ready, frames: Mapping[str, Any], method: Method) -> Member:
     if not method.state_alone:
         result = _result(it, frames, method, poses)
         with remarked() as more:
-            warn_of_tilted_axes(result)
-            warn_of_folded_joints(result)
+            warn_of_what_frames_show(result)
         return Member(result, remarks=[*it.remarks, *more])
     verdict, _ = _judged(it, frames, method, poses)
     return Member(None, remarks=it.remarks, last=LastState(frames, verdict, {"model": it.model.name}))

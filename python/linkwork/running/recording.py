@@ -23,12 +23,11 @@ from linkwork.modeling.model import Model
 from linkwork.motion.header import Header, frame_shapes, record_reactions
 from linkwork.motion.records import Checkpoint, Occurrence, Snapshot
 from linkwork.results.result import Result
-from linkwork.running.folded_joints import warn_of_folded_joints
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.progress import Report
 from linkwork.running.resuming import Identity
+from linkwork.running.seen_in_frames import warn_of_what_frames_show
 from linkwork.running.short_steps import ShortSteps
-from linkwork.running.tilted_axes import warn_of_tilted_axes
 
 if TYPE_CHECKING:
     from linkwork.running.estimation import ErrorEstimator
@@ -270,8 +269,7 @@ def _abandon(
             error.state, error.result = state.resumable(checkpoints.of_state(), run.work), result
             if result is not None:
                 result._statistics.update(run.statistics(), failed=True)
-                warn_of_tilted_axes(result)
-                warn_of_folded_joints(result)
+                warn_of_what_frames_show(result)
         elif isinstance(error, Exception):  # of the user's own function
             error.add_note(f"linkwork: in the step after t = {run.t:.6g} s")
 

@@ -36,12 +36,11 @@ from linkwork.running import (
     schedule,
 )
 from linkwork.running.events import Event, Watched, compile_events, functions_of
-from linkwork.running.folded_joints import warn_of_folded_joints
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.manifest import manifest
 from linkwork.running.progress import ProgressOption, check_progress, preparing, reporting, sharing
 from linkwork.running.recording import PythonStep
-from linkwork.running.tilted_axes import warn_of_tilted_axes
+from linkwork.running.seen_in_frames import warn_of_what_frames_show
 
 __all__ = ["PythonStep", "check_run", "simulate", "what_steps"]
 
@@ -388,8 +387,7 @@ def _carried_out(
     found = {"verdict": verdict.numbers()} if verdict is not None else {}
     result = recorder.result({**statistics, "seconds": seconds, **spent, **found})
     checks.warn_of_contradiction(result.statistics)
-    warn_of_tilted_axes(result)
-    warn_of_folded_joints(result)
+    warn_of_what_frames_show(result)
     return result, estimator
 
 

@@ -8,18 +8,14 @@ whose other axis is x_b. Elsewhere it depends on which direction of b is x_b, an
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import NamedTuple
-
 import numpy as np
 
-from linkwork import rotation
-from linkwork.arrays import Floats, Indices
 from linkwork.errors import warn
 from linkwork.motion.header import Header
 from linkwork.results.result import Result
+from linkwork.running.sampled_frames import ELEMENTS, Elements, axes_of, every_of, listed
 
-__all__ = ["Elements", "axes_of", "warn_of_tilted_axes"]
+__all__ = ["warn_of_tilted_axes"]
 
 #: Kinds that measure this angle, or its rate.
 ABOUT_AN_AXIS = frozenset(
@@ -33,27 +29,13 @@ NO_TILT, VIOLATIONS = 1e-3, 10.0
 #: From here on the angle is about to have no direction [rad].
 UPRIGHT = np.radians(80.0)
 
-#: What is looked at: so many elements at most, and so many of elements in frames.
-ELEMENTS, LOOKS = 100_000, 200_000
-
-#: How many elements the message names.
-NAMED = 3
-
-
-class Elements(NamedTuple):
-    """Joints or force elements, with axes on two bodies."""
-
-    names: Sequence[str]
-    bodies: Indices  # (e, 2)
-    frame: Floats  # (e, 2, 3, 3), axes in the bodies as columns
-
 
 def warn_of_tilted_axes(result: Result) -> None:
     """LinkworkWarning: x_b left the plane across z_a, as far as the frames that are looked at tell."""
     elements = _about_an_axis(result.header)
     if not elements.names or not len(result):
         return
-    every = _every(len(result), len(elements.names))
+    every = every_of(result, len(elements.names))
     axis = axes_of(result, elements, every)
     x_b, z_b, z_a = axis(1, 0), axis(1, 2), axis(0, 2)
     out = np.arcsin(np.clip(np.abs(np.einsum("kei,kei->ke", x_b, z_a)), 0.0, 1.0))
@@ -67,7 +49,7 @@ def warn_of_tilted_axes(result: Result) -> None:
     extent = "up to" if every == 1 else "at least"
     ends = none if out[-1].max() > UPRIGHT else ""
     warn(
-        f"{_listed([elements.names[k] for k in tilted])}: the axis of the second body tilts by {extent} "
+        f"{listed([elements.names[k] for k in tilted])}: the axis of the second body tilts by {extent} "
         f"{degrees:.3g} degrees against that of the first: what is measured, and how it acts, then depends "
         f"on the choice of x axes{ends}; about an axis of a universal joint give its other axis as x_axis, "
         "or take model.joint_force on its angle_a or angle_b; elsewhere a bushing or a bending_spring"
@@ -84,29 +66,3 @@ def _about_an_axis(header: Header) -> Elements:
         np.concatenate([header.force_bodies[forces], header.joint_bodies[drivers]]),
         np.concatenate([header.force_frame[forces], header.joint_frame[drivers]]),
     )
-
-
-def _every(frames: int, elements: int) -> int:
-    """Of the frames every so manyth is looked at: each where elements are few."""
-    return -(-frames // max(1, LOOKS // elements))
-
-
-def axes_of(result: Result, elements: Elements, every: int) -> Callable[[int, int], Floats]:
-    """What gives an axis (side, which) of each (k, e, 3) in every so manyth frame and the last one."""
-    bodies = np.unique(elements.bodies[elements.bodies >= 0])
-    sampled = result.recorded_of("q", bodies, every)
-    q = np.concatenate([sampled, result.recorded("q", np.s_[-1:])[:, bodies]])
-    ground = np.broadcast_to(np.eye(3), (len(q), 1, 3, 3))
-    A = np.concatenate([rotation.matrix(q[..., 3:]), ground], axis=1)
-    place = np.where(elements.bodies < 0, -1, np.searchsorted(bodies, elements.bodies))
-
-    def axis(side: int, which: int) -> Floats:
-        found: Floats = np.einsum("keij,ej->kei", A[:, place[:, side]], elements.frame[:, side, :, which])
-        return found
-
-    return axis
-
-
-def _listed(names: Sequence[str]) -> str:
-    more = f" and {len(names) - NAMED} more" if len(names) > NAMED else ""
-    return ", ".join(map(repr, names[:NAMED])) + more
