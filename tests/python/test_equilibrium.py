@@ -329,3 +329,9 @@ def test_equilibrium_takes_the_same_way_in_any_unit_of_length() -> None:
         assert other.model.compiled().q0.reshape(-1, 7)[:, :3] / length == pytest.approx(
             meter.model.compiled().q0.reshape(-1, 7)[:, :3], abs=1e-7
         )
+
+
+@pytest.mark.filterwarnings("error::RuntimeWarning")
+def test_a_way_past_a_pose_without_a_constraint_warns_of_nothing() -> None:
+    with pytest.raises(lw.NotConvergedError, match="found none"):
+        lw.equilibrium(lw.mechanisms.rolling_disc())  # which lies flat on its way

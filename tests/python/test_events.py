@@ -193,6 +193,24 @@ def test_a_ball_never_falls_through_the_floor(restitution: float, level: float) 
     assert caught.value.time == pytest.approx(end, rel=1e-3)
 
 
+@pytest.mark.parametrize(
+    ("value", "message"),
+    [
+        ((5.0, 0.0), r"velocity has shape \(3,\), not \(2,\)"),
+        ((5.0,), r"velocity has shape \(3,\), not \(1,\)"),
+        ("fast", "velocity 'fast' is not made of numbers"),
+        ([[1, 2], [3]], "has rows of different lengths"),
+    ],
+)
+def test_what_a_change_assigns_has_the_shape_of_the_state(value: Any, message: str) -> None:
+    def change(t: float, state: Any) -> None:
+        state.body("ball").velocity = value
+
+    falls = lw.Event(lambda t, state: state.body("ball").position[2] - 0.5, change=change)
+    with pytest.raises(lw.OptionError, match=message):
+        run(ball(), 1.0, falls)
+
+
 def test_a_change_ends_the_run_where_it_says_so() -> None:
     """After five bounces with e = 1/2 the speed is 1/32 of the first."""
     bounce, first = floor(0.5).change, GRAVITY * np.sqrt(2 / GRAVITY)

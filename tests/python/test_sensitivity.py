@@ -70,7 +70,8 @@ def test_the_estimated_error_bounds_the_true_one_and_falls_with_the_step() -> No
     ({"steps": 1e-17}, "more than the rounding of the parameter"),
     ({"steps": {}}, "the step of 'speed' is missing"),
     ({"steps": {"speed": 1.0, "sped": 1.0}}, "no parameter 'sped'; the nearest is 'speed'"),
-    ({"run": lw.equilibrium}, "t_end, step: options of simulate, which `run` replaces"),
+    ({"run": lw.equilibrium, "parameters": {"speed": 1.0, "gravity": 1.0}},
+     "t_end, step: options of simulate, which `run` replaces"),
     ({"build": 3}, "build is 3, not a function that makes a Model"),
 ])  # fmt: skip
 def test_what_cannot_be_varied_is_refused(arguments: dict[str, object], message: str) -> None:
@@ -94,6 +95,11 @@ def test_an_output_that_is_not_finite_is_named() -> None:
 def test_an_output_that_is_no_number_is_named(output: object) -> None:
     with pytest.raises(lw.ModelError, match=r"output 'x' is .*not (numbers|finite)"):
         lw.sensitivity(thrown, {"speed": 1.0, "gravity": 1.0}, {"x": lambda _: output}, t_end=0.1, step=0.01)
+
+
+def test_a_parameter_that_build_does_not_take_is_named() -> None:
+    with pytest.raises(lw.OptionError, match="parameters lenght: the function .* does not take them"):
+        lw.sensitivity(lambda length: lw.Model(), {"lenght": 1.0}, {"z": lambda result: 1.0}, t_end=0.1)
 
 
 def test_a_build_that_makes_no_model_is_told_with_its_parameter() -> None:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork.accuracy.verdict import Verdict
-from linkwork.arguments import UNREADABLE, reals
+from linkwork.arguments import UNREADABLE, check_takes, reals
 from linkwork.arrays import Floats, ReadOnly
 from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.modeling.model import Model
@@ -99,13 +99,14 @@ def sensitivity(
     run         instead of `simulate(model, **options)`: any analysis; `outputs` get what it returns
     options     of `linkwork.simulate`
 
-    OptionError: no parameters, no outputs, a step that is not positive, or options beside `run`. ModelError:
-    an output is not finite or changes its shape. Errors of `build`, of the runs and of outputs name parameter
-    and value in a note.
+    OptionError: no parameters, or some that `build` does not take, no outputs, a step that is not positive,
+    or options beside `run`. ModelError: an output is not finite or changes its shape. Errors of `build`, of
+    the runs and of outputs name parameter and value in a note.
     """
     at = _parameters(parameters)
     h = _steps(at, steps)
     _check_functions(build, outputs)
+    check_takes(build, list(at), str(getattr(build, "__name__", type(build).__name__)))
     if run is not None and options:
         raise OptionError(
             f"sensitivity: {', '.join(options)}: options of simulate, which `run` replaces; give them there",

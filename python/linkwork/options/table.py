@@ -15,7 +15,7 @@ from linkwork.options.types import Level, Options
 
 __all__ = [
     "LEVELS", "Options", "Policy", "RENAMED", "RUN_SETTINGS", "TABLE", "check_name", "check_number",
-    "check_option", "compile_options", "names", "renamed", "without_threads",
+    "check_option", "check_setting", "compile_options", "names", "renamed", "without_threads",
 ]  # fmt: skip
 
 LEVELS: tuple[Level, ...] = get_args(Level)
@@ -30,6 +30,9 @@ RUN_SETTINGS = (
     "t_end", "step", "integrator", "rtol", "atol", "record_every", "breaks", "assemble", "on_inaccurate",
     "verify",
 )  # fmt: skip
+
+#: Those of them that are one number.
+NUMBERS = ("t_end", "step", "rtol")
 
 #: Former names and those of today: files are still read with them, code is told.
 RENAMED = {"system": "matrix_form"}
@@ -68,6 +71,14 @@ def compile_options(choices: Mapping[str, Any]) -> _core.Options:
         check_option(name, TABLE)
         setattr(options, name, _checked(TABLE[name], value))
     return options.resolved()
+
+
+def check_setting(name: str, value: Any) -> None:
+    """Of a file, as far as it can be told without the run. OptionError: a value that cannot be."""
+    if name in TABLE and value is not None:
+        _checked(TABLE[name], value)
+    elif name in NUMBERS and value is not None:
+        check_number(name, value, positive=name != "rtol")
 
 
 def check_option(name: str, known: Iterable[str]) -> None:

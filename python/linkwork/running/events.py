@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork import _core
-from linkwork.arguments import UNREADABLE, is_number, is_text
+from linkwork.arguments import UNREADABLE, array, is_number, is_text
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError
 from linkwork.fingerprints import law
@@ -33,8 +33,16 @@ class _Part:
     def __get__(self, state: object, kind: type) -> _Part | Floats:
         return self if state is None else getattr(state, self._array)[self._part]
 
+    def __set_name__(self, kind: type, name: str) -> None:
+        self._name = name
+
     def __set__(self, state: object, value: ArrayLike) -> None:
-        getattr(state, self._array)[self._part] = value
+        """OptionError: no numbers, or of another shape, which is not stretched to that of the state."""
+        part, new = self.__get__(state, type(state)), array(value, f"state: {self._name}")
+        assert not isinstance(part, _Part)
+        if new.shape not in ((), part.shape):
+            raise OptionError(f"state: {self._name} has shape {part.shape}, not {new.shape}", code="shape")
+        part[...] = new
 
 
 #: Euler parameters that a change leaves: their length counts for nothing, as long as there is one.

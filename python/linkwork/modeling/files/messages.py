@@ -14,6 +14,9 @@ from linkwork.modeling.files import schema
 from linkwork.modeling.files.syntax import Where
 from linkwork.modeling.shapes import KINDS as SHAPES
 
+#: Lists of so many entries, or of this field, may have more; all others have a length.
+AT_LEAST = {1, "points"}
+
 
 def faults_of_schema(error: ValidationError, data: Any) -> Iterator[tuple[Where, str]]:
     """(place, message) of every fault."""
@@ -51,7 +54,7 @@ def _message(details: ErrorDetails, where: Where, data: Any) -> str:
         return _unknown_form(where, given)
     if kind in ("too_short", "too_long"):
         least, most = context.get("min_length"), context.get("max_length")
-        wanted = f"at most {most}" if kind == "too_long" else f"{least} or more"
+        wanted = most or (f"{least} or more" if least in AT_LEAST or where[-1] in AT_LEAST else least)
         return f"has {context['actual_length']} entries, not {wanted}"
     if kind not in _WANTED:
         text = details["msg"]

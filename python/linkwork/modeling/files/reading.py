@@ -22,6 +22,7 @@ from linkwork.errors import (
     FileError,
     LinkworkError,
     ModelFileError,
+    OptionError,
     about,
     nearest,
 )
@@ -35,7 +36,7 @@ from linkwork.modeling.files.syntax import Syntax, Where, field, parse
 from linkwork.modeling.files.writing import normalized_from
 from linkwork.modeling.shapes import Shape
 from linkwork.modeling.user_forces import UserForce
-from linkwork.options import RENAMED, renamed
+from linkwork.options import RENAMED, check_setting, renamed
 
 if TYPE_CHECKING:
     from linkwork.modeling.model import Model
@@ -231,9 +232,14 @@ class _Checker:
 
 def _check_settings(document: schema.Document, checker: _Checker) -> None:
     known = schema.setting_names()
-    for name in document.simulation:
+    for name, value in document.simulation.items():
         if name not in known and name not in RENAMED:
             checker.add(("simulation", name), f"is no argument of simulate{nearest(name, known)}")
+            continue
+        try:
+            check_setting(RENAMED.get(name, name), value)
+        except OptionError as error:
+            checker.add(("simulation", name), str(error))
 
 
 def _check_names(document: schema.Document, checker: _Checker, held: Functions) -> None:
