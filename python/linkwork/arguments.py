@@ -7,10 +7,11 @@ here they are answered like other values that make no sense.
 from __future__ import annotations
 
 import errno
+import inspect
 import math
 import os
 import stat
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from importlib import import_module
 from pathlib import Path
 from typing import Any, TypeGuard
@@ -21,7 +22,7 @@ from linkwork.arrays import Floats
 from linkwork.errors import FileError, LinkworkError, ModelError, OptionError, about, nearest
 
 __all__ = [
-    "UNREADABLE", "array", "check_new", "check_suffix", "folders", "is_iterable",
+    "UNREADABLE", "array", "check_new", "check_suffix", "check_takes", "folders", "is_iterable",
     "is_number", "is_one_of", "is_text", "number",
     "one_of", "optional_package", "path", "reals", "refuse_dash", "whole",
 ]  # fmt: skip
@@ -58,7 +59,9 @@ def array(given: Any, what: str, error: type[LinkworkError] = OptionError) -> Fl
     try:
         return reals(given, texts=True)
     except UNREADABLE as cause:
-        raise error(f"{what} {given!r:.80} is not made of numbers", code="not_a_number") from cause
+        uneven = isinstance(cause, ValueError) and "inhomogeneous" in str(cause)
+        why = "has rows of different lengths" if uneven else "is not made of numbers"
+        raise error(f"{what} {given!r:.80} {why}", code="not_a_number") from cause
 
 
 def reals(given: Any, texts: bool = False) -> Floats:
@@ -98,6 +101,17 @@ def whole(given: Any, least: int, what: str, error: type[LinkworkError] = Option
     if not good or not least <= given < 2**63:
         raise error(f"{what} {given!r:.80} is not a whole number of at least {least}", code="count")
     return int(given)
+
+
+def check_takes(function: Callable[..., Any], names: Iterable[str], who: str) -> None:
+    """OptionError: `function` does not take arguments of these names."""
+    try:
+        inspect.signature(function).bind(**dict.fromkeys(names))
+    except (TypeError, ValueError) as error:  # ValueError: what has no signature
+        raise OptionError(
+            f"parameters {', '.join(names)}: the function {who} does not take them ({error})",
+            code="parameters",
+        ) from error
 
 
 def is_iterable(given: Any) -> TypeGuard[Iterable[Any]]:

@@ -22,6 +22,7 @@ from linkwork.modeling.coordinates import coordinate_of
 from linkwork.results.last_state import LastState
 from linkwork.results.result import Result
 from linkwork.results.tables import COORDINATES
+from linkwork.studies.between_frames import Bends, Curve, bends_of
 
 __all__ = ["REDUCTIONS", "Output", "checked", "identity", "outputs_of"]
 
@@ -51,23 +52,21 @@ ALL = (slice(None), slice(0, None), slice(None, None, 1), slice(0, None, 1))
 SAME_TIME = 1e-9
 
 
-def _mean(values: Floats, t: Floats) -> Floats:
-    """Over time, by the trapezoidal rule: frames need not be equally far apart."""
-    if t[-1] <= t[0]:
-        return np.asarray(values[-1])
-    steps = np.diff(t).reshape(-1, *[1] * (values.ndim - 1))
-    return np.asarray(((values[1:] + values[:-1]) / 2 * steps).sum(axis=0) / (t[-1] - t[0]))
+#: Rates of what is recorded with its own.
+RATES = {"position": "velocity", "velocity": "acceleration", "omega": "angular_acceleration", "value": "rate"}
 
+#: Energies whose rates follow from how bodies move, where nothing else has any, and how far sums may differ.
+ENERGIES, SAME_ENERGY = ("kinetic_energy", "potential_energy"), 1e-12
 
-#: From values (k, ...) at the frames to one.
-REDUCTIONS: Mapping[str, tuple[str, Callable[[Floats, Floats], Floats]]] = {
-    "max": ("largest", lambda values, t: values.max(axis=0)),
-    "min": ("smallest", lambda values, t: values.min(axis=0)),
-    "abs_max": ("largest absolute", lambda values, t: np.abs(values).max(axis=0)),
-    "mean": ("mean over time", _mean),
-    "rms": ("root of the mean square over time", lambda values, t: np.sqrt(_mean(values**2, t))),
-    "range": ("largest less smallest", lambda values, t: np.ptp(values, axis=0)),
-    "final": ("last", lambda values, t: values[-1]),
+#: What becomes of values over time.
+REDUCTIONS: Mapping[str, tuple[str, Callable[[Curve], Floats]]] = {
+    "max": ("largest", lambda curve: curve.largest()),
+    "min": ("smallest", lambda curve: -curve.largest(np.negative)),
+    "abs_max": ("largest absolute", lambda curve: curve.largest(np.abs)),
+    "mean": ("mean over time", lambda curve: curve.mean()),
+    "rms": ("root of the mean square over time", lambda curve: np.sqrt(curve.mean(np.square))),
+    "range": ("largest less smallest", lambda curve: curve.largest() + curve.largest(np.negative)),
+    "final": ("last", lambda curve: curve.values[-1]),
 }
 
 Step = tuple[Any, ...]
@@ -126,9 +125,9 @@ class Output:
             raise OptionError(f"output '{self.label}': is no array over time", code="outputs")
         if not self.reduction:
             return found if times is None else _at_times(self.label, result.t, found, times)
-        if self._of_sizes(found):
-            found = np.linalg.norm(found, axis=-1)
-        return np.asarray(REDUCTIONS[self.reduction][1](found, result.t))
+        bends = None if self.reduction == "final" else _bends(result, self.steps, found)
+        curve = Curve(result.t, np.asarray(found, dtype=float), bends, self._of_sizes(found))
+        return np.asarray(REDUCTIONS[self.reduction][1](curve))
 
     def _of_sizes(self, values: Floats) -> bool:
         named = self.steps[-1][0] == "get" and self.steps[-1][1] in VECTORS
@@ -139,7 +138,12 @@ class Output:
         if not self.reduction:
             return self.about
         size = " magnitude" if self._of_sizes(values) else " value"
-        return f"{REDUCTIONS[self.reduction][0]}{size} over the recorded frames"
+        over = "motion, also between frames" if self._between_frames() else "recorded frames"
+        return f"{REDUCTIONS[self.reduction][0]}{size} over the {over}"
+
+    def _between_frames(self) -> bool:
+        names = {step[1] for step in self.steps if step[0] == "get"}
+        return self.reduction != "final" and not names.isdisjoint({*RATES, *ENERGIES})
 
 
 def outputs_of(given: Any) -> list[Output]:
@@ -289,6 +293,37 @@ def _followed(result: Result, steps: Sequence[Step]) -> Any:
         else:
             found = _part(found, step[1])
     return found
+
+
+def _bends(result: Result, steps: Sequence[Step], values: Floats) -> Bends | None:
+    """Of the values between the frames; None: their rate is not recorded."""
+    names = [step[1] for step in steps if step[0] == "get"]
+    name = next((it for it in names if it in RATES), None)
+    if len(result) < 2 or not (name or names[-1] in ENERGIES):
+        return None
+    if name is None:
+        return _bends_of_energy(result, names[-1])
+    rates = [("get", RATES[name]) if step == ("get", name) else step for step in steps]
+    return bends_of(result.t, values, _followed(result, rates))
+
+
+def _bends_of_energy(result: Result, name: str) -> Bends | None:
+    """T' = v . M v_dot of bodies, V' = -m g . v. None: something else has energy of this kind, too."""
+    mass, v = result.header.mass, result.velocity
+    if name == "kinetic_energy":
+        p, L = mass[:, None] * v, np.einsum("nij,knj->kni", result.header.inertia, result.omega)
+        of_bodies = 0.5 * (np.einsum("kni,kni->k", v, p) + np.einsum("kni,kni->k", result.omega, L))
+        rates = np.einsum("kni,kni->k", result.acceleration, p)
+        rates += np.einsum("kni,kni->k", result.angular_acceleration, L)
+    else:
+        weight = -np.multiply.outer(mass, result.header.gravity)
+        of_bodies = np.einsum("kni,ni->k", result.position, weight)
+        rates = np.einsum("kni,ni->k", v, weight)
+    values = getattr(result, name)
+    rest = values - of_bodies  # potentials are known but for a constant
+    if np.ptp(rest) > SAME_ENERGY * (np.abs(values).max() + np.abs(of_bodies).max()):
+        return None
+    return bends_of(result.t, values, rates)
 
 
 def _indexed(values: NDArray[Any], key: Any) -> NDArray[Any]:

@@ -98,7 +98,7 @@ def sweep(
     parameters  {name: values}: a grid, full factorial. A list of mappings, a table of pandas, an array with
                 named fields: a case a row. With a sampler {name: (low, high)}, or distributions of
                 scipy.stats: norm(1.0, 0.01), Normal(mu=1.0, sigma=0.01), rv_histogram(...)
-    outputs     names of quantities of a Result, with what becomes of them over the recorded frames (max, min,
+    outputs     names of quantities of a Result, with what becomes of them over time (max, min,
                 abs_max, mean, rms, range, final): "reaction('pin').force.max". Of vectors in space all but
                 final are those of the magnitude; .x, .y, .z are components. "final": the last q and v.
                 Functions of a Result that give numbers. {label: ...} names them; a pair (function, unit) has

@@ -8,7 +8,6 @@ has parts an index or a name: "crank.mass", "crank.inertia[1]", "spring.stiffnes
 from __future__ import annotations
 
 import copy
-import inspect
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -18,6 +17,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from linkwork import rotation
+from linkwork.arguments import check_takes
 from linkwork.arrays import Floats
 from linkwork.errors import LinkworkError, ModelError, OptionError, nearest
 from linkwork.fingerprints import canonical, digest, plain
@@ -94,13 +94,7 @@ class Built:
 
     def check(self, names: Sequence[str]) -> None:
         """OptionError: it does not take these parameters."""
-        try:
-            inspect.signature(self.build).bind(**dict.fromkeys(names))
-        except (TypeError, ValueError) as error:  # ValueError: what has no signature
-            raise OptionError(
-                f"parameters {', '.join(names)}: the function {self.name} does not take them ({error})",
-                code="parameters",
-            ) from error
+        check_takes(self.build, names, self.name)
 
     def model(self, case: Mapping[str, Any]) -> Model:
         made = self.build(**case)
@@ -332,19 +326,17 @@ def _is_characteristic(record: Record, where: tuple[Any, ...], field: str) -> bo
 
 
 def _object(name: str, record: Record) -> tuple[tuple[str, int], str]:
-    """Section and place of what a path begins with, and its rest."""
+    """Section and place of what a path begins with, the longest name that has such a field, and its rest."""
     found = [
         (len(it["name"]), section, place)
         for section in SECTIONS
         for place, it in enumerate(record.get(section, []))
         if name.startswith(it["name"] + ".")
     ]
-    longest = [it for it in found if it[0] == max(found)[0]]
+    fitting = [it for it in found if _first(name[it[0] + 1 :]) in _fields(record, it[1:])]
+    longest = [it for it in found if it[0] == max(fitting or found)[0] and (it in fitting or not fitting)]
     if len(longest) > 1:
-        kinds = " and ".join(f"a {SECTIONS[section]}" for _, section, _ in longest)
-        raise OptionError(
-            f"parameter '{name}': '{name[: longest[0][0]]}' is {kinds}: name them apart", code="parameters"
-        )
+        raise _of_several(name, record, longest, bool(fitting))
     if not longest:
         _refuse_whole(name, record)
         known = [it["name"] for section in SECTIONS for it in record.get(section, [])[:1000]]
@@ -355,6 +347,24 @@ def _object(name: str, record: Record) -> tuple[tuple[str, int], str]:
         )
     size, section, place = longest[0]
     return (section, place), name[size + 1 :]
+
+
+def _first(rest: str) -> str:
+    """The field that the rest of a path begins with."""
+    return re.split(r"[.\[]", rest, maxsplit=1)[0]
+
+
+def _of_several(
+    name: str, record: Record, found: Sequence[tuple[int, str, int]], each_has: bool
+) -> OptionError:
+    """A path of a name that a body and a joint share, say, where both have the field, or none does."""
+    size = found[0][0]
+    kinds, word = [SECTIONS[section] for _, section, _ in found], _first(name[size + 1 :])
+    told = f"parameter '{name}': '{name[:size]}' is " + " and ".join(f"a {kind}" for kind in kinds)
+    if each_has:
+        return OptionError(f"{told}, which have a '{word}' each: name them apart", code="parameters")
+    known = [field for it in found for field in _fields(record, it[1:])]
+    return OptionError(f"{told}, and none has a '{word}'{nearest(word, known)}", code="parameters")
 
 
 def _refuse_whole(name: str, record: Record) -> None:

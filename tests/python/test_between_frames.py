@@ -1,0 +1,110 @@
+"""Extremes and means of studies are those of the motion, not of the frames that were recorded."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork.arrays import Floats
+from linkwork.studies.between_frames import Curve, bends_of
+from numpy.testing import assert_array_equal
+
+G, UP, ALONG = 9.81, 3.0, 1.0
+
+#: By output: of the height z of a ball of 2 kg that is thrown, or of its speed, in one second.
+Z = "body('b').position.z"
+CLOSED: dict[str, Callable[[Floats, Floats], float]] = {
+    f"{Z}.max": lambda z, v: UP**2 / (2 * G),
+    f"{Z}.min": lambda z, v: UP - G / 2,
+    f"{Z}.range": lambda z, v: UP**2 / (2 * G) - UP + G / 2,
+    f"{Z}.abs_max": lambda z, v: G / 2 - UP,
+    f"{Z}.mean": lambda z, v: UP / 2 - G / 6,
+    f"{Z}.rms": lambda z, v: np.sqrt(UP**2 / 3 - UP * G / 4 + G**2 / 20),
+    "position[:, 0, 2].max": lambda z, v: UP**2 / (2 * G),
+    "body('b').velocity.min": lambda z, v: ALONG,
+    "body('b').velocity.max": lambda z, v: np.hypot(ALONG, UP - G),
+    "body('b').velocity.mean": lambda z, v: np.mean(v),
+    "body('b').velocity.rms": lambda z, v: np.sqrt(ALONG**2 + UP**2 - UP * G + G**2 / 3),
+    "kinetic_energy.min": lambda z, v: ALONG**2,
+    "kinetic_energy.mean": lambda z, v: ALONG**2 + UP**2 - UP * G + G**2 / 3,
+    "potential_energy.mean": lambda z, v: 2 * G * (UP / 2 - G / 6),
+    "potential_energy.max": lambda z, v: UP**2,
+}
+
+TOLERANCE = {"body('b').velocity.mean": 1e-5}  # of a magnitude that turns sharply
+
+
+def thrown(gravity: float = G) -> lw.Model:
+    model = lw.Model(gravity=(0, 0, -gravity))
+    model.body("b", mass=2.0, inertia=(0.1, 0.2, 0.3), velocity=(ALONG, 0, UP))
+    return model
+
+
+@pytest.mark.parametrize(
+    "steps", [{"step": 0.25}, {"step": 0.3}, {"step": 1e-3, "record_every": 100}, {"rtol": 1e-8}]
+)
+def test_a_thrown_ball_has_its_extremes_and_means_however_far_apart_frames_are(steps: dict[str, Any]) -> None:
+    run: dict[str, Any] = {**steps, "progress": False}
+    study = lw.sweep(thrown, {"gravity": [G]}, list(CLOSED), t_end=1.0, processes=1, **run)
+    many = lw.simulate_many(thrown, {"gravity": [G]}, 1.0, outputs=list(CLOSED), **run)
+    t = (np.arange(200_000) + 0.5) / 200_000
+    for name, closed in CLOSED.items():
+        exact = closed(UP * t - G * t**2 / 2, np.hypot(ALONG, UP - G * t))
+        assert study.outputs[name][0] == pytest.approx(
+            exact, rel=3e-6 if "velocity.mean" in name else 1e-9
+        ), name
+        assert_array_equal(many.outputs[name], study.outputs[name])
+
+
+def test_a_joint_that_swings_is_widest_where_its_energy_says() -> None:
+    model = lw.Model()
+    model.body("rod", mass=1.0, inertia=(1e-3, 1 / 12, 1 / 12), position=(0.5, 0, 0))
+    model.revolute(model.ground, "rod", at=(0, 0, 0), axis=(0, 1, 0), name="pin")
+    names = ["coordinate('pin').value.max", "omega[:, 0, 1].abs_max"]
+    found = lw.sweep(
+        model, {"rod.mass": [1.0]}, names, t_end=2.0, step=2e-3, record_every=25, processes=1
+    ).outputs
+    assert found[names[0]][0] == pytest.approx(np.pi, rel=1e-6)  # let go when level, it comes to be level
+    assert found[names[1]][0] == pytest.approx(np.sqrt(3 * G), rel=1e-5)
+
+
+@pytest.mark.parametrize("count", [9, 18, 36])
+def test_between_frames_the_error_is_of_fourth_order(count: int) -> None:
+    t = np.linspace(0.0, 2.0, count + 1)
+    curve = Curve(t, np.sin(t), bends_of(t, np.sin(t), np.cos(t)))
+    bound = (2.0 / count) ** 4 / 384  # of Hermite's cubics for the sine
+    assert abs(curve.mean() - (1 - np.cos(2.0)) / 2.0) < bound
+    assert abs(curve.largest() - 1.0) < bound
+
+
+def test_what_rates_do_not_tell_is_straight() -> None:
+    """A ball that bounces every second, recorded after impacts: never below the ground, nor at rest there."""
+    t = np.linspace(0.0, 2.0, 9)
+    within = t % 1.0
+    z, v = 5.0 * within * (1 - within), 5.0 - 10.0 * within
+    height = Curve(t, z, bends_of(t, z, v))
+    assert -height.largest(np.negative) == 0.0 and height.largest() == 1.25
+    vectors = np.zeros((9, 3))
+    vectors[:, 0], vectors[:, 2] = 1.0, v
+    rates = np.zeros((9, 3))
+    rates[:, 2] = -10.0
+    speed = Curve(t, vectors, bends_of(t, vectors, rates), sizes=True)
+    assert -speed.largest(np.negative) == pytest.approx(1.0, rel=1e-12)
+    assert speed.largest() == np.sqrt(26.0)
+    jump = Curve(t[:2], vectors[3:5], bends_of(t[:2], vectors[3:5], rates[3:5]), sizes=True)
+    ends = np.linalg.norm(vectors[3:5], axis=1)
+    assert -jump.largest(np.negative) == ends.min() and jump.mean() == pytest.approx(ends.mean(), rel=1e-14)
+
+
+def test_what_has_no_rate_is_largest_at_a_frame() -> None:
+    model = thrown()
+    model.spring_damper(model.ground, "b", at=((0, 0, 1), (0, 0, 0)), stiffness=9.0, damping=0.0)
+    names = ["potential_energy.max", "body('b').acceleration.max", "energy.min"]
+    study = lw.sweep(model, {"b.mass": [2.0]}, names, t_end=0.5, step=0.05, processes=1)
+    result = study.simulate(0)
+    assert study.outputs[names[0]][0] == result.potential_energy.max()
+    assert study.outputs[names[1]][0] == np.linalg.norm(result.body("b").acceleration, axis=1).max()
+    assert study.outputs[names[2]][0] == result.energy.min()
