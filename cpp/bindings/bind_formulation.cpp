@@ -472,22 +472,8 @@ void bind_times(py::class_<Dynamics>& dynamics) {
            "Time of one symbolic analysis, by a solver like the one in use [s].");
 }
 
-}  // namespace
-
-// Long: one statement a property or method of Dynamics.
-void bind_formulation(py::module_& module) {
-  bind_rank(module);
-  py::class_<Dynamics> dynamics(module, "Dynamics", "A model with a formulation, a stabilization and a linear solver.");
+void bind_history(py::class_<Dynamics>& dynamics) {
   dynamics
-      .def(py::init<const Model&, const Options&, const Dynamics*>(), py::arg("model"), py::arg("options"),
-           py::arg("like") = py::none(), py::call_guard<py::gil_scoped_release>(),
-           "`like`: another one, whose rank is taken where it has the same joints and pose.")
-      .def_property_readonly("body_count", [](const Dynamics& d) { return d.system().body_count(); })
-      .def_property_readonly("joint_count", [](const Dynamics& d) { return d.system().joint_count(); })
-      .def_property_readonly("row_count", [](const Dynamics& d) { return d.system().row_count(); })
-      .def_property_readonly("matrix_form", [](const Dynamics& d) { return d.options().matrix_form; })
-      .def_property_readonly("linear_solver", [](const Dynamics& d) { return d.options().linear_solver; })
-      .def_property_readonly("options", &Dynamics::options)
       .def_property_readonly("initial_history", &Dynamics::initial_history,
                              "History variables of the initial state: full turns, speeds at which contacts began.")
       .def_property("history", exclusive(+[](const Dynamics& d) { return VectorXd(d.history()); }),
@@ -516,7 +502,25 @@ void bind_formulation(py::module_& module) {
                  return at.history;
                }),
            py::arg("t"), py::arg("q"), py::arg("v"), py::arg("history") = py::none(),
-           "What the history becomes where this state is accepted.")
+           "What the history becomes where this state is accepted.");
+}
+
+}  // namespace
+
+// Long: one statement a property or method of Dynamics.
+void bind_formulation(py::module_& module) {
+  bind_rank(module);
+  py::class_<Dynamics> dynamics(module, "Dynamics", "A model with a formulation, a stabilization and a linear solver.");
+  dynamics
+      .def(py::init<const Model&, const Options&, const Dynamics*>(), py::arg("model"), py::arg("options"),
+           py::arg("like") = py::none(), py::call_guard<py::gil_scoped_release>(),
+           "`like`: another one, whose rank is taken where it has the same joints and pose.")
+      .def_property_readonly("body_count", [](const Dynamics& d) { return d.system().body_count(); })
+      .def_property_readonly("joint_count", [](const Dynamics& d) { return d.system().joint_count(); })
+      .def_property_readonly("row_count", [](const Dynamics& d) { return d.system().row_count(); })
+      .def_property_readonly("matrix_form", [](const Dynamics& d) { return d.options().matrix_form; })
+      .def_property_readonly("linear_solver", [](const Dynamics& d) { return d.options().linear_solver; })
+      .def_property_readonly("options", &Dynamics::options)
       .def(
           "initial_state", [](const Dynamics& d) { return VectorXd(d.initial_y().head(d.y_size() - 1)); },
           "y = (q, v), 13 per body.")
@@ -537,6 +541,7 @@ void bind_formulation(py::module_& module) {
       .def("rank", &Dynamics::rank, py::return_value_policy::copy)
       .def("dependent_groups", &groups, py::arg("most"),
            "(row, rows that imply it, both in words) of the first redundant rows.");
+  bind_history(dynamics);
   bind_measurements(dynamics);
   bind_times(dynamics);
 }
