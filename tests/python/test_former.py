@@ -45,8 +45,9 @@ def test_a_model_and_a_snapshot_load(result: lw.Result) -> None:
 def test_a_pickled_result_is_read_with_former_keys(result: lw.Result) -> None:
     former = pickle.loads(pickle.dumps(result))
     crossing = {"t": 0.05, "joints": ["pin"], "pivot": 1e-9, "taken_over": 3, "rows_changed": False}
-    former.statistics["passages"] = [crossing]
-    del former.statistics["singularity_crossings"]
+    statistics = {**vars(former).pop("_statistics"), "passages": [crossing]}
+    del statistics["singularity_crossings"]
+    vars(former)["statistics"] = statistics
     options = former.header.manifest["options"]
     options["system"] = options.pop("matrix_form")
     today = pickle.loads(pickle.dumps(former))
