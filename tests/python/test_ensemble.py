@@ -608,7 +608,11 @@ def test_what_an_ensemble_gives_out_cannot_make_it_another_one() -> None:
                found.accuracy, outputs):  # fmt: skip
         with pytest.raises(ValueError, match="read-only"):
             it -= 1.0
+    models = [mechanisms.chain(1), mechanisms.chain(2)]
+    listed = lw.Ensemble(models)
     ensemble.parameters["gravity[2]"][:] = values[:] = 0.0
+    models[0] = mechanisms.chain(3)
+    assert listed.model(0).body_count == 1
     assert ensemble.parameters["gravity[2]"].tolist() == [-9.81, -5.0]
     if pytest.importorskip("xarray"):
         found.to_xarray()["q"].values[:] = 0.0

@@ -354,3 +354,15 @@ def test_functions_are_not_multiplied_with_each_other() -> None:
             not_finite()
     with pytest.raises(lw.ModelError, match="divided by zero"):
         f / 0
+
+
+def test_a_table_is_the_one_that_was_given() -> None:
+    t, values, rows = np.arange(4.0), np.arange(4.0), np.ones((3, 4))
+    samples, pieces = functions.table(t, values), functions.piecewise_polynomial(t, rows)
+    before = samples.evaluate(1.5), pieces.evaluate(1.5)
+    values *= 2
+    rows *= 2
+    assert (samples.evaluate(1.5), pieces.evaluate(1.5)) == before
+    for array in (samples.coefficients, pieces.coefficients, pieces.breaks):
+        with pytest.raises(ValueError, match="read-only"):
+            array *= 2

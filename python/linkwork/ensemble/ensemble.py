@@ -35,7 +35,7 @@ from linkwork.studies.collected import Collected
 from linkwork.studies.sampling import Cases, cases_of
 from linkwork.studies.study import array_of
 from linkwork.studies.sweeping import check_names, probe
-from linkwork.studies.variants import Built, source_of
+from linkwork.studies.variants import Built, Source, source_of
 
 __all__ = ["Ensemble", "simulate_many"]
 
@@ -213,6 +213,17 @@ class Ensemble:
 
 
 @dataclass(frozen=True)
+class _Case:
+    """The model of one case; it can go to other processes where the source can."""
+
+    source: Source
+    table: Cases
+
+    def __call__(self, number: int) -> Model:
+        return self.source.model(self.table.case(number))
+
+
+@dataclass(frozen=True)
 class _Members:
     columns: Mapping[str, Sequence[Any]]
     make: Callable[[int], Model]
@@ -251,7 +262,7 @@ def _members(model: Any, variations: Any, sampler: Any, cases: int | None, seed:
             check_model(it)
         if not model:
             raise OptionError("model: the list of models is empty, so there is no member", code="parameters")
-        return _Members({}, model.__getitem__, len(model), {})
+        return _Members({}, tuple(model).__getitem__, len(model), {})  # of a list that may be changed
     if variations is None:
         raise OptionError(
             "variations is missing: {name: values}, or give a list of models", code="parameters"
@@ -259,8 +270,8 @@ def _members(model: Any, variations: Any, sampler: Any, cases: int | None, seed:
     drawn = cases_of(variations, sampler, cases, seed)
     source = source_of(model, drawn.columns)
     table: Cases = drawn if isinstance(source, Built) else drawn.as_floats()
-    return _Members(table.columns, lambda number: source.model(table.case(number)), len(table),
-                    source.units(list(table.columns)))  # fmt: skip
+    units = source.units(list(table.columns))
+    return _Members(table.columns, _Case(source, table), len(table), units)
 
 
 # --- before the first ---

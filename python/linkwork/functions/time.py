@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from linkwork import _core
 from linkwork.arguments import UNREADABLE, array, is_number, number, reals
-from linkwork.arrays import Floats
+from linkwork.arrays import Floats, ReadOnly
 from linkwork.errors import ModelError
 from linkwork.fingerprints import law
 from linkwork.functions.calls import Calls
@@ -235,7 +235,7 @@ class Sum(TimeFunction):
 
 
 @dataclass(frozen=True, eq=False)
-class Table(TimeFunction):
+class Table(ReadOnly, TimeFunction):
     """A cubic spline through samples; `coefficients` (k-1, 4) in powers of t - breaks[i], ascending."""
 
     breaks: Floats
