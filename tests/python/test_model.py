@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import ctypes
 import functools
 import inspect
 import pickle
@@ -537,11 +538,108 @@ def test_copies_of_a_model_are_exact_and_on_their_own(name: str) -> None:
         assert twin.body_count == model.body_count + 1
 
 
-def test_model_with_a_python_function_is_not_copied_without_it() -> None:
+def still(t: float, q: Any, v: Any) -> Any:
+    return 0 * v
+
+
+def growing(t: float) -> float:
+    return 3.0 * t
+
+
+def test_copies_of_a_model_have_its_functions_of_python() -> None:
+    """A ball that a force 3 t lifts off: v = 3 t^2 / 4 - g t. In a pickle these are functions of modules."""
+
+    def ball(force: Any, law: Any) -> lw.Model:
+        model = lw.Model(name="ball")
+        model.body("ball", mass=2.0, inertia=(1, 1, 1))
+        model.force("ball", force=(0, 0, force))
+        model.user_force(law, name="mine")
+        return model
+
+    of_module, local = ball(growing, still), ball(lambda t: 3.0 * t, lambda t, q, v: 0 * v)
+    twins = [(of_module, pickle.loads(pickle.dumps(of_module)))]
+    twins += [(it, make(it)) for it in (of_module, local) for make in (copy.copy, copy.deepcopy)]
+    for model, twin in twins:
+        assert twin.hash() == model.hash() and twin.user_forces[0][0] == "mine"
+        assert lw.simulate(twin, 1.0, step=1e-2).v[-1, 0, 2] == pytest.approx(0.75 - 9.81)
+        twin.body("another", mass=1.0, inertia=(1, 1, 1))
+        assert model.body_count == 1
+    with pytest.raises((AttributeError, pickle.PicklingError), match="lambda"):
+        pickle.dumps(local)
+
+
+def test_a_compiled_force_stays_in_its_process() -> None:
+    """What is at its address in another one, nobody knows."""
+    numbers = ctypes.POINTER(ctypes.c_double)
+    kind = ctypes.CFUNCTYPE(None, ctypes.c_double, ctypes.c_int64, *[numbers] * 3, ctypes.c_void_p)
     model = mechanisms.pendulum()
-    model.user_force(lambda t, q, v: 0 * v, name="mine")
-    with pytest.raises(lw.ModelError, match="'mine' is a function"):
+    function = kind(lambda t, n, q, v, g, data: None)
+    model.compiled_force(ctypes.cast(function, ctypes.c_void_p).value, name="wind")
+    assert copy.deepcopy(model).hash() == model.hash()
+    with pytest.raises(
+        lw.ModelError, match="'wind' is a compiled force, whose address is that of this process"
+    ):
         pickle.dumps(model)
+
+
+class Arm(lw.Model):
+    """A class of the user's own, with arguments, attributes and methods."""
+
+    def __init__(self, length: float) -> None:
+        super().__init__(name="arm")
+        self._length = length
+        self._rod = self.body("rod", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(length / 2, 0, 0))
+        self.revolute("ground", "rod", at=(0, 0, 0), axis=(0, 1, 0), name="pin")
+
+    def length(self) -> float:
+        return self._length
+
+
+class Noted(lw.Model):
+    def __init__(self, gravity: Any = (0, 0, -1.62), name: str = "") -> None:
+        super().__init__(gravity, name)
+        self._notes = ["moon"]
+
+
+def test_models_of_a_class_of_ones_own_stay_of_it(tmp_path: Path) -> None:
+    arm = Arm(2.0)
+    q, v = arm.compiled().q0, arm.compiled().v0
+    made = [copy.copy(arm), copy.deepcopy(arm), pickle.loads(pickle.dumps(arm)),
+            arm.replaced("rod", mass=2.0), arm.without("pin"), arm.with_initial_state(q, v),
+            lw.assemble(arm).model]  # fmt: skip
+    for model in made:
+        assert isinstance(model, Arm) and model.length() == 2.0 and model.body_count == 1
+    for model in made[1:3]:  # their handles are their own
+        model.revolute("ground", model._rod, at=(2, 0, 0), axis=(0, 1, 0))
+    with pytest.raises(lw.ModelError, match="'rod' belongs to another model"):
+        made[3].revolute("ground", made[3]._rod, at=(2, 0, 0), axis=(0, 1, 0))
+    arm.save(file := tmp_path / "arm.yaml")
+    with pytest.raises(
+        lw.ModelError, match="Arm.load: __init__ of this class takes or adds what no file has"
+    ):
+        Arm.load(file)
+    noted = Noted.load(file)
+    assert noted._notes == ["moon"] and noted.hash() == arm.hash() and noted.name == "arm"
+
+
+def test_what_is_made_of_a_model_goes_to_another_process() -> None:
+    """With the same numbers there: reactions, shapes in words, residuals by name, accelerations."""
+    rest = lw.equilibrium(mechanisms.chain(2))
+    vibration, assembly = lw.linearize(rest.model), lw.assemble(mechanisms.four_bar())
+    system = lw.System(mechanisms.chain(2), formulation="penalty", penalty=1e7)
+    ensemble = lw.Ensemble(mechanisms.chain(2), {"gravity[2]": [-9.81, -1.62]})
+    y = system.initial_state()
+    for twin in (lambda it: pickle.loads(pickle.dumps(it)), copy.deepcopy):
+        assert np.array_equal(twin(rest).reactions().force, rest.reactions().force)
+        assert not twin(rest).multipliers.flags.writeable
+        assert np.array_equal(twin(vibration).frequencies, vibration.frequencies)
+        assert twin(vibration).describe(0) == vibration.describe(0)
+        assert twin(assembly).residuals == assembly.residuals
+        assert np.array_equal(twin(system).derivative(0.0, y), system.derivative(0.0, y))
+        assert twin(system).options == system.options
+        assert twin(ensemble).model(1).hash() == ensemble.model(1).hash()
+    changed = copy.deepcopy(system)
+    assert changed.model is not system.model and changed.model.hash() == system.model.hash()
 
 
 def _named(model: lw.Model) -> tuple[list[str], list[str], list[str]]:

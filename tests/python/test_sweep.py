@@ -1565,6 +1565,29 @@ def test_an_output_function_cannot_spoil_the_outputs_after_it() -> None:
         assert found.outputs["drop"] == pytest.approx(0.0125) and found.outputs["z"] == pytest.approx(-0.0125)
 
 
+@pytest.mark.parametrize("processes", [1, 2])
+def test_models_with_functions_of_python_are_varied_by_path(processes: int) -> None:
+    """A ball with the force a t and a drag of its own that is none: v = a t^2 / 2 m - g t."""
+
+    def ball(a: float) -> lw.Model:
+        model = lw.Model()
+        model.body("ball", mass=2.0, inertia=(1, 1, 1))
+        model.force("ball", force=(0, 0, lambda t: a * t))
+        model.user_force(lambda t, q, v: 0 * v, "ball")
+        return model
+
+    varied = {"ball.mass": [1.0, 2.0], "ball.position[2]": [0.0, 5.0]}
+    arguments: dict[str, Any] = {"outputs": "body('ball').velocity.z.final", "progress": False}
+    for a in (3.0, 6.0):
+        study = lw.sweep(ball(a), varied, t_end=1.0, step=1e-2, processes=processes, **arguments)
+        many = lw.simulate_many(ball(a), varied, 1.0, 1e-2, **arguments)
+        for found in (study, many):
+            (speeds,) = found.outputs.values()
+            assert speeds == pytest.approx(a / 2 / found.parameters["ball.mass"] - 9.81)
+    same, other = (Changed.of(ball(a), list(varied)).identity() for a in (3.0, 6.0))
+    assert same != other and same == Changed.of(ball(3.0), list(varied)).identity()
+
+
 def test_what_a_study_gives_out_cannot_make_it_another_one() -> None:
     study = lw.sweep(rod, {"length": [1.0, 2.0]}, "final", **FEW)
     for given in (study.outputs["final.q"], study.parameters["length"], study.accuracy, study.seconds,

@@ -226,7 +226,7 @@ def built(model: Model, record: Record, held: Mapping[str, TimeFunction] = Mappi
     ModelError: a value that its object cannot have, or a field that it has not.
     """
     try:
-        return from_changed_record(record, type(model), held)
+        made = from_changed_record(record, type(model), held)
     except ModelFileError as error:
         fault = error.faults[0]
         place = re.match(r"(\w+)\[(\d+)\]\.?(.*)", fault.field)
@@ -235,3 +235,5 @@ def built(model: Model, record: Record, held: Mapping[str, TimeFunction] = Mappi
         who = f"{SECTIONS[place[1]]} '{record[place[1]][int(place[2])]['name']}'"
         what = f"{place[3]}: " if place[3] and not fault.message.startswith(place[3]) else ""
         raise ModelError(f"{who}: {what}{fault.message}", code="value", field=place[3]) from error
+    vars(made).update(model._added())
+    return made

@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
+import copy
 import hashlib
 import html
 import os
 from collections import Counter
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from inspect import isfunction
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork import _core, arguments
-from linkwork.arrays import Floats
+from linkwork.arrays import Floats, VectorLike
 from linkwork.errors import ModelError, OptionError, counted
 from linkwork.fingerprints import under_way
+from linkwork.functions import TimeFunction
 from linkwork.modeling.bodies import Bodies
 from linkwork.modeling.builder import ModelBuilder
 from linkwork.modeling.tables import COLUMNS, Table, tables
@@ -62,11 +65,41 @@ class Model(ModelBuilder):
 
             model = lw.Model.load("crank.yaml")
 
-        ModelFileError: what is wrong in it, all at once. FileError: it cannot be read.
+        ModelFileError: what is wrong in it, all at once. FileError: it cannot be read. ModelError: of a class
+        of your own that is not made of gravity and name alone.
         """
         from linkwork.modeling import files
 
-        return files.read(arguments.path(path, "model file"), cls).model
+        begun = cls._begun()
+        found = files.read(arguments.path(path, "model file"), cls).model
+        vars(found).update(begun._added())
+        return found
+
+    @classmethod
+    def _begun(cls) -> Model:
+        """Empty. ModelError: its class makes something else."""
+        try:
+            begun = cls((0.0, 0.0, 0.0), "")
+        except TypeError:
+            begun = None
+        if begun is None or begun.body_count or begun.joint_count or begun.force_count:
+            raise ModelError(
+                f"{cls.__name__}.load: __init__ of this class takes or adds what no file has: "
+                "linkwork.Model.load gives a plain model",
+                code="class",
+            )
+        return begun
+
+    @classmethod
+    def _blank(cls, gravity: VectorLike, name: str) -> Model:
+        """With nothing in it, also where the __init__ of a class of the user's own would put something."""
+        out = object.__new__(cls)
+        ModelBuilder.__init__(out, gravity, name)
+        return out
+
+    def _added(self) -> dict[str, Any]:
+        """Attributes that a class of the user's own has beside ours."""
+        return {name: x for name, x in vars(self).items() if name not in ATTRIBUTES}
 
     def save(
         self,
@@ -116,7 +149,8 @@ class Model(ModelBuilder):
 
     def _with_core(self, core: _core.Model) -> Model:
         """The same names, functions and shapes with other numbers."""
-        out = object.__new__(Model)
+        out = object.__new__(type(self))
+        vars(out).update(self._added())
         out._name, out._core = self._name, core
         out._bodies = Bodies(out, out._core)
         out._counts, out._signals = self._counts.copy(), self._signals.copy()
@@ -209,11 +243,25 @@ class Model(ModelBuilder):
 
         return plot_model(self, path)
 
-    def __reduce__(self) -> tuple[Callable[[Mapping[str, Any]], Model], tuple[dict[str, Any]]]:
-        """Copies, also to other processes, are exact. ModelError: a Python function in the model."""
+    def __copy__(self) -> Model:
+        """On its own, and exact; functions of Python are those of the model."""
+        return self._with_core(self._core.with_weights(self._core.gravity, [], [], []))
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Model:
+        out = memo[id(self)] = copy.copy(self)  # so that handles in attributes are its own
+        vars(out).update(copy.deepcopy(self._added(), memo))
+        return out
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """To other processes, exactly, with functions of Python that pickle: those of modules, no lambdas.
+
+        ModelError: a compiled force, whose address is that of this process.
+        """
         from linkwork.modeling import files
 
-        return model_of, (files.record_of(self, {}),)
+        for it in self._user_forces:
+            it.check_leaves()
+        return model_of, (*files.whole_record(self), type(self)), self._added() or None
 
     def hash(self) -> str:
         """
@@ -266,11 +314,19 @@ class Model(ModelBuilder):
         return f"<Model {self.describe()}>"
 
 
-def model_of(record: Mapping[str, Any]) -> Model:
-    """From what `linkwork.modeling.files.record_of` made of one."""
+def model_of(
+    record: Mapping[str, Any],
+    held: Mapping[str, TimeFunction] = MappingProxyType({}),
+    kind: type[Model] = Model,
+) -> Model:
+    """From what `linkwork.modeling.files.whole_record` made of one; of version 0.1 it is the record alone."""
     from linkwork.modeling import files
 
-    return files.from_record(record, Model)
+    return files.from_record(record, kind, held)
+
+
+#: Attributes of every model.
+ATTRIBUTES = frozenset(vars(Model()))
 
 
 def check_model(model: object) -> None:

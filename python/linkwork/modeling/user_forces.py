@@ -50,6 +50,15 @@ class UserForce:
         """Its law gets all bodies of the model, by number."""
         return "joint" not in self.record and self.record.get("bodies") is None
 
+    def check_leaves(self) -> None:
+        """ModelError: it is known by an address, which is that of this process."""
+        if self.record["kind"] == "compiled_force":
+            raise ModelError(
+                f"'{self.name}' is a compiled force, whose address is that of this process: build the model "
+                "in the other one, by a function build(**parameters)",
+                code="not_data",
+            )
+
     @staticmethod
     def add(model: ModelBuilder, record: Mapping[str, Any]) -> None:
         """As it was added to another model. ModelError: what its method refuses."""

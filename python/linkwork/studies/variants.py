@@ -10,7 +10,7 @@ from __future__ import annotations
 import copy
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Protocol
 
@@ -21,11 +21,13 @@ from linkwork.arguments import check_takes
 from linkwork.arrays import Floats
 from linkwork.errors import LinkworkError, ModelError, OptionError, nearest
 from linkwork.fingerprints import canonical, digest, plain
-from linkwork.modeling.editing import ATTACHED, NAMES, ROLES, SECTIONS, built
+from linkwork.functions import TimeFunction
+from linkwork.modeling.editing import ATTACHED, NAMES, OWN, ROLES, SECTIONS, built
 from linkwork.modeling.elements import KINDS
-from linkwork.modeling.files import record_of
+from linkwork.modeling.files import whole_record
 from linkwork.modeling.files.schema import BodyRecord, element_type, form_of
 from linkwork.modeling.model import Model, check_model
+from linkwork.modeling.user_forces import UserForce
 
 __all__ = ["Built", "Changed", "Source", "source_of"]
 
@@ -122,28 +124,33 @@ class _Address:
 
 @dataclass(frozen=True)
 class Changed:
-    """One model with other values of what paths lead to. Bodies first: joints stay where they are on them."""
+    """One model with other values of what paths lead to. Bodies first: joints stay where they are on them.
+
+    held  functions of Python, by the names that the record has for them
+    own   forces of the user's own
+    """
 
     record: Record
     addresses: Mapping[str, _Address]
+    held: Mapping[str, TimeFunction] = field(default_factory=dict)
+    own: Sequence[UserForce] = ()
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (self.record, self.addresses)  # without what is found anew
+        """Without what is found anew. ModelError: a compiled force."""
+        for it in self.own:
+            it.check_leaves()
+        return type(self), (self.record, self.addresses, self.held, self.own)
 
     @classmethod
     def of(cls, model: Model, names: Sequence[str]) -> Changed:
-        """OptionError: a path that leads nowhere, or two to the same value. ModelError: a Python function."""
-        try:
-            record = record_of(model, {})
-        except ModelError as error:
-            raise ModelError(
-                f"{error}; give a function build(**parameters) instead of the model", code=error.code
-            ) from error
+        """OptionError: a path that leads nowhere, or two to the same value."""
+        record, held = whole_record(model)
+        del record[OWN]
         found = {name: _address(name, record) for name in names}
         _check_apart(list(found.values()))
+        changed = cls(record, found, held, tuple(model._user_forces))
         if any(_moves(address, record) for address in found.values()):
-            _begin_anew(record, names)
-        changed = cls(record, found)
+            changed._begin_anew()
         for name in names:
             changed.value(name)
         return changed
@@ -157,7 +164,23 @@ class Changed:
                 return _with_weights(self._base, record, self._bodies)
             except (LinkworkError, TypeError, ValueError):  # which is told below by the name of the object
                 pass
-        return built(Model(name=record.get("name", "")), record)
+        return self._built(record)
+
+    def _built(self, record: Record) -> Model:
+        own = {OWN: [it.record for it in self.own]} if self.own else {}
+        return built(Model(name=record.get("name", "")), {**record, **own}, self.held)
+
+    def _begin_anew(self) -> None:
+        """History variables follow from the pose. OptionError: those of the model have something else to
+        tell."""
+        history = self.record.pop("history", [])
+        usual = list(self._built(self.record).compiled().initial_history) or [0.0] * len(history)
+        if usual != list(history):
+            raise OptionError(
+                f"parameters {', '.join(self.addresses)}: the model begins with full turns or contacts under "
+                "way, which another pose would not have: give a function build(**parameters)",
+                code="parameters",
+            )
 
     @cached_property
     def _order(self) -> list[str]:
@@ -177,7 +200,7 @@ class Changed:
 
     @cached_property
     def _base(self) -> Model:
-        return built(Model(name=self.record.get("name", "")), self.record)
+        return self._built(self.record)
 
     def _copy(self) -> Record:
         """Of what is to be changed; the rest is that of every case."""
@@ -230,7 +253,8 @@ class Changed:
         return {name: self.addresses[name].unit for name in names}
 
     def identity(self) -> str:
-        return digest("changed", canonical(self.record))
+        functions = [*self.held.values(), *((it.law, it.data, it.record) for it in self.own)]
+        return digest("changed", canonical(self.record), *([functions] if functions else []))
 
 
 def _with_weights(model: Model, record: Record, bodies: Sequence[int]) -> Model:
@@ -251,18 +275,6 @@ def _moves(address: _Address, record: Record) -> bool:
         return address.field in ("position", "orientation")
     it = _object_of(record, address)
     return address.field not in KINDS[ROLES[str(address.where[0])]][it["kind"]].parameters
-
-
-def _begin_anew(record: Record, names: Sequence[str]) -> None:
-    """History variables follow from the pose. OptionError: those of the model have something else to tell."""
-    history = record.pop("history", [])
-    usual = list(built(Model(), record).compiled().initial_history) or [0.0] * len(history)
-    if usual != list(history):
-        raise OptionError(
-            f"parameters {', '.join(names)}: the model begins with full turns or contacts under way, which "
-            "another pose would not have: give a function build(**parameters)",
-            code="parameters",
-        )
 
 
 def _parts_hint(name: str, shape: tuple[int, ...]) -> str:

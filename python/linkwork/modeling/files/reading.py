@@ -157,10 +157,13 @@ def _wrong_pieces(kind: type[schema.Document], data: Mapping[str, Any]) -> Piece
                 yield from (({**head, name: [record]}, start + k) for k, record in enumerate(piece))
 
 
-def from_record(record: Mapping[str, Any], kind: type[Model]) -> Model:
-    """From a document as `record_of` makes it."""
-    with collection_paused():
-        return _built(schema.document_type().model_validate(record), kind, _straight, {})
+def from_record(record: Mapping[str, Any], kind: type[Model], held: Functions) -> Model:
+    """From a document as `whole_record` makes it, and what that has beside it."""
+
+    def build(document: Mapping[str, Any]) -> Model:
+        return _built(schema.document_type().model_validate(document), kind, _straight, held)
+
+    return _with_own(record, build)
 
 
 @dataclass
@@ -180,11 +183,15 @@ def from_changed_record(
 
     ModelFileError: what is wrong in it. ModelError: in a force of the user's own.
     """
+    return _with_own(record, lambda document: _checked("model", _Record(document), kind, held).model)
+
+
+def _with_own(record: Mapping[str, Any], build: Callable[[Mapping[str, Any]], Model]) -> Model:
+    """Built of the rest, and then the forces of the user's own."""
     own = record.get("user_forces", ())
     later = ("user_forces", "history") if own else ("user_forces",)  # which they add to
     with collection_paused():
-        document = {section: it for section, it in record.items() if section not in later}
-        model = _checked("model", _Record(document), kind, held).model
+        model = build({section: it for section, it in record.items() if section not in later})
     for it in own:
         UserForce.add(model, it)
     history = record.get("history", []) if own else []
@@ -363,7 +370,7 @@ Attempt = Callable[..., None]
 def _built(
     document: schema.Document, kind: type[Model], attempt: Attempt, held: Functions, batches: bool = True
 ) -> Model:
-    model = kind(document.gravity, document.name)
+    model = kind._blank(document.gravity, document.name)
     functions: dict[str, TimeFunction] = {**held}
 
     def define(name: str, function: Any) -> Callable[[], None]:
