@@ -79,6 +79,10 @@ class Equations:
         self.scale = np.tile([1.0] * 3 + [1 / self.length] * 3, self.core.body_count)
         self.arms = _arms(self.core, self.length)
 
+    def __reduce__(self) -> tuple[type[Equations], tuple[Model]]:
+        """Compiled anew in another process."""
+        return Equations, (self.model,)
+
     def terms(self, t: float, q: Floats, v: Floats | None = None) -> Terms:
         """At t [s], q (7n,), v (6n,) as the model has it (omega in body axes), at rest without v."""
         from scipy.sparse import csr_array

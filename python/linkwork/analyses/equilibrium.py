@@ -7,7 +7,6 @@ from typing import Any, Literal
 
 import numpy as np
 
-from linkwork import _core
 from linkwork.analyses.constraint_solver import (
     DENSE,
     balance,
@@ -90,7 +89,7 @@ class Equilibrium(ReadOnly):
     softest_motion: str  #: which this is, in words
     stability: Literal["stable", "neutral", "unstable"]
     iterations: int
-    _dynamics: _core.Dynamics = field(repr=False)
+    _equations: Equations = field(repr=False)
 
     def reaction(self, name: str) -> Reaction:
         """Force and torque (3,) of a joint on its second body, inertial axes.
@@ -116,7 +115,7 @@ class Equilibrium(ReadOnly):
         if not self.model.joint_count:
             return Reaction(np.zeros((0, 3)), np.zeros((0, 3)))
         q = np.array(self.model.compiled().q0)
-        force, torque = self._dynamics.reactions(np.zeros(1), q[None], self.multipliers[None])
+        force, torque = self._equations.dynamics.reactions(np.zeros(1), q[None], self.multipliers[None])
         return Reaction(force[0], torque[0])
 
     def __str__(self) -> str:
@@ -409,7 +408,7 @@ class _Search:
         return Equilibrium(
             at_rest, moved=shift, turned=angle, multipliers=multipliers, imbalance=imbalance,
             softest=softest, softest_motion=words, stability=kind, iterations=self.steps,
-            _dynamics=eq.dynamics,
+            _equations=eq,
         )  # fmt: skip
 
     def _fail(self, q: Floats, r: Floats, way: _Way) -> None:

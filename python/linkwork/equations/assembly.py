@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import astuple, dataclass, field
+from dataclasses import astuple, dataclass
 from html import escape
 
 import numpy as np
@@ -53,14 +53,14 @@ class Assembly(ReadOnly):
     velocity_after: Floats
     opposed: tuple[str, ...]  #: joints whose axes point in opposite directions
     iterations: int
-    _core: _core.Model = field(repr=False)
 
     @property
     def residuals(self) -> list[JointResidual]:
         """Of every joint, before and after."""
         columns = (self.position_before, self.position_after, self.velocity_before, self.velocity_after)
+        core = self.model.compiled()
         return [
-            JointResidual(self._core.joint_name(joint), *map(float, values))
+            JointResidual(core.joint_name(joint), *map(float, values))
             for joint, values in enumerate(zip(*columns, strict=True))
         ]
 
@@ -135,7 +135,6 @@ def assemble(
         velocity_after=_per_joint(core, found[1]),
         opposed=tuple(core.joint_name(int(joint)) for joint in opposed),
         iterations=assembler.iterations,
-        _core=core,
     )
 
 

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import copy
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Unpack
 
 import numpy as np
@@ -72,6 +75,7 @@ class System:
     def __init__(self, model: Model, **options: Unpack[Options]) -> None:
         check_model(model)
         self.model = model
+        self._options: Mapping[str, Any] = copy.deepcopy(options)
         self._given = compile_options(options)
         self._dynamics = _core.Dynamics(model.compiled(), self._given)
 
@@ -85,9 +89,13 @@ class System:
         """
         check_model(model)
         made = object.__new__(System)
-        made.model, made._given = model, self._given
+        made.model, made._given, made._options = model, self._given, self._options
         made._dynamics = _core.Dynamics(model.compiled(), self._given, self._dynamics)
         return made
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Compiled anew, in another process or of a copy of the model."""
+        return partial(System, **self._options), (self.model,)
 
     def compiled(self) -> _core.Dynamics:
         """
