@@ -31,10 +31,11 @@ void bind_time_functions(py::module_& module) {
       .def_property_readonly("of_time", &TimeFunction::of_time)
       .def_static(
           "characteristic",
-          [](std::shared_ptr<TimeFunction> f) {
-            return std::const_pointer_cast<TimeFunction>(characteristic(std::move(f)));
+          [](std::shared_ptr<TimeFunction> f, std::string of) {
+            return std::const_pointer_cast<TimeFunction>(characteristic(std::move(f), std::move(of)));
           },
-          py::arg("function"), "The same function of a coordinate or velocity of a force element.")
+          py::arg("function"), py::arg("of"),
+          "The same function of a coordinate or velocity of a force element; `of`: which, for messages.")
       .def_property_readonly(
           "breaks",
           [](const TimeFunction& f) {

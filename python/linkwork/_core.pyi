@@ -1240,9 +1240,9 @@ class TimeFunction:
         Python functions of t; `what` they are, in messages.
         """
     @staticmethod
-    def characteristic(function: TimeFunction) -> TimeFunction:
+    def characteristic(function: TimeFunction, of: str) -> TimeFunction:
         """
-        The same function of a coordinate or velocity of a force element.
+        The same function of a coordinate or velocity of a force element; `of`: which, for messages.
         """
     @staticmethod
     def constant(value: typing.SupportsFloat | typing.SupportsIndex) -> TimeFunction: ...

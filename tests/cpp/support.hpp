@@ -124,7 +124,8 @@ inline std::vector<Parameter> force_parameters(Model& model, Random& random, con
     else if (name == "lower" || name == "upper")
       out.push_back({0.0, model.add_signal(harmonic(0.1, 2.0, 0.0, name == "lower" ? -0.2 : 0.2))});
     else
-      out.push_back({0.0, model.add_signal(it.takes == Takes::characteristic ? characteristic(function) : function)});
+      out.push_back(
+          {0.0, model.add_signal(it.takes == Takes::characteristic ? characteristic(function, it.name) : function)});
   }
   return out;
 }

@@ -105,7 +105,7 @@ bool AdaptiveSimulation::advance_to_trial() {
 
 bool AdaptiveSimulation::begin_trial() {
   try {
-    stepper_.begin(dynamics_, trial_span());
+    with_time(t_, NAN, [&] { stepper_.begin(dynamics_, trial_span()); });
     return true;
   } catch (const OptionError&) {
     throw;
@@ -338,7 +338,8 @@ BodyMaximum AdaptiveSimulation::trial(double h) {
   last_failure_.clear();
   try {
     const StepSpan step{t_, h, breaks_.after(t_), breaks_.before(t_new_)};
-    const BodyMaximum error = stepper_.trial(dynamics_, measure_, step, y_);
+    BodyMaximum error;
+    with_time(t_, h, [&] { error = stepper_.trial(dynamics_, measure_, step, y_); });
     const bool seen = error.value > 1.0 || breaks_.seen(stepper_.pair(), step, schedule_.tolerances.relative);
     if (!seen || (error.value <= 1.0 && violates(h)))
       return {elementary::power(2.0, stepper_.pair().error_order + 1), -1};

@@ -51,13 +51,13 @@ class Harmonic final : public TimeFunction {
 
 class Characteristic final : public TimeFunction {
  public:
-  explicit Characteristic(TimeFunctionPtr function) : function_(std::move(function)) {}
+  Characteristic(TimeFunctionPtr function, std::string of) : function_(std::move(function)), of_(std::move(of)) {}
   Signal<double> evaluate(double x) const override {
     try {
       return function_->evaluate(x);
     } catch (const OptionError& error) {
-      throw OptionError("outside_table", "the characteristic of a force element has no value at " + std::to_string(x) +
-                                             ": the motion leaves its table; extend it");
+      throw OptionError("outside_table",
+                        of_ + " has no value at " + std::to_string(x) + ": the motion leaves its table; extend it");
     }
   }
   bool has_derivatives() const override { return function_->has_derivatives(); }
@@ -65,6 +65,7 @@ class Characteristic final : public TimeFunction {
 
  private:
   TimeFunctionPtr function_;
+  std::string of_;
 };
 
 class PiecewisePolynomial final : public TimeFunction {
@@ -264,8 +265,8 @@ TimeFunctionPtr with_breaks(TimeFunctionPtr function, std::vector<double> times)
   return std::make_shared<WithBreaks>(std::move(function), std::move(times));
 }
 
-TimeFunctionPtr characteristic(TimeFunctionPtr function) {
-  return std::make_shared<Characteristic>(std::move(function));
+TimeFunctionPtr characteristic(TimeFunctionPtr function, std::string of) {
+  return std::make_shared<Characteristic>(std::move(function), std::move(of));
 }
 
 TimeFunctionPtr callback(std::function<double(double)> value, std::function<double(double)> rate,

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "linkwork/model/body_state.hpp"
@@ -58,8 +59,8 @@ TimeFunctionPtr sum(std::vector<TimeFunctionPtr> terms);
 TimeFunctionPtr with_breaks(TimeFunctionPtr function, std::vector<double> times);
 
 /// The same function, of a coordinate or a velocity of a force element instead of time. Outside of a table an
-/// evaluation throws an OptionError.
-TimeFunctionPtr characteristic(TimeFunctionPtr function);
+/// evaluation throws an OptionError, which says of what it is: the element and its parameter.
+TimeFunctionPtr characteristic(TimeFunctionPtr function, std::string of);
 
 /// Any functions of time; without `rate` and `acceleration` it has no derivatives.
 TimeFunctionPtr callback(std::function<double(double)> value, std::function<double(double)> rate = {},

@@ -50,7 +50,7 @@ class Elements:
             if isinstance(parameter, TimeFunction):
                 function = parameter.compiled()
                 if self.info.parameters[what].takes == "characteristic":
-                    function = _core.TimeFunction.characteristic(function)
+                    function = _core.TimeFunction.characteristic(function, self._meaning(what))
                 index = core.add_signal(function)
                 signals[:, column], functions[index] = index, parameter
             else:
@@ -66,6 +66,12 @@ class Elements:
             signals,
         )
         return functions
+
+    def _meaning(self, what: str) -> str:
+        """Of a characteristic: whose it is, and what over what."""
+        law, _, _ = self.info.parameters[what].meaning.partition(",")
+        more = f" and {self.subject.count - 1} more" if self.subject.count > 1 else ""
+        return f"{self.subject.who(0)}{more}: {what}, {law},"
 
     def signals(self) -> list[tuple[str, TimeFunction]]:
         """The functions of time, each with what it drives."""
