@@ -78,6 +78,11 @@ py::dict to_dict(const AccumulatedError& found, bool steps_too) {
   out["violation"] = found.violation;
   out["rate"] = found.rate;
   out["seconds"] = found.seconds;
+  out["kinetic_share"] = found.kinetic_share;
+  out["carried"] = found.carried;
+  out["rest_length"] = found.rest ? found.length : 0.0;
+  out["rest_speed"] = found.rest ? found.rest->speed : 0.0;
+  out["rest_energy"] = found.rest ? found.rest->energy : 0.0;
   return out;
 }
 
@@ -284,8 +289,7 @@ void bind_runs(py::module_& module) {
       .def("judge", exclusive(&judge), py::arg("dynamics"), py::arg("method"), py::arg("other") = false,
            py::arg("progress") = py::none(),
            "Takes the kept steps of the run again by `dynamics`, which is used up, and says what they were off by, "
-           "relative to the motion: steps (t, h, state, reactions or None) and how many failed; over the run state, "
-           "local_error [1/s], reactions_by_state, violation, rate [1/s] and seconds; see AccumulatedError. "
+           "relative to the motion: steps (t, h, state, reactions or None), and what AccumulatedError has of the run. "
            "`method`: that of the run, or one that is much more accurate, and `other`. `progress` is called with the "
            "share that is done, as each step is begun.")
       .def("statistics", &run_statistics);  // by way of those of its dynamics

@@ -1088,7 +1088,7 @@ class Run:
         progress: collections.abc.Callable[[float], None] | None = None,
     ) -> dict:
         """
-        Takes the kept steps of the run again by `dynamics`, which is used up, and says what they were off by, relative to the motion: steps (t, h, state, reactions or None) and how many failed; over the run state, local_error [1/s], reactions_by_state, violation, rate [1/s] and seconds; see AccumulatedError. `method`: that of the run, or one that is much more accurate, and `other`. `progress` is called with the share that is done, as each step is begun.
+        Takes the kept steps of the run again by `dynamics`, which is used up, and says what they were off by, relative to the motion: steps (t, h, state, reactions or None), and what AccumulatedError has of the run. `method`: that of the run, or one that is much more accurate, and `other`. `progress` is called with the share that is done, as each step is begun.
         """
     def record_reactions(self) -> None:
         """

@@ -196,14 +196,14 @@ def patience() -> Iterator[None]:
 
 def difference(result: lw.Result, best: lw.Result) -> Floats:
     reference = Sampled.of(best)
-    scales = Scales.of(reference, longest_arm(best))
+    scales = Scales.of(reference, longest_arm(best), best.header.mass)
     return Differences.between(Sampled.of(result), reference).state(scales)
 
 
 def growth(model: lw.Model, best: lw.Result) -> float:
     """Largest departure of a twin by its first."""
     reference = Sampled.of(best)
-    scales = Scales.of(reference, longest_arm(best))
+    scales = Scales.of(reference, longest_arm(best), best.header.mass)
     start = best.snapshot(0)
     push = np.random.default_rng(1).standard_normal(start.v.shape) * PERTURBATION
     push *= [scales.speed] * 3 + [scales.speed / scales.length] * 3
@@ -245,7 +245,7 @@ def local_errors(
     verdict = result.verdict
     if verdict is None or not verdict.steps:
         return
-    scales = Scales.of(Sampled.of(best), longest_arm(best))
+    scales = Scales.of(Sampled.of(best), longest_arm(best), best.header.mass)
     places = np.linspace(0, len(verdict.steps) - 1, min(LOOKED_AT, len(verdict.steps))).astype(int)
     for step in (verdict.steps[place] for place in places):
         k = int(np.argmin(np.abs(result.t - step.t)))
@@ -306,8 +306,9 @@ def study(seed: int, count: int) -> tuple[str, list[Found]]:
         truth = Truth.of(made.model)
     except (LinkworkError, TimeoutError) as error:
         return f"no reference: {type(error).__name__}: {error}", []
-    scales = Scales.of(Sampled.of(truth.result), longest_arm(truth.result))
-    if not scales.speed > STILL * scales.length:
+    scales = Scales.of(Sampled.of(truth.result), longest_arm(truth.result), truth.result.header.mass)
+    fastest = np.abs(truth.result.v).max(axis=(0, 1))
+    if not max(fastest[:3].max() / scales.length, fastest[3:].max()) > STILL:
         return "at rest", []
     if not truth.growth < GROWTH:
         return "chaotic", []

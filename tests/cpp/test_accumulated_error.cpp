@@ -84,6 +84,16 @@ TEST_CASE("parts of which no step could be taken again count as the others") {
   CHECK(accumulate(errors, 0.1).steps.empty());
 }
 
+TEST_CASE("what the run moved a mechanism that rests is its error, which does not add up") {
+  StateDifference moved;
+  moved.position = 1e-6;
+  RunErrors errors = run(moved, moved, 0.0);
+  for (StepError& step : errors.steps) step.speed = 1e-6;
+  CHECK(state(errors) > 1.0);  // of the path of 2e-6 m
+  errors.rest = Rest{{moved, moved}, 3.0, 1.0};
+  CHECK(state(errors) == doctest::Approx(1e-6 / size));
+}
+
 TEST_CASE("what is late is off by the largest acceleration that comes, seen in a step or not") {
   StateDifference apart;
   apart.position = 1e-6;

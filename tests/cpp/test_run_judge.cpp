@@ -67,6 +67,37 @@ TEST_CASE("every kept step of a run is judged, and belongs to a part of it") {
   CHECK(steps == 200.0);
 }
 
+TEST_CASE("bodies that fly along make no motion larger, and a body that only flies rests") {
+  const auto flying = [](double speed, bool vibrates) {
+    Model model(Vec3<double>::Zero());
+    for (const double z : {0.0, 1.0}) {
+      Body body;
+      body.mass = 1.0;
+      body.inertia = 0.1 * Mat3<double>::Identity();
+      body.position = {0.0, 0.0, z};
+      body.velocity = {speed, 0.0, vibrates && z > 0.0 ? 0.1 : 0.0};
+      model.add_body(z > 0.0 ? "upper" : "lower", body);
+    }
+    Attachment<double> at;
+    at.s_i.setZero();
+    at.s_j.setZero();
+    at.C_i = at.C_j = Mat3<double>::Identity();
+    model.add_force("spring_damper", "spring", 0, 1, at, {{100.0, -1}, {0.0, -1}, {1.0, -1}, {0.0, -1}});
+    Dynamics dynamics(model, Options());
+    Simulation run(dynamics, make_runge_kutta(rk4()), {2.0, 0.01});
+    run.advance(1 << 30, 1e9);
+    return judge_run(run.sampling(), dynamics, in_parts(make_runge_kutta(rk4())));
+  };
+  const RunErrors slow = flying(0.0, true), fast = flying(7600.0, true);
+  REQUIRE(slow.steps.size() == fast.steps.size());
+  CHECK(fast.diagonal == doctest::Approx(slow.diagonal).epsilon(1e-6));
+  for (std::size_t k = 0; k < slow.steps.size(); ++k)
+    CHECK(fast.steps[k].speed == doctest::Approx(slow.steps[k].speed).epsilon(1e-6));
+  CHECK(fast.kinetic_share < 1e-9);
+  CHECK(!fast.rest);
+  CHECK(flying(7600.0, false).rest);
+}
+
 TEST_CASE("the share of a verdict that is done grows from none to all but its last step") {
   Dynamics dynamics(pendulum(), Options());
   Simulation run(dynamics, make_runge_kutta(rk4()), {2.0, 0.01});

@@ -64,9 +64,14 @@ class Accumulation {
     if (parts_.empty()) return std::move(out_);
     find_scales();
     list_steps();
-    out_.state = errors_.resolved * state() + std::max(inside(), error(errors_.corrections));
+    const double once = std::max(inside(), error(errors_.corrections));
+    out_.state = once + (errors_.rest ? away_from_rest() : errors_.resolved * state());
     out_.local_error = sum([this](const StepError& it) { return error(it.end); }) / out_.seconds;
     out_.rate = V_ / L_;
+    out_.carried = errors_.speed_as_a_whole / V_;
+    out_.length = L_;
+    out_.kinetic_share = errors_.kinetic_share;
+    out_.rest = errors_.rest;
     return std::move(out_);
   }
 
@@ -105,6 +110,9 @@ class Accumulation {
     for (const StepError& it : errors_.steps)
       if (!it.failed) V_ = std::max(V_, speed(it));
     size_ = std::max(std::min(L_, missed_ * path), still * L_);
+    if (!errors_.rest) return;
+    V_ = std::max(V_, errors_.rest->speed);
+    size_ = L_;
   }
 
   void list_steps() {
@@ -173,6 +181,14 @@ class Accumulation {
       late = std::max(late, along.moved(t, rate) * fastest);
     }
     return std::max(sums.moved(end, rate) + sums.velocities, late);
+  }
+
+  /// Of a mechanism that rests: errors die out, or the run would have moved it.
+  double away_from_rest() const {
+    double largest = 0.0;
+    for (const StepError& it : errors_.steps)
+      if (!it.failed) largest = std::max(largest, error(it.end));
+    return largest;
   }
 
   double inside() const {

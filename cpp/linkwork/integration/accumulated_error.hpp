@@ -14,8 +14,9 @@ struct JudgedStep {
 };
 
 /// What the local errors of a run come to over it. Poses are relative to L, half of the box in which centers of mass
-/// move or the longest arm, or to the path where that is shorter; velocities to V, the largest speed; reactions to the
-/// largest.
+/// move or the size of the mechanism, or to the path where that is shorter; velocities to V, the largest speed;
+/// reactions to the largest. Box, path and speeds are those in MovingAxes. Where there is no motion, what moved is the
+/// error, relative to the size of the mechanism and the speed of Rest.
 struct AccumulatedError {
   std::size_t failed = 0;           ///< steps that could not be taken again; where all could not, the rest is zero
   std::vector<JudgedStep> steps;    ///< the others, by time
@@ -25,6 +26,10 @@ struct AccumulatedError {
   double violation = 0.0;           ///< largest at the ends of these steps, see RelativeViolation
   double rate = 0.0;                ///< V / L [1/s]
   double seconds = 0.0;             ///< that the parts of the run took
+  double kinetic_share = 1.0;       ///< see StepJudge
+  double carried = 0.0;             ///< speed of the mechanism as a whole, relative to V
+  double length = 0.0;              ///< L [m]
+  std::optional<Rest> rest;         ///< see RunErrors
 };
 
 /// `length`: see RelativeViolation.

@@ -42,10 +42,12 @@ const RetakenStep& of_step(std::size_t step, const RetakenSteps& retaken) {
 }  // namespace
 
 RunJudge::RunJudge(const StepSampling& sampling, Dynamics& dynamics, SecondTake take)
-    : length_(RelativeViolation::length_of(dynamics.system())),
+    : dynamics_(dynamics),
+      length_(RelativeViolation::length_of(dynamics.system())),
       every_inside_(sampling.steps() <= few_steps ? 1 : every_inside),
       divisions_(sampling.steps() <= few_steps ? few_divisions : usual_divisions),
-      judge_(dynamics, std::move(take), sampling.breaks()) {
+      breaks_(sampling.breaks()),
+      judge_(dynamics, std::move(take), breaks_) {
   out_.corrections = sampling.corrections();
   out_.parts = parts_to_judge(sampling);
   for (std::size_t k = 0; k < out_.parts.size(); ++k)
@@ -54,6 +56,9 @@ RunJudge::RunJudge(const StepSampling& sampling, Dynamics& dynamics, SecondTake 
       kept_.push_back(step);
       out_.part_of.push_back(static_cast<int>(k));
     }
+  const MovingAxes axes = MovingAxes::of(dynamics.system(), kept_);
+  judge_.move_with(axes);
+  out_.speed_as_a_whole = axes.velocity.norm();
   judge_.choose_from(choices_of_rows(kept_, dynamics.dropped().rows()));
 }
 
@@ -107,7 +112,19 @@ RunErrors RunJudge::judge_worst(const RetakenSteps& retaken) {
   }
   if (before > 0.0 && after > before) out_.resolved = after / before;
   out_.diagonal = judge_.diagonal();
+  out_.kinetic_share = judge_.kinetic_share();
+  look_for_rest();
   return std::move(out_);
+}
+
+/// There the exact end of each step is known.
+void RunJudge::look_for_rest() {
+  out_.rest = find_rest(dynamics_, kept_, {breaks_, golden_share}, length_);
+  if (!out_.rest) return;
+  for (std::size_t k = 0; k < out_.steps.size(); ++k) {
+    out_.steps[k].end = out_.rest->moved[k];
+    out_.steps[k].inside = {};
+  }
 }
 
 RunErrors judge_run(const StepSampling& sampling, Dynamics& dynamics, SecondTake take, JudgeProgress progress) {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "linkwork/integration/rest.hpp"
 #include "linkwork/integration/step_judge.hpp"
 
 namespace linkwork {
@@ -16,8 +18,10 @@ struct RunErrors {
   /// By how much the errors of the worst steps are larger than what a first look said of them, at least 1: where
   /// something is not smooth, or steps are very long, two parts of a step are not as much better as Richardson has it.
   double resolved = 1.0;
-  StateDifference corrections;  ///< see StepSampling
-  double diagonal = 0.0;        ///< see StepJudge
+  StateDifference corrections;                 ///< see StepSampling
+  double diagonal = 0.0, kinetic_share = 1.0;  ///< see StepJudge
+  double speed_as_a_whole = 0.0;               ///< of MovingAxes [m/s]
+  std::optional<Rest> rest;                    ///< where there is no motion
 };
 
 /// Of kept steps, in their order.
@@ -26,7 +30,8 @@ using RetakenSteps = std::vector<RetakenStep>;
 /// Called as each step is begun, with the share of the work that is done.
 using JudgeProgress = std::function<void(double)>;
 
-/// Judges a run by its kept steps, and then the worst of them once more in smaller parts.
+/// Judges a run by its kept steps, and then the worst of them once more in smaller parts. Motion is seen from axes that
+/// move with the mechanism as a whole.
 class RunJudge {
  public:
   /// `dynamics` and `take` as in StepJudge.
@@ -45,11 +50,14 @@ class RunJudge {
 
  private:
   double size(const StepError& error) const;
+  void look_for_rest();
   StepError judge_next(std::size_t k, int divisions, bool reactions, bool inside, const RetakenStep& retaken);
 
+  Dynamics& dynamics_;
   double length_, speed_ = 0.0;
   std::size_t every_inside_;
   int divisions_;
+  std::vector<double> breaks_;  ///< [s]
   StepJudge judge_;
   RunErrors out_;
   std::vector<const KeptStep*> kept_;

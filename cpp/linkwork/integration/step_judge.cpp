@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "linkwork/formulation/watched_formulation.hpp"
@@ -15,6 +16,7 @@ namespace {
 constexpr int divisions_where_contacts_begin = 3;
 constexpr double well_chosen = 0.1;  // root of the smallest pivot, relative to the usual one
 constexpr double beside = 1e-9;      // of a step: how far from a break the parts on its sides end and begin
+constexpr double roundoff = 8.0 * std::numeric_limits<double>::epsilon();
 
 /// One step of a one-step method in parts, with the correction that a multistep method adds.
 class CorrectedApart final : public Integrator {
@@ -55,6 +57,24 @@ class CorrectedApart final : public Integrator {
   MatrixXd k_;
   VectorXd stage_, correction_;
 };
+
+/// By which two states that are one may differ.
+StateDifference rounding(const System& system, const VectorXd& y) {
+  StateDifference out;
+  out.raise(system, y, VectorXd::Zero(y.size()));
+  out.rotation = 1.0;
+  for (double* size : {&out.position, &out.rotation, &out.velocity, &out.omega}) *size *= roundoff;
+  return out;
+}
+
+double kinetic_energy(const System& system, const VectorXd& y) {
+  double twice = 0.0;
+  for (int body = 0; body < system.body_count(); ++body) {
+    const auto v = y.segment<velocity_size>(system.q_size() + velocity_size * body);
+    twice += system.mass(body) * v.head<3>().squaredNorm() + v.tail<3>().dot(system.inertia(body) * v.tail<3>());
+  }
+  return 0.5 * twice;
+}
 
 double largest_column(const Eigen::Matrix3Xd& vectors) {
   return vectors.cols() > 0 ? vectors.colwise().norm().maxCoeff() : 0.0;
@@ -239,18 +259,32 @@ void StepJudge::finish(double t) {
 
 void StepJudge::compare(const KeptStep& step, StepError& out) {
   const System& system = dynamics_.system();
-  const VectorXd& a = step.y_new;
-  out.end.raise(system, a, y_);
+  out.end.raise(system, step.y_new, y_);
+  out.end.lower(rounding(system, step.y_new));
   for (double* error : {&out.end.position, &out.end.rotation, &out.end.velocity, &out.end.omega}) *error *= factor_;
+  look_at_motion(step, out);
+}
+
+void StepJudge::look_at_motion(const KeptStep& step, StepError& out) {
+  const System& system = dynamics_.system();
+  const VectorXd& a = step.y_new;
+  seen_ = a;
+  axes_.see(step.t + step.h, seen_);
   for (int body = 0; body < system.body_count(); ++body) {
     const int r = position_size * body, v = system.q_size() + velocity_size * body;
-    low_ = low_.min(a.segment<3>(r).array());
-    high_ = high_.max(a.segment<3>(r).array());
-    out.speed = std::max(out.speed, a.segment<3>(v).norm());
+    low_ = low_.min(seen_.segment<3>(r).array());
+    high_ = high_.max(seen_.segment<3>(r).array());
+    out.speed = std::max(out.speed, seen_.segment<3>(v).norm());
     out.spin = std::max(out.spin, a.segment<3>(v + 3).norm());
     out.acceleration = std::max(out.acceleration, (a.segment<3>(v) - step.y.segment<3>(v)).norm() / step.h);
     out.spin_rate = std::max(out.spin_rate, (a.segment<3>(v + 3) - step.y.segment<3>(v + 3)).norm() / step.h);
   }
+  kinetic_ = std::max(kinetic_, kinetic_energy(system, seen_));
+  ground_kinetic_ = std::max(ground_kinetic_, kinetic_energy(system, a));
+}
+
+double StepJudge::kinetic_share() const {
+  return kinetic_ < ground_kinetic_ && std::isfinite(ground_kinetic_) ? kinetic_ / ground_kinetic_ : 1.0;
 }
 
 /// The state that the interpolant of the step gives beside the one to which its first part came.
@@ -261,6 +295,7 @@ void StepJudge::compare_inside(const KeptStep& step, StepError& out) {
   stepper_->prepare_interpolation(dynamics_);
   stepper_->interpolate(dynamics_.system(), take_.share, interpolated_);
   out.inside.raise(dynamics_.system(), interpolated_, inside_);
+  out.inside.lower(rounding(dynamics_.system(), inside_));
 }
 
 /// The speed at which a contact begins scales its damping as long as it lasts: an error of it is one of the velocity.

@@ -8,6 +8,7 @@
 #include "linkwork/formulation/projection.hpp"
 #include "linkwork/integration/embedded_pair.hpp"
 #include "linkwork/integration/integrator.hpp"
+#include "linkwork/integration/moving_axes.hpp"
 #include "linkwork/integration/relative_violation.hpp"
 #include "linkwork/integration/step_sampling.hpp"
 
@@ -64,7 +65,7 @@ class StepParts {
 };
 
 /// What a step was off by at its end, the largest of any body or joint, and how large the motion was there. All of it
-/// in the local error of that step alone.
+/// in the local error of that step alone. Speeds are those that the judge's axes see, and no rounding of y counts.
 struct StepError {
   double t = 0.0, h = 0.0, change = 0.0;
   StateDifference end, inside;                 ///< inside: where the first part ends; zero where that was not looked at
@@ -97,8 +98,12 @@ class StepJudge {
   /// `reactions`: those, too; it takes two more evaluations. `inside`: where the run records there, too; it takes one
   /// more step. `retaken`: if somebody else has taken it again.
   StepError judge(const KeptStep& step, bool reactions, bool inside = false, const RetakenStep& retaken = {});
-  /// Diagonal of the box around the centers of mass at the steps that were judged [m].
+  /// Motion is seen from these, from now on; from the ground, if nobody says so.
+  void move_with(const MovingAxes& axes) { axes_ = axes; }
+  /// Diagonal of the box around the centers of mass at the steps that were judged, as these axes see them [m].
   double diagonal() const { return (high_ - low_).matrix().norm(); }
+  /// Largest kinetic energy at these steps, relative to what the ground sees; at most 1.
+  double kinetic_share() const;
 
  private:
   void find_end(const KeptStep& step, const RetakenStep& retaken);
@@ -109,6 +114,7 @@ class StepJudge {
   void leave_out(const std::vector<int>& rows);
   void finish(double t);
   void compare(const KeptStep& step, StepError& out);
+  void look_at_motion(const KeptStep& step, StepError& out);
   void compare_inside(const KeptStep& step, StepError& out);
   void compare_history(const KeptStep& step, StepError& out);
   void compare_reactions(const KeptStep& step, StepError& out);
@@ -120,11 +126,13 @@ class StepJudge {
   double factor_;
   std::unique_ptr<Projection> projection_;  ///< where the run projects
   RelativeViolation violation_;
+  MovingAxes axes_;
   Eigen::Array3d low_, high_;
-  std::unique_ptr<PairStepper> stepper_;  ///< of a run that records inside of steps
+  double kinetic_ = 0.0, ground_kinetic_ = 0.0;  ///< largest [J]
+  std::unique_ptr<PairStepper> stepper_;         ///< of a run that records inside of steps
   std::vector<std::vector<int>> choices_;
   std::vector<int> rows_;  ///< that are left out in this step
-  VectorXd y_, v_dot_, lambda_;
+  VectorXd y_, v_dot_, lambda_, seen_;
   VectorXd inside_, interpolated_;
   bool came_inside_ = false;  ///< to inside_, where the first part ends
   Eigen::Matrix3Xd force_, torque_, other_force_, other_torque_;

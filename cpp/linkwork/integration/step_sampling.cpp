@@ -79,6 +79,13 @@ void StateDifference::raise(const StateDifference& other) {
   omega = std::max(omega, other.omega);
 }
 
+void StateDifference::lower(const StateDifference& by) {
+  position = std::max(position - by.position, 0.0);
+  rotation = std::max(rotation - by.rotation, 0.0);
+  velocity = std::max(velocity - by.velocity, 0.0);
+  omega = std::max(omega - by.omega, 0.0);
+}
+
 void StateDifference::raise(const System& system, const VectorXd& a, const VectorXd& b) {
   for (int body = 0; body < system.body_count(); ++body) {
     const int r = position_size * body, p = r + 3, v = system.q_size() + velocity_size * body;

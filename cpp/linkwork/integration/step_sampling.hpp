@@ -28,6 +28,7 @@ struct StateDifference {
   double position = 0.0, rotation = 0.0, velocity = 0.0, omega = 0.0;  ///< m, rad, m/s, rad/s
 
   void raise(const StateDifference& other);
+  void lower(const StateDifference& by);  ///< not below zero
   /// Between y = (q, v, ...) of both.
   void raise(const System& system, const VectorXd& a, const VectorXd& b);
 };

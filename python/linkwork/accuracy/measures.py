@@ -8,13 +8,15 @@ means "as large as the motion itself":
     state error     the larger of the two
     reaction error  max(|F - F*|, |T - T*| / L) / F_max
 
-with the `Scales` L, V, F_max of the reference, the starred quantities.
+with the `Scales` L, V, F_max of the reference, the starred quantities. L and V are those of its motion in
+axes that move with the mechanism as a whole, at the mean velocity of its center of mass: a uniform motion of
+everything changes no error, and no scale (Galilei).
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +27,7 @@ from linkwork.errors import OptionError
 if TYPE_CHECKING:
     from linkwork.results.result import Result
 
-__all__ = ["Differences", "Sampled", "Scales", "rounding_of", "same_times"]
+__all__ = ["MOVING", "AtRest", "Differences", "Sampled", "Scales", "rounding_of", "same_times"]
 
 #: Two times are the same, relative to the later one.
 SAME_TIME = 1e-9
@@ -75,9 +77,19 @@ def rounding_of(times: Floats) -> float:
 STILL = 1e-6
 
 
+class AtRest(NamedTuple):
+    """L and V of a mechanism that forces leave at rest: its size, and the speed of a fall by that."""
+
+    length: float  #: m
+    speed: float  #: m/s
+
+
+MOVING = AtRest(0.0, 0.0)
+
+
 @dataclass(frozen=True)
 class Scales:
-    """What the errors are divided by; 1 where nothing moves or pulls."""
+    """What errors are divided by, in axes that move with the mechanism; 1 where nothing moves or pulls."""
 
     length: (
         float  #: L: half the diagonal of the box in which the centers of mass move, or the longest arm [m]
@@ -87,22 +99,28 @@ class Scales:
 
     @classmethod
     def of(
-        cls, motion: Sampled, longest_arm: float, mass: float = np.inf, tolerance: float | None = None
+        cls,
+        motion: Sampled,
+        longest_arm: float,
+        masses: Floats,
+        tolerance: float | None = None,
+        at_rest: AtRest = MOVING,
     ) -> Scales:
-        """`longest_arm` [m]: from a center of mass to a joint.
+        """`longest_arm` [m]: from a center of mass to a joint; `masses` (n,) [kg]; `at_rest`: see AtRest.
 
         What goes no farther than `STILL`, or the `tolerance` that steps follow, of the length is at rest: its
-        trembling is weighed by the speed that the largest reaction gives to the `mass` [kg] of all bodies.
+        trembling is weighed by the speed that the largest reaction gives to the mass of all bodies.
         """
-        r = motion.q[:, :, :3]
+        r, r_dot = _in_moving_axes(motion, masses)
         diagonal = float(np.linalg.norm(np.ptp(r, axis=(0, 1)))) if r.size else 0.0
-        length = max(diagonal / 2, longest_arm) or 1.0
-        speed = max(_largest(motion.v[:, :, :3]), length * _largest(motion.v[:, :, 3:]))
+        length = max(diagonal / 2, longest_arm, at_rest.length) or 1.0
+        speed = max(_largest(r_dot), length * _largest(motion.v[:, :, 3:]), at_rest.speed)
         force = max(_largest(motion.force), _largest(motion.torque) / length)
         duration = float(np.ptp(motion.t)) if len(motion.t) else 0.0
         speed = max(speed, STILL * length / duration if duration > 0.0 else 0.0)
         still = max(STILL, tolerance or 0.0)
-        if mass > 0.0 and _way(motion.q, length) <= still * length:
+        mass = float(masses.sum())
+        if mass > 0.0 and _way(r, motion.q[:, :, 3:], length) <= still * length:
             speed = max(speed, still * float(np.sqrt(force * length / mass)))
         return cls(length, speed or 1.0, force or 1.0)
 
@@ -160,12 +178,24 @@ def longest_arm(result: Result) -> float:
     return float(arms.max(initial=0.0))
 
 
-def _way(q: Floats, length: float) -> float:
-    """How far any body goes from where it begins, or turns by an arm of this length [m]; q (k, n, 7)."""
-    if not q.size:
+def _in_moving_axes(motion: Sampled, masses: Floats) -> tuple[Floats, Floats]:
+    """Positions and velocities (k, n, 3) in axes with the mean velocity of the center of mass."""
+    r, r_dot = motion.q[:, :, :3], motion.v[:, :, :3]
+    if not r.size or not np.ptp(motion.t) > 0.0:
+        return r, r_dot
+    weights = masses / masses.sum() if masses.sum() > 0.0 else np.full(len(masses), 1 / len(masses))
+    since = motion.t - motion.t[0]
+    velocity = weights @ (r[-1] - r[0]) / since[-1]
+    if not np.isfinite(velocity).all():
+        return r, r_dot
+    return r - since[:, None, None] * velocity, r_dot - velocity
+
+
+def _way(r: Floats, p: Floats, length: float) -> float:
+    """How far any body goes from where it begins, or turns by an arm of this length [m]; (k, n, 3 and 4)."""
+    if not r.size:
         return 0.0
-    away = np.abs(q - q[0]).max(axis=(0, 1))
-    return float(max(away[:3].max(), 2 * length * away[3:].max()))
+    return float(max(np.abs(r - r[0]).max(), 2 * length * np.abs(p - p[0]).max()))
 
 
 def _largest(vectors: Floats) -> float:

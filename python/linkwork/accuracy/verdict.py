@@ -49,6 +49,9 @@ INHERITED = 0.5
 #: The smallest rtol that double precision holds.
 LEAST_RTOL = 1e-13
 
+#: Speed of a mechanism as a whole, relative to what happens in it: beyond, tolerances are for that speed.
+FAST = 10.0
+
 #: On the estimate: too large is better than too small.
 SAFETY = 2.0
 
@@ -170,12 +173,16 @@ class Energies:
         """Whether nothing moved: then estimates are of rounding."""
         return self._kinetic <= self._rest
 
-    def error(self) -> tuple[float, float]:
-        """Made or lost, relative to what there was and to all that was exchanged: the first counts."""
+    def error(self, share: float = 1.0, rest: float = 0.0) -> tuple[float, float]:
+        """Made or lost, relative to what there was and to all that was exchanged: the first counts.
+
+        share  of the kinetic energy that is of the motion, not of that of the mechanism as a whole
+        rest   as little is that of a mechanism that rests [J]
+        """
         if self._first is None:
             return 0.0, math.inf
         largest = max(self._kinetic, abs(self._least), abs(self._largest), self._work)
-        scale = max(self._kinetic, self._largest - self._least, self._work, self._rest)
+        scale = max(share * self._kinetic, self._largest - self._least, self._work, self._rest, rest)
         replaced = self._work / scale if scale > 0 else 0.0
         made = max(self._made - ROUNDING * largest, 0.0)
         return (made / max(scale, 1e-9 * largest) if made > 0 else 0.0), replaced
@@ -183,14 +190,20 @@ class Energies:
 
 @dataclass(frozen=True)
 class Method:
-    """What is needed to say what would be better: the order, and the step [s] or the rtol."""
+    """What is needed to say what would be better: the order, and the step [s] or the rtol.
+
+    carried  speed of the mechanism as a whole, relative to that of its motion in axes that move along
+    """
 
     order: int
     step: float | None = None
     rtol: float | None = None
+    carried: float = 0.0
 
     def advice(self, error: float) -> str:
         """ "the step is too long: about 4 % off; 2e-4 s would give 1e-4"."""
+        if self.rtol is not None and self.carried > FAST:
+            return f"{_off(error)}, as {self._carries()}: {self._along(error)}"
         if self.rtol is not None and self.rtol * AIM / error < LEAST_RTOL:
             return f"{_off(error)}, which smaller tolerances would hardly mend: something is not smooth there"
         if self.rtol is not None:
@@ -199,6 +212,17 @@ class Method:
             step = (self.step or 0.0) * (AIM / error) ** (1 / max(self.order, 1))
             better, what = f"{_rounded(step):g} s", "the step is too long"
         return f"{what}: {_off(error)}; {better} would give {AIM:.0e}".replace("e-0", "e-")
+
+    def _carries(self) -> str:
+        return (
+            f"rtol {self.rtol:g} is relative to speeds in space, and the mechanism moves as a whole at "
+            f"{self.carried:.1g} times the speed of what happens in it".replace("e+0", "e")
+        )
+
+    def _along(self, error: float) -> str:
+        rtol = (self.rtol or 0.0) * AIM / error
+        smaller = f", or rtol {_rounded(rtol):g}".replace("e-0", "e-") if rtol >= LEAST_RTOL else ""
+        return f"give the bodies velocities without that{smaller}"
 
 
 def estimate(
@@ -213,7 +237,7 @@ def estimate(
     if not taken:
         why = "no step could be taken again" if found["failed"] else "no step was one of the method's own"
         return without_steps(why, energies, statistics, found["violation"], before)
-    energy, replaced = energies.error()
+    energy, replaced = energies.error(found["kinetic_share"], found["rest_energy"])
     violation, duration = found["violation"], found["seconds"]
     turns = 0.25 * min(duration, duration / replaced if replaced > 0 else duration) * found["rate"]
     state = before + max(SAFETY * found["state"], energy * turns if turns > 1 else 0.0, VIOLATED * violation)

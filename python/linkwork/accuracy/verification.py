@@ -13,7 +13,16 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork.accuracy.measures import Differences, Sampled, Scales, longest_arm, rounding_of, same_times
+from linkwork.accuracy.measures import (
+    MOVING,
+    AtRest,
+    Differences,
+    Sampled,
+    Scales,
+    longest_arm,
+    rounding_of,
+    same_times,
+)
 from linkwork.arrays import Floats
 
 if TYPE_CHECKING:
@@ -94,15 +103,15 @@ def band(t: Floats, finer: Finer) -> Callable[[Floats, Floats], Floats]:
     return of
 
 
-def state_error(first: Result, finer: Finer) -> float:
+def state_error(first: Result, finer: Finer, at_rest: AtRest = MOVING) -> float:
     """Largest error of poses and velocities, relative as those of linkwork.accuracy.measures; 1 where too few
     frames are in both runs."""
     if len(finer.result) < min(2, len(first)):
         return 1.0
     exact = Sampled.of(finer.result)
     differences = Differences.between(Sampled.of(first), exact)
-    mass, rtol = float(first.header.mass.sum()), first.manifest["options"].get("rtol")
-    state = differences.state(Scales.of(exact, longest_arm(finer.result), mass, rtol))
+    masses, rtol = first.header.mass, first.manifest["options"].get("rtol")
+    state = differences.state(Scales.of(exact, longest_arm(finer.result), masses, rtol, at_rest))
     return float(finer.factor * state.max(initial=0.0))
 
 

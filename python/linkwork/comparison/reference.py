@@ -167,7 +167,7 @@ def _solve(run: _Run) -> Result | Lost:
 
 def _made(result: Result, description: str, tighter: Result | None) -> Reference:
     motion = Sampled.of(result)
-    scales = Scales.of(motion, longest_arm(result))
+    scales = Scales.of(motion, longest_arm(result), result.header.mass)
     error = None
     warn_of_memory(result.verdict)
     if tighter is not None:

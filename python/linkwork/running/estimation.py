@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from linkwork import _core
+from linkwork.accuracy.measures import MOVING, AtRest
 from linkwork.accuracy.verdict import (
     GOOD,
     Energies,
@@ -84,6 +85,7 @@ class ErrorEstimator:
         self._options: Options = {**options, "stabilization": stabilization}
         self._plan = plan
         self._inexact = False  # the formulation
+        self._at_rest, self._carried = MOVING, 0.0
         self._before = start.error if start is not None else 0.0
         self._energies = Energies(
             _at_rest(system.model, plan.t_end - (start.t if start is not None else 0.0))
@@ -152,7 +154,7 @@ class ErrorEstimator:
         verdict = result.verdict
         if verdict is not None:
             second = None if self._energies.at_rest else found.verdict
-            new = verified(verdict, state_error(result, finer), self._resolution(), second)
+            new = verified(verdict, state_error(result, finer, self._at_rest), self._resolution(), second)
             result._statistics["verdict"] = self._explained(new).numbers()
         if output is not None:
             from linkwork.results.writing import add_finer
@@ -231,6 +233,8 @@ class ErrorEstimator:
             found = self._run.judge(system.compiled(), *self._compiled(), steps=listed)
         else:
             found = self._run.judge(system.compiled(), *self._compiled(), progress=report)
+        self._carried = found["carried"]
+        self._at_rest = AtRest(found["rest_length"], found["rest_speed"])
         return estimate(found, self._energies, self._resolution(), statistics, self._before)
 
     def _strict(self, system: System) -> System:
@@ -245,7 +249,7 @@ class ErrorEstimator:
     def _resolution(self) -> Method:
         order = self._method.order if isinstance(self._method, Integrator) else self._order()
         if isinstance(self._plan, Adaptive):
-            return Method(order, rtol=self._plan.rtol)
+            return Method(order, rtol=self._plan.rtol, carried=self._carried)
         return Method(order, step=min(self._plan.step, self._run.t))
 
     def _compiled(self) -> tuple[Any, bool]:

@@ -1,0 +1,111 @@
+#include "linkwork/integration/rest.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linkwork/math/error.hpp"
+
+namespace linkwork {
+namespace {
+
+constexpr double hardly = 1e-3;    // of its size: farther, and the run has left the pose
+constexpr double slowest = 1e-9;   // of the speed of a fall: a velocity at the beginning
+constexpr double balanced = 1e-6;  // of what gravity does: forces that balance, as an equilibrium leaves them
+
+const KeptStep& earliest(const std::vector<const KeptStep*>& steps) {
+  return **std::min_element(steps.begin(), steps.end(),
+                            [](const KeptStep* a, const KeptStep* b) { return a->t < b->t; });
+}
+
+class RestSearch {
+ public:
+  RestSearch(Dynamics& dynamics, const std::vector<const KeptStep*>& steps, const StepParts& parts, double length)
+      : dynamics_(dynamics),
+        steps_(steps),
+        parts_(parts),
+        length_(length),
+        axes_(MovingAxes::at_start(system(), earliest(steps))),
+        pose_(earliest(steps).y) {
+    axes_.see(earliest(steps).t, pose_);
+    double end = earliest(steps).t;
+    for (const KeptStep* step : steps) end = std::max(end, step->t + step->h);
+    const double gravity = system().model().gravity().norm();
+    rest_.speed = std::max(length / (end - earliest(steps).t), std::sqrt(gravity * length));
+    for (int body = 0; body < system().body_count(); ++body)
+      rest_.energy += 0.5 * system().mass(body) * rest_.speed * rest_.speed;
+  }
+
+  std::optional<Rest> result() {
+    if (!begins_at_rest() || !stays() || !balances()) return {};
+    return rest_;
+  }
+
+ private:
+  const System& system() const { return dynamics_.system(); }
+
+  bool begins_at_rest() {
+    auto v = pose_.segment(system().q_size(), system().v_size());
+    const double speed = fastest(v);
+    v.setZero();
+    return speed <= slowest * rest_.speed;
+  }
+
+  bool stays() {
+    double farthest = 0.0;
+    for (const KeptStep* step : steps_) {
+      VectorXd seen = step->y_new;
+      axes_.see(step->t + step->h, seen);
+      StateDifference& moved = rest_.moved.emplace_back();
+      moved.raise(system(), seen, pose_);
+      farthest = seen.allFinite() ? std::max({farthest, moved.position / length_, moved.rotation}) : INFINITY;
+    }
+    return farthest <= hardly;
+  }
+
+  bool balances() {
+    for (const KeptStep* step : steps_) {
+      dynamics_.set_history(step->history);
+      for (const Span& part : parts_.of(*step))
+        if (!balances_at(part.from) || !balances_at(part.to)) return false;
+    }
+    return true;
+  }
+
+  bool balances_at(double t) {
+    VectorXd y = pose_, v_dot(system().v_size()), lambda = VectorXd::Zero(system().row_count());
+    axes_.carry(t, y);
+    try {
+      dynamics_.evaluate(t, y);
+      dynamics_.accelerations(v_dot, lambda);
+    } catch (const Error&) {
+      return false;
+    }
+    return fastest(v_dot) <= balanced * rest_.speed * rest_.speed / length_;
+  }
+
+  /// Largest of any body, of turning by the size.
+  double fastest(const ConstVector& v) const {
+    double largest = 0.0;
+    for (Eigen::Index k = 0; k < v.size(); k += velocity_size)
+      largest = std::max({largest, v.segment<3>(k).norm(), length_ * v.segment<3>(k + 3).norm()});
+    return v.allFinite() ? largest : INFINITY;
+  }
+
+  Dynamics& dynamics_;
+  const std::vector<const KeptStep*>& steps_;
+  const StepParts& parts_;
+  double length_;
+  MovingAxes axes_;
+  VectorXd pose_;  ///< as the axes see it
+  Rest rest_;
+};
+
+}  // namespace
+
+std::optional<Rest> find_rest(Dynamics& dynamics, const std::vector<const KeptStep*>& steps, const StepParts& parts,
+                              double length) {
+  if (steps.empty() || dynamics.system().body_count() == 0) return {};
+  return RestSearch(dynamics, steps, parts, length).result();
+}
+
+}  // namespace linkwork

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "linkwork/integration/step_judge.hpp"
+
+namespace linkwork {
+
+/// A mechanism whose exact motion is rest, in axes that move with it: what the run moved it is all error, and there is no
+/// motion that errors could be weighed by.
+struct Rest {
+  std::vector<StateDifference> moved;  ///< from there, at the end of each step
+  double speed = 0.0;                  ///< by which it would have fallen its own size, or gone as far in the run [m/s]
+  double energy = 0.0;                 ///< kinetic, of that [J]
+};
+
+/// None: it moves. It rests where it began without a velocity, the run hardly moved it, and nothing accelerates it from
+/// there where any of the parts of these steps begins or ends. Takes four evaluations for each. `length`: its size [m].
+std::optional<Rest> find_rest(Dynamics& dynamics, const std::vector<const KeptStep*>& steps, const StepParts& parts,
+                              double length);
+
+}  // namespace linkwork
