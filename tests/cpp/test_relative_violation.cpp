@@ -25,7 +25,7 @@ double violation(double length, double off, double unit) {
 
 TEST_CASE("a rod that is too short by e counts as e over the size of the mechanism, in any unit of length") {
   for (const double unit : {1.0, 1e-3, 1e3}) {
-    CHECK(violation(2.0, 1e-4, unit) == doctest::Approx(1e-4 / 0.5).epsilon(1e-6));  // the arm to the joint is 0.5
+    CHECK(violation(2.0, 1e-4, unit) == doctest::Approx(1e-4 / 2.0).epsilon(1e-6));  // longer than the arm to it, 0.5
     CHECK(violation(2.0, 0.0, unit) < 1e-15);
   }
 }

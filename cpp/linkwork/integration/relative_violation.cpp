@@ -3,12 +3,34 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linkwork/math/rotation.hpp"
+
 namespace linkwork {
+namespace {
+
+bool keeps_points_apart(const Element& joint) {
+  const std::vector<EquationInfo>& equations = joint_info(joint.kind).equations;
+  return std::any_of(equations.begin(), equations.end(),
+                     [](const EquationInfo& it) { return it.quantity == EquationInfo::Quantity::distance; });
+}
+
+/// Where the bodies of the model are.
+double distance_of_points(const Model& model, const Element& joint) {
+  const auto point = [&](int body, const Vec3<double>& s) -> Vec3<double> {
+    if (body == ground) return s;
+    return model.bodies()[body].position + rotation_matrix<double>(model.bodies()[body].orientation) * s;
+  };
+  return (point(joint.i, joint.at.s_i) - point(joint.j, joint.at.s_j)).norm();
+}
+
+}  // namespace
+
 double RelativeViolation::length_of(const System& system) {
   double longest = 0.0;
   for (const Element& joint : system.model().joints()) {
     if (joint.i != ground) longest = std::max(longest, joint.at.s_i.norm());
     if (joint.j != ground) longest = std::max(longest, joint.at.s_j.norm());
+    if (keeps_points_apart(joint)) longest = std::max(longest, distance_of_points(system.model(), joint));
   }
   if (longest > 0.0) return longest;
   double squared = 0.0;

@@ -14,7 +14,8 @@ class RelativeViolation {
   /// The largest at (t, y), y = (q, v, ...), with the history variables of special joints: by how much of its
   /// size bodies would have to be displaced, or turned [rad], to meet the equation alone.
   double largest(double t, const VectorXd& y, const VectorXd& history);
-  /// Size of the mechanism [m]: the longest arm from a center of mass to a joint, or its radius of gyration.
+  /// Size of the mechanism [m]: the longest way from a center of mass to a joint, or between two points that a joint
+  /// keeps apart; without any its radius of gyration.
   double length() const { return length_; }
   static double length_of(const System& system);
 
