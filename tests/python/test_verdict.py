@@ -85,6 +85,18 @@ def test_the_estimate_is_near_the_true_error(name: str, t_end: float, step: floa
     assert 0.2 < result.verdict.state / true_error(model, result) < 30, result.verdict
 
 
+@pytest.mark.filterwarnings("ignore:.*are above 0.1 / step")
+@pytest.mark.parametrize("gain", [0.2, 1.0])
+def test_errors_that_the_stabilization_takes_back_do_not_add_up(gain: float) -> None:
+    """With gains by the step each begins anew off the constraints, by about as much."""
+    model, step = mechanisms.chain(4), 1e-3
+    how: dict[str, Any] = {"baumgarte_alpha": gain / step, "baumgarte_beta": gain / step}
+    result = quick(model, 1.0, step=step, stabilization="baumgarte", **how)
+    assert result.verdict is not None
+    true = true_error(model, result)
+    assert true < result.verdict.error < 100 * true
+
+
 @pytest.mark.parametrize("seed", [101, 105, 112, 150, 199, 221])
 def test_no_motion_that_is_wrong_by_more_than_a_percent_is_silent(seed: int) -> None:
     rng = np.random.default_rng(seed)

@@ -64,7 +64,7 @@ class Accumulation {
     if (parts_.empty()) return std::move(out_);
     find_scales();
     list_steps();
-    const double once = std::max(inside(), error(errors_.corrections));
+    const double once = std::max(at_once(), error(errors_.corrections));
     out_.state = once + (errors_.rest ? away_from_rest() : errors_.resolved * state());
     out_.local_error = sum([this](const StepError& it) { return error(it.end); }) / out_.seconds;
     out_.rate = V_ / L_;
@@ -191,10 +191,10 @@ class Accumulation {
     return largest;
   }
 
-  double inside() const {
+  double at_once() const {
     double largest = 0.0;
     for (const StepError& it : errors_.steps)
-      if (!it.failed) largest = std::max(largest, error(it.inside));
+      if (!it.failed) largest = std::max({largest, error(it.inside), error(it.fading)});
     return largest;
   }
 

@@ -39,7 +39,8 @@ struct AccumulatedError {
 /// it grows with time, as far as V t / L = 5; beyond, motions of a mechanism turn rather than part. An error of a pose
 /// is a delay, too: what is late by dt is off by y_dot dt, which is more where the motion is faster than where it
 /// arose, and is one of the velocity in an impact: by the largest acceleration of each part. Beside, frames inside of steps are off by what the interpolant is
-/// there, and states by what leaps over singular poses and projections corrected. What does grow on is the error of the
+/// there, states by what they are off the constraints until Baumgarte's terms take that back, if they soon do, and by
+/// what leaps over singular poses and projections corrected. What does grow on is the error of the
 /// energy, as that of the speed along the path: it is the caller's.
 AccumulatedError accumulate(const RunErrors& errors, double length);
 

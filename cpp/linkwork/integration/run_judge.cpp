@@ -123,7 +123,7 @@ void RunJudge::look_for_rest() {
   if (!out_.rest) return;
   for (std::size_t k = 0; k < out_.steps.size(); ++k) {
     out_.steps[k].end = out_.rest->moved[k];
-    out_.steps[k].inside = {};
+    out_.steps[k].inside = out_.steps[k].fading = {};
   }
 }
 

@@ -16,6 +16,8 @@ namespace {
 constexpr int divisions_where_contacts_begin = 3;
 constexpr double well_chosen = 0.1;  // root of the smallest pivot, relative to the usual one
 constexpr double beside = 1e-9;      // of a step: how far from a break the parts on its sides end and begin
+constexpr double soon =
+    0.1;  // by a step, of what stabilization takes back: then errors off the constraints do not add up
 constexpr double roundoff = 8.0 * std::numeric_limits<double>::epsilon();
 
 /// One step of a one-step method in parts, with the correction that a multistep method adds.
@@ -65,6 +67,15 @@ StateDifference rounding(const System& system, const VectorXd& y) {
   out.rotation = 1.0;
   for (double* size : {&out.position, &out.rotation, &out.velocity, &out.omega}) *size *= roundoff;
   return out;
+}
+
+/// By how much a step of continuous Baumgarte stabilization takes violations back, at least: the slower root of
+/// x^2 + 2 alpha x + beta^2 = 0, times h.
+double share_taken_back(const Dynamics& dynamics, double h) {
+  if (dynamics.stabilization() != StabilizationKind::baumgarte) return 0.0;
+  const double alpha = dynamics.options().baumgarte_alpha.value_or(textbook_gains.alpha);
+  const double beta = dynamics.options().baumgarte_beta.value_or(textbook_gains.beta);
+  return h * (alpha < beta ? alpha : beta * beta / (2.0 * alpha));
 }
 
 double kinetic_energy(const System& system, const VectorXd& y) {
@@ -260,9 +271,30 @@ void StepJudge::finish(double t) {
 void StepJudge::compare(const KeptStep& step, StepError& out) {
   const System& system = dynamics_.system();
   out.end.raise(system, step.y_new, y_);
+  if (const double share = share_taken_back(dynamics_, step.h); share >= soon) separate_fading(step, share, out);
   out.end.lower(rounding(system, step.y_new));
   for (double* error : {&out.end.position, &out.end.rotation, &out.end.velocity, &out.end.omega}) *error *= factor_;
   look_at_motion(step, out);
+}
+
+/// What remains is the difference of the states on the constraints; the rest is there until it is taken back.
+void StepJudge::separate_fading(const KeptStep& step, double share, StepError& out) {
+  const double end = step.t + step.h;
+  VectorXd ours = step.y_new, others = y_;
+  try {
+    Projection projection(dynamics_);
+    for (VectorXd* y : {&ours, &others}) {
+      dynamics_.evaluate(end, *y);
+      projection.positions(end, *y);
+      projection.velocities(end, *y);
+    }
+  } catch (const Error&) {
+    return;
+  }
+  out.fading = std::exchange(out.end, {});
+  for (double* error : {&out.fading.position, &out.fading.rotation, &out.fading.velocity, &out.fading.omega})
+    *error *= factor_ / std::fmin(share, 1.0);
+  out.end.raise(dynamics_.system(), ours, others);
 }
 
 void StepJudge::look_at_motion(const KeptStep& step, StepError& out) {

@@ -69,6 +69,7 @@ class StepParts {
 struct StepError {
   double t = 0.0, h = 0.0, change = 0.0;
   StateDifference end, inside;                 ///< inside: where the first part ends; zero where that was not looked at
+  StateDifference fading;                      ///< what errors come to that stabilization takes back within steps
   double force = 0.0, torque = 0.0;            ///< of reactions [N, N m]; NaN: not looked at
   double speed = 0.0, spin = 0.0;              ///< m/s, rad/s
   double acceleration = 0.0, spin_rate = 0.0;  ///< mean over the step [m/s^2, rad/s^2]
@@ -114,6 +115,7 @@ class StepJudge {
   void leave_out(const std::vector<int>& rows);
   void finish(double t);
   void compare(const KeptStep& step, StepError& out);
+  void separate_fading(const KeptStep& step, double share, StepError& out);
   void look_at_motion(const KeptStep& step, StepError& out);
   void compare_inside(const KeptStep& step, StepError& out);
   void compare_history(const KeptStep& step, StepError& out);
