@@ -78,12 +78,13 @@ TEST_CASE("a stop that is met in a step is found where its distance is zero") {
   dynamics.take_sides(0.0);
   stepper.take(dynamics, {0.0, 0.2 * h}, y);
   SwitchWatch watch(dynamics, 1e-12);
-  CHECK(!watch.first(stepper, 0.0, 0.2 * h));
+  CHECK(!watch.first(stepper, 0.0, 0.2 * h, {}));
   dynamics.evaluate(0.0, y);
   stepper.take(dynamics, {0.0, 0.301 * h}, y);
-  const auto found = watch.first(stepper, 0.0, 0.301 * h);
+  const auto found = watch.first(stepper, 0.0, 0.301 * h, {});
   REQUIRE(found.has_value());
   CHECK(found->theta == doctest::Approx(0.03 / 0.0301).epsilon(1e-3));
+  CHECK(found->until == 1.0);
 }
 
 TEST_CASE("what touches by no more than is as good as zero keeps its side") {

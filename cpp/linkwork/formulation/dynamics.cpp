@@ -291,8 +291,11 @@ void Dynamics::take_sides(double least) {
 
 void Dynamics::look_for_switches(const VectorXd& switches) {
   for (std::size_t k = 0; k < sides_.size(); ++k)
-    if (const double value = switches[static_cast<Eigen::Index>(k)]; value != 0.0 && (value > 0.0) != (sides_[k] != 0))
-      switched_ = true;
+    if (const double value = switches[static_cast<Eigen::Index>(k)];
+        value != 0.0 && (value > 0.0) != (sides_[k] != 0)) {
+      if (!std::exchange(switched_, true)) elsewhere_ = {};
+      if (std::abs(value) > elsewhere_.by) elsewhere_ = {static_cast<int>(k), std::abs(value)};
+    }
 }
 
 void Dynamics::solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) {

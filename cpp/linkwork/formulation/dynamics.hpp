@@ -80,7 +80,14 @@ class Dynamics {
   bool looks_for_switches() const { return !sides_.empty(); }
   void look_for_switches(const VectorXd& switches);
   /// Whether an evaluation since the last call had one on another side.
+  bool switched() const { return switched_; }
   bool take_switched() { return std::exchange(switched_, false); }
+  /// The farthest of those.
+  struct Elsewhere {
+    int which = 0;
+    double by = 0.0;  ///< from zero [m or rad]
+  };
+  const Elsewhere& elsewhere() const { return elsewhere_; }
   const RankReport& rank() const { return rank_; }
   /// What solves: redundant rows, singular poses.
   WatchedFormulation& formulation() { return *formulation_; }
@@ -189,6 +196,7 @@ class Dynamics {
   VectorXd initial_history_;
   std::vector<char> sides_;  ///< empty until they are taken: positive or not
   bool switched_ = false;
+  Elsewhere elsewhere_;
   std::function<void()> observer_;
   DynamicsStatistics statistics_;
   VectorXd held_u_, b_, x_, lambda_;

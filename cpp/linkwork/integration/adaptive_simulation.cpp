@@ -50,6 +50,10 @@ constexpr double try_decrease = 0.1;
 // for a while, as where a contact begins or at an end, would make velocities of the roundoff of positions.
 constexpr double forgetting = 0.25;
 
+constexpr double far_astray = 3.0;   // times as far from a switch as the motion
+constexpr int most_corrections = 6;  // of the time of a switch
+constexpr double located = 1e-12;    // that time, relative to the step
+
 constexpr double too_far = 1e3;  // error of a step in which full turns cannot be counted
 
 std::string scientific(double value) {
@@ -70,7 +74,8 @@ AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& p
       breaks_(dynamics.system().model(), schedule.breaks),
       crossing_(dynamics),
       watch_(std::move(events)),
-      switches_(dynamics, schedule.tolerances.absolute) {
+      switches_(dynamics, schedule.tolerances.absolute),
+      touches_(dynamics, schedule.tolerances.absolute) {
   check(schedule);
   yields_ = formulation_info(dynamics.options().formulation).compliant;
   begin_at(schedule.t_start, schedule.t_end, schedule.start);
@@ -193,6 +198,7 @@ bool AdaptiveSimulation::prepare_trial() {
   Phi_ = dynamics_.evaluation().Phi;
   Phi_dot_ = dynamics_.evaluation().Phi_dot;
   dynamics_.take_switched();
+  touches_.begin(y_);
   trial_h_ = h;
   return true;
 }
@@ -224,35 +230,76 @@ double AdaptiveSimulation::end_of_step(double& h) const {
 
 /// Where functions of time are evaluated for what begins at t_; at the end, for what ends there.
 double AdaptiveSimulation::clock() const { return t_ < schedule_.t_end ? breaks_.after(t_) : breaks_.before(t_); }
+
+/// Where `dynamics` is evaluated at the end of a step: whether one of its stages was much farther on another side of a
+/// switch than the motion is at both ends. It is none of that motion, and what the stages say of the error is nothing.
+bool AdaptiveSimulation::stages_went_astray() {
+  if (!dynamics_.take_switched()) return false;
+  const Dynamics::Elsewhere& it = dynamics_.elsewhere();
+  const double before = touches_.at_begin()[it.which], after = dynamics_.evaluation().switches[it.which];
+  return it.by > std::max(far_astray * std::max(std::abs(before), std::abs(after)), switches_.least());
+}
+
 // Forces of contacts and stops are not smooth where they begin or end, and that of a contact depends on the speed at
 // which it began: the step is taken again up to there.
 bool AdaptiveSimulation::end_at_switch(double h) {
-  if (!dynamics_.take_switched()) return false;
-  const Dynamics::Place end = dynamics_.place();
-  if (stepper_.prepare_interpolation(dynamics_)) away_from_ = end;
-  const auto found = switches_.first(stepper_, t_, h);
-  if (!found) return false;
-  away_from_.reset();
+  const bool touches = touches_.suspects(t_, h, stepper_.y_new());
+  if (!dynamics_.switched() && !touches) return false;
+  if (stages_went_astray()) {
+    reject(h, half_a_step());
+    return true;
+  }
+  const HermiteStep by_ends(dynamics_.system(), y_, stepper_.y_new(), h);
+  const bool stages_to_come = stepper_.pair().extra_c.size() > 0;  // for an interpolant, which may be in a contact
+  const Interpolant& step = stages_to_come ? static_cast<const Interpolant&>(by_ends) : stepper_;
+  const auto found = switches_.first(step, t_, h, touches_.find(step, t_, h));
+  if (found) end_at(*found, h);
+  return found.has_value();
+}
+
+/// The step after it ends in the contact that begins, were it not for its force.
+void AdaptiveSimulation::end_at(const SwitchWatch::Switch& found, double h) {
   evaluated_ = false;
   dynamics_.end_zero_order_hold();
-  evaluate(t_, y_);
-  const double part = found->theta * h;
+  double part = found.theta * h;
   if (part <= least_step * std::max(std::abs(t_), std::abs(t_new_))) {  // at the start: the step is tried again
+    evaluate(t_, y_);
     switch_ = found;
-    settle_history();
-    return true;
+    return settle_history();
   }
-  t_new_ = t_ + part;
-  const BodyMaximum error = trial(part);
-  if (!(error.value <= 1.0)) {
-    reject(part, error);
-    return true;
-  }
+  const BodyMaximum error = end_at_zero(found.which, h, part);
+  if (!(error.value <= 1.0)) return reject(part, error);
   accept(part, error.value);
   switch_ = found;
   if (!stops_.empty()) switch_.reset();
   step_ = std::max(step_, part + 0.5 * (h - part));
-  return true;
+  if (found.positive) step_ = std::min(step_, (found.until - found.theta) * h);
+}
+
+/// Tries a step to where a switch is zero, after the time `part` or as much more as it takes, less than h, by Newton's
+/// method where what said so knows but the ends of a longer step.
+BodyMaximum AdaptiveSimulation::end_at_zero(int which, double h, double& part) {
+  const bool exact = stepper_.pair().extra_c.size() == 0;
+  for (int k = 0; k < most_corrections; ++k) {
+    evaluate(t_, y_);
+    t_new_ = t_ + part;
+    dynamics_.take_switched();
+    const BodyMaximum error = trial(part);
+    if (!(error.value <= 1.0)) return error;
+    if (stages_went_astray()) return half_a_step();
+    const double value = dynamics_.evaluation().switches[which];
+    if (exact || std::abs(value) <= switches_.least()) return error;
+    const double left = -value / touches_.rate_at_end(t_, part, stepper_.y_new(), which);
+    if (std::abs(left) <= located * part) return error;
+    if (!(part + left > 0.0 && part + left < h)) break;
+    part += left;
+  }
+  return half_a_step();
+}
+
+/// An error after which about half of the step is tried.
+BodyMaximum AdaptiveSimulation::half_a_step() const {
+  return {elementary::power(2.0, stepper_.pair().error_order + 1), -1};
 }
 
 /// `dynamics` is evaluated at the state from which the run goes on.
@@ -341,8 +388,7 @@ BodyMaximum AdaptiveSimulation::trial(double h) {
     BodyMaximum error;
     with_time(t_, h, [&] { error = stepper_.trial(dynamics_, measure_, step, y_); });
     const bool seen = error.value > 1.0 || breaks_.seen(stepper_.pair(), step, schedule_.tolerances.relative);
-    if (!seen || (error.value <= 1.0 && violates(h)))
-      return {elementary::power(2.0, stepper_.pair().error_order + 1), -1};
+    if (!seen || (error.value <= 1.0 && violates(h))) return half_a_step();
     return error;
   } catch (const OptionError&) {
     throw;

@@ -10,6 +10,7 @@
 #include "linkwork/integration/crossing.hpp"
 #include "linkwork/integration/embedded_pair.hpp"
 #include "linkwork/integration/events.hpp"
+#include "linkwork/integration/hermite_step.hpp"
 #include "linkwork/integration/run.hpp"
 #include "linkwork/integration/step_control.hpp"
 
@@ -87,6 +88,10 @@ class AdaptiveSimulation final : public Run {
   BodyMaximum trial(double h);
   void accept(double h, double error);
   bool end_at_switch(double h);
+  void end_at(const SwitchWatch::Switch& found, double h);
+  BodyMaximum end_at_zero(int which, double h, double& part);
+  bool stages_went_astray();
+  BodyMaximum half_a_step() const;
   void settle_history();
   bool leap();
   const Interpolant& interpolant() const;
@@ -126,6 +131,7 @@ class AdaptiveSimulation final : public Run {
   bool leapt_ = false;  ///< the step that was accepted is a leap over a singular pose
   EventWatch watch_;
   SwitchWatch switches_;
+  TouchSearch touches_;
   std::optional<SwitchWatch::Switch> switch_;  ///< that ends the current step
   std::vector<Occurrence> of_step_;            ///< found in the current step, which is not finished
   std::vector<Occurrence> occurrences_;        ///< of finished steps

@@ -11,8 +11,6 @@
 namespace linkwork {
 namespace {
 
-// A contact that begins and ends between two of them is not found; the force in it is that of one which begins with the
-// speed it has.
 constexpr std::array<double, 8> places = {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0};
 constexpr double exact = 1e-14;  // of the place in a step
 
@@ -62,9 +60,9 @@ SwitchWatch::SwitchWatch(const Dynamics& dynamics, double least) : dynamics_(dyn
   if (!dynamics.system().switches().empty()) at_ = dynamics.system().make_evaluation();
 }
 
-double SwitchWatch::value(const PairStepper& stepper, int which, double t, double h, double theta) {
+double SwitchWatch::value(const Interpolant& step, int which, double t, double h, double theta) {
   const System& system = dynamics_.system();
-  stepper.interpolate(system, theta, state_);
+  step.interpolate(system, theta, state_);
   system.evaluate_switches(t + theta * h, state_.head(system.q_size()),
                            state_.segment(system.q_size(), system.v_size()), dynamics_.history(), at_);
   return at_.switches[which];
@@ -72,10 +70,15 @@ double SwitchWatch::value(const PairStepper& stepper, int which, double t, doubl
 
 // The side at the start is known: the value may be roundoff there. What is still on its old side where another is found
 // to change comes later, and need not be searched for.
-std::optional<SwitchWatch::Switch> SwitchWatch::first(const PairStepper& stepper, double t, double h) {
+std::optional<SwitchWatch::Switch> SwitchWatch::first(const Interpolant& step, double t, double h,
+                                                      const std::vector<TouchSearch::Touch>& touches) {
+  places_.assign(places.begin(), places.end());
+  for (const TouchSearch::Touch& it : touches) places_.push_back(it.theta);
+  std::sort(places_.begin(), places_.end());
   double from = 0.0;
-  for (const double to : places) {
-    value(stepper, 0, t, h, to);
+  for (std::size_t place = 0; place < places_.size(); ++place) {
+    const double to = places_[place];
+    value(step, 0, t, h, to);
     const VectorXd values = at_.switches;
     VectorXd at_first = values;
     std::optional<Switch> found;
@@ -83,19 +86,29 @@ std::optional<SwitchWatch::Switch> SwitchWatch::first(const PairStepper& stepper
       const bool positive = values[k] > 0.0;
       if (std::abs(values[k]) <= least_ || positive == (dynamics_.sides()[k] != 0)) continue;
       if ((at_first[k] > 0.0) != positive) continue;
-      const auto at = [&](double theta) { return value(stepper, k, t, h, theta); };
+      const auto at = [&](double theta) { return value(step, k, t, h, theta); };
       const double before = at(from);
       const bool there = before == 0.0 || (before > 0.0) == positive;
       const double theta = there ? from : brent(at, from, before, to, values[k], exact);
       if (found && theta >= found->theta) continue;
-      found = {k, theta, positive};
-      value(stepper, k, t, h, theta);
+      found = {k, theta, positive, to};
+      value(step, k, t, h, theta);
       at_first = at_.switches;
     }
-    if (found) return found;
+    if (found) {
+      found->until = last_place_of(*found, place, step, t, h);
+      return found;
+    }
     from = to;
   }
   return {};
+}
+
+/// Up to which it stays on that side.
+double SwitchWatch::last_place_of(const Switch& found, std::size_t place, const Interpolant& step, double t, double h) {
+  while (place + 1 < places_.size() && (value(step, found.which, t, h, places_[place + 1]) > 0.0) == found.positive)
+    ++place;
+  return places_[place];
 }
 
 }  // namespace linkwork

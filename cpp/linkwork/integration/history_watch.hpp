@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "linkwork/integration/embedded_pair.hpp"
+#include "linkwork/integration/touch_search.hpp"
 
 namespace linkwork {
 
@@ -45,17 +45,22 @@ class SwitchWatch {
     int which;
     double theta;   ///< place in the step, 0 to 1
     bool positive;  ///< its side from there on
+    double until;   ///< up to here, at least
   };
-  /// The first of the step from t to t + h; `stepper` can interpolate.
-  std::optional<Switch> first(const PairStepper& stepper, double t, double h);
+  /// The first of the step from t to t + h; `touches`: places, ascending, at which one may be
+  /// on another side, beside those that are looked at anyway.
+  std::optional<Switch> first(const Interpolant& step, double t, double h,
+                              const std::vector<TouchSearch::Touch>& touches);
 
  private:
-  double value(const PairStepper& stepper, int which, double t, double h, double theta);
+  double value(const Interpolant& step, int which, double t, double h, double theta);
+  double last_place_of(const Switch& found, std::size_t place, const Interpolant& step, double t, double h);
 
   const Dynamics& dynamics_;
   double least_;
   Evaluation at_;
   VectorXd state_;
+  std::vector<double> places_;
 };
 
 }  // namespace linkwork

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "linkwork/formulation/watched_formulation.hpp"
+#include "linkwork/integration/hermite_step.hpp"
 #include "linkwork/math/elementary.hpp"
 #include "linkwork/math/error.hpp"
 
@@ -236,18 +237,10 @@ void SingularPoseSearch::interpolate(double t, VectorXd& y) const {
   else interpolate(earlier_, marks_[0], t, y);
 }
 
-// Positions by Hermite's interpolation: q and q_dot = N(q) v are known at both ends.
 void SingularPoseSearch::interpolate(const Mark& from, const Mark& to, double t, VectorXd& y) const {
   const System& system = dynamics_.system();
-  const int nq = system.q_size(), nv = system.v_size();
-  const double h = to.t - from.t, s = (t - from.t) / h;
-  VectorXd rates(nq), rates_new(nq);
-  system.position_rates(from.y.head(nq), from.y.segment(nq, nv), rates);
-  system.position_rates(to.y.head(nq), to.y.segment(nq, nv), rates_new);
-  y = (1 - s) * from.y + s * to.y;
-  y.head(nq) = (1 + 2 * s) * (1 - s) * (1 - s) * from.y.head(nq) + s * s * (3 - 2 * s) * to.y.head(nq) +
-               h * (s * (1 - s) * (1 - s) * rates - s * s * (1 - s) * rates_new);
-  system.normalize(y.head(nq));
+  const double h = to.t - from.t;
+  HermiteStep(system, from.y, to.y, h).interpolate(system, (t - from.t) / h, y);
 }
 
 }  // namespace linkwork
