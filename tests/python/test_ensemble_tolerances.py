@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import bisect
+import warnings
 from typing import Any
 
 import linkwork as lw
@@ -274,3 +276,36 @@ def test_studies_that_follow_tolerances_run_in_lanes() -> None:
     source = lw.Ensemble(model, {"gravity[2]": [-9.81, -5.0, -1.0]})
     single = source.single(1, 0.1, rtol=RTOL, record_every=1, progress=False)
     assert study.outputs["force"][1] == np.linalg.norm(single.reaction("crank pin").force, axis=1).max()
+
+
+def test_members_that_share_a_delay_line_come_to_an_end_each_with_its_own() -> None:
+    """In lanes they would read each other's angles at ever more times."""
+
+    def delayed() -> Any:
+        times: list[float] = []
+        angles: list[float] = []
+
+        def law(t: float, angle: float, rate: float) -> float:
+            place = bisect.bisect_left(times, t)
+            if place == len(times) or times[place] != t:
+                times.insert(place, t)
+                angles.insert(place, angle)
+            return -3.0 * float(np.interp(t - 0.05, times, angles))
+
+        return law
+
+    def build(law: Any, omega: float) -> lw.Model:
+        model = lw.Model()
+        moving: Any = {"omega": (0, omega, 0), "velocity": (-0.3 * omega, 0, 0)}
+        bar = model.body("bar", mass=1.0, inertia=(0.003, 0.03, 0.03), position=(0, 0, -0.3), **moving)
+        model.revolute("ground", bar, at=(0, 0, 0), axis=(0, 1, 0), name="hinge")
+        model.joint_force("hinge", law)
+        return model
+
+    how: Any = {"rtol": 1e-6, "on_inaccurate": "pass", "deterministic": True}
+    law, omega = delayed(), [3.0, 2.0, 2.5]
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", lw.LinkworkWarning)
+        many = lw.simulate_many(lambda omega: build(law, omega), {"omega": omega}, 0.2, **how)
+        alone = [lw.simulate(build(delayed(), it), 0.2, progress=False, **how) for it in omega]
+    assert all(np.array_equal(many.member(k).q[-1], alone[k].q[-1]) for k in range(3))

@@ -16,6 +16,7 @@ from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.modeling.model import Model
 from linkwork.results.result import Result
 from linkwork.running.checks import check_bodies
+from linkwork.running.leaving_no_memory import called, leaving_no_memory
 from linkwork.running.simulation import simulate
 
 __all__ = ["Sensitivity", "sensitivity"]
@@ -99,6 +100,8 @@ def sensitivity(
     run         instead of `simulate(model, **options)`: any analysis; `outputs` get what it returns
     options     of `linkwork.simulate`
 
+    Each run begins with what functions of the model and events remember at the call.
+
     OptionError: no parameters, or some that `build` does not take, no outputs, a step that is not positive,
     or options beside `run`. ModelError: an output is not finite or changes its shape. Errors of `build`, of
     the runs and of outputs name parameter and value in a note.
@@ -147,10 +150,11 @@ class _Runs:
         try:
             model = self.build(**{**self.at, changed: value})
             check_bodies(model)
-            result = self._result(model)
-            verdict = getattr(result, "verdict", None)
-            self.inexact = max(self.inexact, verdict.error if isinstance(verdict, Verdict) else 0.0)
-            return {name: _output(name, f(result), changed, value) for name, f in self.outputs.items()}
+            with leaving_no_memory(called(model, self.options), logs=False):
+                result = self._result(model)
+                verdict = getattr(result, "verdict", None)
+                self.inexact = max(self.inexact, verdict.error if isinstance(verdict, Verdict) else 0.0)
+                return {name: _output(name, f(result), changed, value) for name, f in self.outputs.items()}
         except Exception as error:
             error.add_note(f"sensitivity: in the run with {changed} = {value!r}")
             raise

@@ -2,6 +2,16 @@
 
 from linkwork.fingerprints.laws import law, under_way
 from linkwork.fingerprints.origins import called_from_ctypes, is_users
-from linkwork.fingerprints.writing import canonical, digest, digests, plain
+from linkwork.fingerprints.writing import canonical, digest, digests, plain, together
 
-__all__ = ["called_from_ctypes", "canonical", "digest", "digests", "is_users", "law", "plain", "under_way"]
+__all__ = [
+    "called_from_ctypes",
+    "canonical",
+    "digest",
+    "digests",
+    "is_users",
+    "law",
+    "plain",
+    "together",
+    "under_way",
+]

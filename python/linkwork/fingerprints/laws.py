@@ -10,7 +10,7 @@ from types import FunctionType
 from typing import Any
 
 from linkwork.fingerprints.reading import attributes
-from linkwork.fingerprints.writing import Writer, text_of
+from linkwork.fingerprints.writing import Writer, text_of, together
 
 __all__ = ["law", "under_way"]
 
@@ -30,7 +30,8 @@ def under_way(model: Any) -> Iterator[None]:
     """While the laws of a model are written."""
     before = _UNDER_WAY.set((*_UNDER_WAY.get(), id(model)))
     try:
-        yield
+        with together():
+            yield
     finally:
         _UNDER_WAY.reset(before)
 

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import collections
 import contextlib
+import contextvars
 import ctypes
 import dataclasses
 import functools
 import hashlib
 import re
+import secrets
 import sys
 import weakref
-from collections.abc import Mapping, Sequence, Set
+from collections.abc import Iterator, Mapping, Sequence, Set
 from enum import Enum
 from os import PathLike
 from types import CodeType, FunctionType, MethodType, ModuleType, SimpleNamespace
@@ -19,7 +21,7 @@ from typing import Any
 
 import numpy as np
 
-from linkwork.errors import OptionError
+from linkwork.errors import LinkworkError, OptionError
 from linkwork.fingerprints import codes
 from linkwork.fingerprints.memory import Calls, first_look
 from linkwork.fingerprints.origins import is_users, is_users_class, made_from
@@ -39,10 +41,19 @@ from linkwork.fingerprints.reading import (
     wrapped,
 )
 
-__all__ = ["Writer", "canonical", "digest", "digests", "plain", "shortened", "text_of"]
+__all__ = ["Writer", "canonical", "digest", "digests", "plain", "shortened", "text_of", "together"]
 
 #: Where an object is in memory, which says nothing about it.
 ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")
+
+#: What cannot be looked at says something in this process alone.
+_HERE = secrets.token_hex(8)
+
+#: Of numbers and texts alone, these are tables. Texts of those that values have which are written together,
+#: by their place in memory, with them, so that it stays theirs.
+_CONTAINERS = (list, tuple, dict, set, frozenset)
+_SHARED: contextvars.ContextVar[dict[int, tuple[Any, str]] | None]
+_SHARED = contextvars.ContextVar("shared", default=None)
 
 #: Calls within each other.
 DEEPEST = 200_000
@@ -93,6 +104,17 @@ def canonical(value: Any) -> str:
     return text_of(value, Writer)
 
 
+@contextlib.contextmanager
+def together() -> Iterator[None]:
+    """While values are written that share tables, which nothing changes meanwhile: each table once."""
+    shared = _SHARED.get()
+    before = _SHARED.set({} if shared is None else shared)
+    try:
+        yield
+    finally:
+        _SHARED.reset(before)
+
+
 def text_of(value: Any, writer: type[Writer]) -> str:
     """OptionError: lists in lists, too many of them."""
     try:
@@ -124,12 +146,26 @@ class Writer:
         self._known: dict[int, tuple[Any, str]] = {}
         self._inside: set[int] = set()
         self._root = root
+        shared = _SHARED.get()
+        self._tables = {} if shared is None else shared
+        self._others = 0  # texts so far of what is no table, which may depend on the root
 
     def text(self, value: Any) -> str:
         if type(value) is float:  # what most are
             return value.hex()
         if type(value) is str:
             return shortened(repr(value))
+        try:
+            return self._text(value)
+        except (RecursionError, MemoryError, LinkworkError):
+            raise
+        except Exception:  # whatever an object of the user's raises: in this process it is the one that it is
+            return f"{type(value).__qualname__} {_HERE} {id(value)}"
+
+    def _text(self, value: Any) -> str:
+        if id(value) in self._tables:
+            return self._tables[id(value)][1]
+        given = value
         if not (_is_of_a_class(value) or isinstance(value, Enum)):
             if isinstance(value, np.generic | np.ndarray):
                 value = _told(value)
@@ -139,14 +175,18 @@ class Writer:
                 return shortened(repr(value))
             if isinstance(value, int):
                 return repr(int(value)) if abs(value) < 2**64 else hex(value)
-        if id(value) in self._known:
-            return self._known[id(value)][1]
-        if id(value) in self._inside:
-            return "itself"
+        if id(value) in self._known or id(value) in self._inside:
+            self._others += 1
+            return self._known[id(value)][1] if id(value) in self._known else "itself"
         self._inside.add(id(value))
-        found = shortened(self._written(value))
-        self._inside.discard(id(value))
-        self._known[id(value)] = value, found
+        before = self._others
+        try:
+            found = shortened(self._written(value))
+        finally:
+            self._inside.discard(id(value))
+        is_table = isinstance(value, _CONTAINERS) and self._others == before
+        self._others += not is_table
+        (self._tables if is_table else self._known)[id(given)] = given, found
         return found
 
     def _written(self, value: Any) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -15,11 +16,16 @@ __all__ = ["Call", "Calls"]
 ROW, ROWS, BYTES = 3, 64, 2**24
 
 
+#: Of all calls that are kept, in the order in which they came.
+_COUNT = itertools.count()
+
+
 class Call(NamedTuple):
-    """What a function was called with, and what it returned."""
+    """What a function was called with, and what it returned; calls of several functions by their numbers."""
 
     given: tuple[Any, ...]
     returned: Floats
+    number: int = 0
 
 
 class Calls:
@@ -30,6 +36,7 @@ class Calls:
         self.forget()
 
     def forget(self) -> None:
+        self.differs: bool | None = None  #: whether they return something else later; None: nobody has looked
         self._rows: list[list[Call]] = []
         self._left = 0  # calls until the next that is kept
         self._apart = 0  # calls between rows
@@ -61,7 +68,7 @@ class Calls:
 
     def _keep(self, given: tuple[Any, ...], returned: Any) -> None:
         try:
-            call = Call(given, np.array(returned, dtype=float))
+            call = Call(given, np.array(returned, dtype=float), next(_COUNT))
         except Exception:  # of its objects; the caller refuses them, too
             return
         if not self._rows or len(self._rows[-1]) >= ROW:

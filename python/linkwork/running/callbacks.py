@@ -41,7 +41,8 @@ def of_model(model: Model) -> dict[str, Any]:
 
 def contents(functions: Mapping[str, Any]) -> dict[str, bytes]:
     """A digest of all that each of them reaches."""
-    return {name: _digest(function) for name, function in functions.items()}
+    pickles: dict[int, tuple[Any, bytes]] = {}
+    return {name: _digest(function, pickles) for name, function in functions.items()}
 
 
 def changed(before: Mapping[str, bytes], functions: Mapping[str, Any]) -> list[str]:
@@ -49,7 +50,12 @@ def changed(before: Mapping[str, bytes], functions: Mapping[str, Any]) -> list[s
     return [name for name, now in contents(functions).items() if now in (UNKNOWN,) or now != before[name]]
 
 
-def _digest(function: Any) -> bytes:
+#: What functions may have in common that takes long to pickle.
+_SHARED = (dict, list, set, np.ndarray)
+
+
+def _digest(function: Any, pickles: dict[int, tuple[Any, bytes]]) -> bytes:
+    """`pickles`: of what functions share, in short, by its place in memory, with it."""
     digest, seen, todo = hashlib.blake2b(digest_size=16), set[int](), [function]
     call = vars(type(function)).get("__call__")
     if isinstance(call, types.FunctionType):  # of an object
@@ -61,7 +67,12 @@ def _digest(function: Any) -> bytes:
         found = _inside(it)
         try:
             if found is None:
-                digest.update(pickle.dumps(it))
+                if not isinstance(it, _SHARED):
+                    digest.update(pickle.dumps(it))
+                else:
+                    if id(it) not in pickles:
+                        pickles[id(it)] = it, hashlib.blake2b(pickle.dumps(it), digest_size=16).digest()
+                    digest.update(pickles[id(it)][1])
                 continue
         except Exception:  # whatever an object of the user's raises
             found = _parts(it)

@@ -37,6 +37,7 @@ from linkwork.running import callbacks, pulses, recall
 from linkwork.running.kept import Kept
 from linkwork.running.schedule import Adaptive, Fixed
 from linkwork.running.time_scale import size
+from linkwork.running.written import Written
 
 __all__ = ["ErrorEstimator", "apply_policy", "no_second_run", "of_memory", "strict", "warn_of_memory"]
 
@@ -48,6 +49,11 @@ FIRST_LOOK = 200
 
 #: Of an error: what is left of it by the run's own equations is not theirs.
 CAUSE = 0.5
+
+NOT_AS_IT_WAS = (
+    "functions were called again when the run was over, and what they have written meanwhile could not be "
+    "made what it was: what they logged has these calls in it"
+)
 
 #: Of the size of a mechanism: what moves or falls less in a run is at rest.
 STILL, FALLEN = 1e-10, 1e-12
@@ -76,9 +82,10 @@ class ErrorEstimator:
         breaks: Sequence[float] = (),
         stops: bool = False,
         others: Sequence[Any] = (),
+        written: Written | None = None,
     ) -> None:
         """`breaks` [s] of the run; `stops`: it, as soon as it is known to be inaccurate; `others`: functions
-        that may change what those of the model read, as those of events."""
+        that may change what those of the model read, as those of events; `written`: what these write."""
         self._run, self._method, self._system = run, method, system
         self._stops, self._next_look = stops, FIRST_LOOK
         stabilization: Any = system.compiled().options.stabilization
@@ -96,7 +103,7 @@ class ErrorEstimator:
         self._recall = recall.NOTHING
         self._own = {} if isinstance(method, Integrator) else {"integrator": method}
         self._own_contents = callbacks.contents(self._own)
-        self._others = [*others, *self._own.values()]
+        self._others, self._written = [*others, *self._own.values()], written
         t_start = start.t if start is not None else 0.0
         evaluations = plan.evaluations(method, t_start)
         self._pulses = pulses.pulses(system.model, t_start, plan.t_end, evaluations)
@@ -185,8 +192,10 @@ class ErrorEstimator:
         report: Callable[[float], None] | None = None,
     ) -> Verdict:
         self._energies.reach(*self._run.energies)
-        with self._as_it_was():
-            self._recall = recall.call_again(self._functions, self._others)
+        with self._as_it_was() as kept:
+            self._recall = self._called_again()
+        if kept.lost:
+            warn(NOT_AS_IT_WAS)
         if self._recall.differ:
             names = ", ".join(f"'{name}'" for name in self._recall.differ[:3])
             why = f"no step was taken again, as {names} may remember the calls before"
@@ -194,6 +203,12 @@ class ErrorEstimator:
             return replace(found, memory=self._recall.remember, recalled=self._recall.example)
         with self._as_it_was():
             return self._by_steps(system, statistics, steps=steps, report=report)
+
+    def _called_again(self) -> recall.Recall:
+        if self._written is None:
+            return recall.call_again(self._functions, self._others)
+        own = self._written.parts(Kept(self._own.values()))
+        return recall.call_again(self._functions, self._others, self._written.began, own)
 
     def _as_it_was(self) -> Kept:
         """A context that leaves what functions of the user's write to as it is now."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from contextlib import AbstractContextManager, nullcontext
 from dataclasses import dataclass
 from typing import Any, NamedTuple, overload
 
@@ -18,6 +19,10 @@ from linkwork.modeling.handles import Body
 from linkwork.modeling.model import Model
 
 __all__ = ["Event", "State", "Watched", "compile_events"]
+
+
+#: Makes a context.
+Changing = Callable[[], AbstractContextManager[object]]
 
 
 class _Part:
@@ -141,10 +146,12 @@ class Event:
                 f"{who}: tolerance {self.tolerance!r:.80} must be zero or positive [s]", code="event"
             )
 
-    def compiled(self, model: Model) -> _core.Event:
+    def compiled(self, model: Model, changing: Changing = nullcontext) -> _core.Event:
         """The same event of a run of `model` in the compiled module.
 
             lw.Event(lambda t, state: state.body("rod").position[2], name="floor").compiled(model)
+
+        changing  a context in which `change` is called
 
         OptionError: what is no function, or no direction, tolerance, or answer to whether it is terminal.
         """
@@ -161,7 +168,8 @@ class Event:
         def change(t: float, y: Floats) -> tuple[ArrayLike, bool]:
             changed = np.array(y)
             assert self.change is not None
-            ends = self.change(t, State(model, changed))
+            with changing():
+                ends = self.change(t, State(model, changed))
             if not isinstance(ends, bool | np.bool_ | None):
                 raise OptionError(
                     f"event '{self.label}': change must alter the state in place and return nothing, or True "
@@ -231,10 +239,10 @@ def functions_of(events: object) -> dict[str, Callable[..., Any]]:
     return found
 
 
-def compile_events(events: object, model: Model) -> list[Watched]:
-    """OptionError: something that is no Event."""
+def compile_events(events: object, model: Model, changing: Changing = nullcontext) -> list[Watched]:
+    """`changing`: a context in which they change something. OptionError: something that is no Event."""
     listed = list(events) if isinstance(events, Iterable) else [] if events is None else [events]
     for event in listed:
         if not isinstance(event, Event):
             raise OptionError(f"events: {event!r} is no linkwork.Event", code="event")
-    return [Watched(event.label, event.compiled(model), event) for event in listed]
+    return [Watched(event.label, event.compiled(model, changing), event) for event in listed]

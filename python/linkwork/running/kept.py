@@ -2,83 +2,191 @@
 
 from __future__ import annotations
 
-import array
+import contextlib
+import copy
+import datetime
+import decimal
 import dis
+import enum
+import fractions
 import functools
-import random
+import gc
+import io
+import logging
+import os
+import pathlib
+import re
 import sys
+import threading
 import types
-from collections import OrderedDict, deque
-from collections.abc import Callable, Collection, Iterable, Mapping
+import uuid
+import weakref
+from collections.abc import Callable, Hashable, Iterable, Iterator
 from contextlib import AbstractContextManager
 from typing import Any
 
 import numpy as np
 
 from linkwork.fingerprints import is_users
+from linkwork.running.places import Named, Place, place_of
 
-__all__ = ["Kept", "is_opaque", "names_in"]
+__all__ = ["Kept", "Parts", "is_opaque", "names_in"]
 
-#: Nothing in them can be written to, nor do they hold anything.
-CONSTANT = (type(None), bool, int, float, complex, str, bytes, np.generic, np.dtype, range)
+#: Nothing in them can be written to that functions compute with, nor do they hold anything that can be.
+CONSTANT = (
+    type(None), bool, int, float, complex, str, bytes, np.generic, np.dtype, range, slice, datetime.date,
+    datetime.time, datetime.timedelta, datetime.tzinfo, decimal.Decimal, decimal.Context, fractions.Fraction,
+    re.Pattern, re.Match, uuid.UUID, pathlib.PurePath, enum.Enum, type(threading.Lock()),
+    type(threading.RLock()), threading.Thread, threading.Condition, threading.Event, threading.Semaphore,
+    threading.Barrier, logging.Logger, logging.Handler, io.TextIOWrapper, io.FileIO, io.BufferedWriter,
+    types.CodeType, types.GenericAlias, types.WrapperDescriptorType, types.MethodDescriptorType,
+    types.GetSetDescriptorType, types.MemberDescriptorType, types.ClassMethodDescriptorType,
+    types.EllipsisType, types.NotImplementedType,
+)  # fmt: skip
 
-#: Arrays of more bytes are not copied, nor are more objects looked into.
-LARGE, MOST = 2**27, 200_000
+#: Of these an object without attributes holds what can be written to in arrays and other objects.
+_HOLDERS = ("pandas", "xarray", "scipy", "operator", "functools", "types", "weakref")
+
+#: Objects that are looked into.
+MOST = 200_000
 
 _ASSIGN = ("STORE_DEREF", "STORE_GLOBAL", "STORE_ATTR")
 _COMPILED = ("ctypes", "_ctypes", "_cffi_backend", "numba")
+_LOCKS = ("_multiprocessing", "_thread")
 _WRAPPERS = (types.MethodType, staticmethod, classmethod, functools.partial, property)
+_PROXIES = (weakref.ProxyType, weakref.CallableProxyType)
+_CODE = (types.FunctionType, types.BuiltinFunctionType, types.ModuleType, type)
+
+#: Of places what was written to: the key of one, and a part of it.
+Parts = set[tuple[Hashable, Hashable]]
 
 
 class Kept(AbstractContextManager["Kept"]):
-    """All that functions reach, as it is now; as a context it puts that back at its end."""
+    """All that functions reach, as it is now; as a context it puts that back at its end.
+
+    unknown  kinds of what could not be looked into
+    lost     whether something could not be put back
+    """
 
     def __init__(self, functions: Iterable[Any]) -> None:
-        self.whole = True  # whether all could be looked into
+        self.unknown: dict[str, None] = {}
+        self.lost = False
         self._assigns = False
-        self._back: dict[object, Callable[[], object]] = {}  # by what it is that is written to
+        self._places: dict[Hashable, Place] = {}  # by what it is that is written to
         self._seen: dict[int, Any] = {}  # alive, or another could have the same id
         self._todo = list(functions)
         while self._todo and len(self._seen) < MOST:
-            self._look_into(self._todo.pop())
-        self.whole = self.whole and not self._todo
+            it = self._todo.pop()
+            try:
+                self._look_into(it)
+            except Exception:  # whatever an object of the user's raises
+                self._unknown(it)
+        if self._todo:
+            self.unknown[f"more than {MOST} objects"] = None
 
     def __exit__(self, *error: object) -> None:
         self.put_back()
 
-    def put_back(self) -> None:
-        for restore in self._back.values():
-            restore()
+    @property
+    def whole(self) -> bool:
+        """Whether all could be looked into."""
+        return not self.unknown
+
+    def put_back(self, only: Parts | None = None) -> None:
+        """Makes it what it was, all of it or parts."""
+        chosen: dict[Hashable, set[Hashable]] = {}
+        for key, part in only or ():
+            chosen.setdefault(key, set()).add(part)
+        for key in self._places if only is None else chosen.keys() & self._places.keys():
+            try:
+                self._places[key].put_back(chosen.get(key))
+            except Exception:
+                self.lost = True
+
+    def changed(self) -> Parts:
+        """Where something else is now."""
+        found: Parts = set()
+        for key, place in self._places.items():
+            with contextlib.suppress(Exception):
+                found.update((key, part) for part in place.changed())
+        return found
+
+    def again(self) -> Kept:
+        """The same places, as they are now."""
+        found = copy.copy(self)
+        found._places = {}
+        for key, place in self._places.items():
+            with contextlib.suppress(Exception):
+                found._places[key] = place.again()
+        return found
+
+    @contextlib.contextmanager
+    def as_then(self, only: Parts | None = None) -> Iterator[None]:
+        """A context in which it is what it was, all of it or parts; all is as it is now at its end."""
+        now = self.again()
+        try:
+            self.put_back(only)
+            yield
+        finally:
+            now.put_back()
+
+    @property
+    def size(self) -> int:
+        """How much there is to look at: entries and elements."""
+        return sum(place.size for place in self._places.values())
+
+    def reaches(self, key: Hashable) -> bool:
+        return key in self._places
 
     @property
     def writable(self) -> bool:
         """Whether there are containers, or variables that they assign to."""
-        return self._assigns or any(isinstance(key, int) for key in self._back)
+        return self._assigns or any(isinstance(key, int) for key in self._places)
 
     def shares(self, other: Kept) -> bool:
         """Whether both reach something that can be written to, or might."""
-        return not (self.whole and other.whole) or not self._back.keys().isdisjoint(other._back)
+        return not (self.whole and other.whole) or not self._places.keys().isdisjoint(other._places)
+
+    def _unknown(self, it: Any) -> None:
+        kind = type(it)
+        self.unknown[kind.__qualname__ if kind.__module__ == "builtins" else
+                     f"{kind.__module__}.{kind.__qualname__}"] = None  # fmt: skip
 
     def _look_into(self, it: Any) -> None:
-        if isinstance(it, CONSTANT) or id(it) in self._seen or is_opaque(it):
+        kind = type(it)
+        if kind in _PROXIES:
+            return self._proxy(it)
+        if (
+            isinstance(it, CONSTANT)
+            or id(it) in self._seen
+            or (found := place_of(it)) is None
+            and is_opaque(it)
+        ):
             return
         self._seen[id(it)] = it
         if isinstance(it, types.FunctionType):
             self._function(it)
         elif isinstance(it, type):
             self._class(it)
-        elif isinstance(it, types.BuiltinMethodType):
+        elif isinstance(it, types.BuiltinMethodType | types.MethodWrapperType):
             self._todo.append(it.__self__)
         elif isinstance(it, _WRAPPERS):
             self._todo += _wrapped(it)
-        elif (state := _state(it)) is not None:
-            restore, inside = state
-            self._back[id(it)] = restore
-            self._todo += inside
+        elif found is not None:
+            place, inside = found
+            if place is not None:
+                self._places[id(it)] = place
+            self._todo += _worth_a_look(inside)
+            if hasattr(it, "__dict__") or is_users(kind.__module__):
+                self._object(it)
         elif isinstance(it, tuple | frozenset):
             self._todo += it
         elif not isinstance(it, types.ModuleType):
             self._object(it)
+
+    def _proxy(self, it: Any) -> None:
+        with contextlib.suppress(ReferenceError):  # nothing is behind it
+            self._todo.append(vars(it))
 
     def _function(self, it: types.FunctionType) -> None:
         self._assigns = self._assigns or _assigns(it.__code__)
@@ -90,13 +198,24 @@ class Kept(AbstractContextManager["Kept"]):
         self._todo += [*(it.__defaults__ or ()), it.__kwdefaults__, vars(it) or None]
         if _is_installed(it):
             return
-        names = names_in(it.__code__)
-        for name in names & it.__globals__.keys():
-            value = it.__globals__[name]
-            self._named((id(it.__globals__), name), value, it.__globals__.__setitem__, name, value)
-            if isinstance(value, types.ModuleType) and is_users(value.__name__):
-                for inner in names & vars(value).keys():
-                    self._attribute(value, inner, vars(value)[inner])
+        names, known = names_in(it.__code__), it.__globals__
+        for name in names & known.keys() | (texts_in(it.__code__) if "globals" in names else frozenset()):
+            self._entry(known, name)
+            self._module(known.get(name), names)
+
+    def _module(self, value: Any, names: frozenset[str]) -> None:
+        """What a function reads there, by names that it uses."""
+        if not isinstance(value, types.ModuleType) or id(value) in self._seen:
+            return
+        if value is os and names & {"environ", "getenv"}:
+            self._todo.append(os.environ)
+        if not is_users(value.__name__):
+            return
+        self._seen[id(value)] = value
+        for name in names & vars(value).keys():
+            self._attribute(value, name, vars(value)[name])
+            self._module(vars(value)[name], names)
+        del self._seen[id(value)]  # another function uses other names
 
     def _class(self, it: type) -> None:
         if not is_users(it.__module__):
@@ -108,7 +227,7 @@ class Kept(AbstractContextManager["Kept"]):
                 self._todo.append(value)
             else:
                 self._attribute(it, name, value)
-        self._todo += it.__bases__
+        self._todo += [*it.__bases__, type(it)]
 
     def _object(self, it: Any) -> None:
         kind = type(it)
@@ -118,75 +237,53 @@ class Kept(AbstractContextManager["Kept"]):
             self._attribute(it, name, value)
         if hasattr(it, "__dict__"):
             self._todo.append(vars(it))
-        elif not any("__slots__" in vars(base) for base in kind.__mro__):
-            self.whole = False
+        elif not any("__slots__" in vars(base) for base in kind.__mro__) and id(it) not in self._places:
+            self._todo += [inner for inner in gc.get_referents(it) if inner is not kind]
+            if kind.__module__.partition(".")[0] not in (*_HOLDERS, *_LOCKS):
+                self._unknown(it)
         if is_users(kind.__module__):
             self._todo.append(kind)
 
     def _attribute(self, of: Any, name: str, value: Any) -> None:
         self._seen[id(of)] = of
-        self._named((id(of), name), value, _put, of, name, value)
+        held: Any = vars(of) if isinstance(of, type | types.ModuleType) else None
+        get = (
+            functools.partial(getattr, of, name, None) if held is None else functools.partial(held.get, name)
+        )
+        self._named((id(of), name), value, get, functools.partial(_put, of, name))
 
-    def _named(self, key: object, value: Any, restore: Callable[..., None], *arguments: Any) -> None:
+    def _entry(self, of: dict[str, Any], name: str) -> None:
+        value = of.get(name)
+        self._named((id(of), name), value, lambda: of.get(name), functools.partial(_enter, of, name))
+
+    def _named(self, key: Hashable, value: Any, get: Callable[[], Any], put: Callable[[Any], object]) -> None:
         self._todo.append(value)
-        if not isinstance(value, types.FunctionType | types.BuiltinFunctionType | types.ModuleType | type):
-            self._back[key] = functools.partial(restore, *arguments)
+        if not isinstance(value, _CODE):
+            self._places[key] = Named(get, put)
 
 
-def _state(it: Any) -> tuple[Callable[[], object], Iterable[Any]] | None:
-    """How to put its state back, and what is in it; None: it is no container that is known."""
-    if isinstance(it, dict):
-        return functools.partial(_refill, it, dict(it)), list(it.values())
-    if isinstance(it, list):
-        return functools.partial(list.__setitem__, it, slice(None), list(it)), list(it)
-    if isinstance(it, set | deque):
-        return functools.partial(_renew, it, list(it)), list(it)
-    if isinstance(it, bytearray | array.array):
-        return functools.partial(it.__setitem__, slice(None), it[:]), ()
-    if isinstance(it, np.ndarray):
-        inside: list[Any] = it.ravel().tolist() if it.dtype.hasobject else []
-        if not it.flags.writeable or it.nbytes > LARGE:
-            return _nothing, inside
-        return functools.partial(np.copyto, it, it.copy()), inside
-    if isinstance(it, random.Random):
-        return functools.partial(it.setstate, it.getstate()), ()
-    if isinstance(it, np.random.RandomState):
-        return functools.partial(it.set_state, it.get_state()), ()
-    if isinstance(it, np.random.Generator):
-        return _nothing, [it.bit_generator]
-    if isinstance(it, np.random.BitGenerator):
-        return functools.partial(setattr, it, "state", it.state), ()
-    return None
+#: What long logs are full of, in tuples, too.
+_NUMBERS = {type(None), bool, int, float, complex, str, bytes, np.float64}
 
 
-def _nothing() -> None:
-    pass
+def _worth_a_look(inside: Iterable[Any]) -> list[Any]:
+    return [
+        it
+        for it in inside
+        if not (type(it) in _NUMBERS or (type(it) is tuple and _NUMBERS.issuperset(map(type, it))))
+    ]
 
 
 def _put(of: Any, name: str, value: Any) -> None:
-    if getattr(of, name, None) is value:
-        return
     put: Any = setattr if isinstance(of, type | types.ModuleType) else object.__setattr__
     put(of, name, value)
 
 
-def _refill(it: dict[Any, Any], content: Mapping[Any, Any]) -> None:
-    if _same(it.keys(), content.keys()) and _same(it.values(), content.values()):
-        return
-    kind: Any = OrderedDict if isinstance(it, OrderedDict) else dict
-    kind.clear(it)
-    kind.update(it, content)
-
-
-def _renew(it: Any, content: list[Any]) -> None:
-    if not _same(it, content):
-        it.clear()
-        (it.update if isinstance(it, set) else it.extend)(content)
-
-
-def _same(now: Collection[Any], then: Collection[Any]) -> bool:
-    """The very same objects, in this order."""
-    return len(now) == len(then) and all(a is b for a, b in zip(now, then, strict=True))
+def _enter(of: dict[str, Any], name: str, value: Any) -> None:
+    if value is None and of.get(name) is not None:
+        del of[name]  # it was not there, or None, which whoever asks for it is given
+    else:
+        of[name] = value
 
 
 def _wrapped(it: Any) -> list[Any]:
@@ -203,6 +300,7 @@ def _slots(kind: type) -> list[str]:
     return [it for it in found if it not in ("__dict__", "__weakref__")]
 
 
+@functools.cache
 def _assigns(code: types.CodeType) -> bool:
     """Whether it, or a function inside, assigns to other variables than its own, or to attributes."""
     inner = [it for it in code.co_consts if isinstance(it, types.CodeType)]
@@ -226,7 +324,15 @@ def is_opaque(it: Any) -> bool:
     )
 
 
-def names_in(code: types.CodeType) -> set[str]:
+@functools.cache
+def names_in(code: types.CodeType) -> frozenset[str]:
     """Of globals and attributes, also of the functions inside."""
     inner = [names_in(it) for it in code.co_consts if isinstance(it, types.CodeType)]
-    return set(code.co_names).union(*inner)
+    return frozenset(code.co_names).union(*inner)
+
+
+@functools.cache
+def texts_in(code: types.CodeType) -> frozenset[str]:
+    """Constants, also of the functions inside."""
+    inner = [texts_in(it) for it in code.co_consts if isinstance(it, types.CodeType)]
+    return frozenset(it for it in code.co_consts if isinstance(it, str)).union(*inner)

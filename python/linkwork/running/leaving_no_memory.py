@@ -56,6 +56,10 @@ class Memory:
         known = [self._functions[name] for name in changed if name not in self.hidden]
         return any(logs or not callbacks.only_logs(it) for it in known)
 
+    def put_back(self) -> None:
+        """Makes it what it was, logs too."""
+        self._kept.put_back()
+
     def give_back(self, *, logs: bool) -> list[str]:
         """Makes it what it was, if it is changed; the functions of which that is not known."""
         if not self.is_changed(logs=logs):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -44,6 +45,9 @@ __all__ = ["FRAMES", "Member", "Method", "method_of", "refusal", "run_members"]
 
 #: Of members of which only the last frame is asked for: the verdict looks at the balance of energy over them.
 FRAMES = 50
+
+#: Frames of a run of which it is looked whether its functions remember, between two looks.
+LOOK = 10
 
 #: Statistics of what lanes share, which say nothing of one of them.
 SHARED = ("evaluations", "factorizations", "solves", "evaluate_time", "factorize_time", "assemble_time",
@@ -203,11 +207,31 @@ def _of_lanes(models: Mapping[int, Model], method: Method, memory: Memory) -> di
     """What becomes of all of them there, or why not."""
     if method.alone or not models:
         return dict.fromkeys(models, _Left(method.alone))
+    remember = dict.fromkeys(models, _Left("its functions remember, which lanes would share"))
+    if method.adaptive and not memory.is_empty and _changes_by_itself(models, method, memory):
+        return dict[int, Member | _Left](remember)
     found = _side_by_side(models, method) if method.adaptive else _at_fixed_steps(models, method)
     if memory.is_changed(logs=method.looked_at):
         memory.give_back(logs=method.looked_at)
-        return dict.fromkeys(models, _Left("its functions remember, which lanes would share"))
+        return dict[int, Member | _Left](remember)
     warn_of_lasting(memory.hidden)
+    return found
+
+
+def _changes_by_itself(models: Mapping[int, Model], method: Method, memory: Memory) -> bool:
+    """Whether the first of them changes what its functions remember: steps that follow tolerances may never
+    come to an end where lanes share that."""
+    deterministic = method.options.get("deterministic") is True
+    with remarked(), contextlib.suppress(Exception), _core.OnePath(deterministic):  # errors come again
+        model = models[min(models)]
+        checks.check_bodies(model)
+        run = prepared(model, method.plan, method.given, method.options).run
+        while not (run.finished or memory.is_changed(logs=method.looked_at)):
+            with Interrupts() as interrupts, interrupts.computing():
+                run.advance(LOOK, recording.PIECE_SECONDS)
+            run.take_frames()
+    found = memory.is_changed(logs=method.looked_at)
+    memory.put_back()
     return found
 
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from linkwork.equations.assembly import Assembly
 from linkwork.errors import warn
-from linkwork.fingerprints import law
+from linkwork.fingerprints import law, together
 from linkwork.integrators import Integrator
 from linkwork.modeling.model import Model
 from linkwork.motion.records import Checkpoint, Resume, Snapshot
@@ -19,6 +19,7 @@ from linkwork.options import without_threads
 from linkwork.running import callbacks
 from linkwork.running.events import Watched
 from linkwork.running.returned import differing, left_by_a_run, note_left, text_of
+from linkwork.running.written import Written
 
 #: Of what the driver writes: another one is none of ours.
 FORMAT = 4
@@ -46,8 +47,10 @@ class Identity:
         events: Sequence[Watched],
         given: Mapping[str, Any],
         assembly: Assembly | None,
+        written: Written | None = None,
     ) -> None:
-        self._model, self._method, self._events = model, method, events
+        """`written`: by functions of the model."""
+        self._model, self._method, self._events, self._written = model, method, events, written
         self._others = {
             "format": FORMAT,
             "choices": {name: str(value) for name, value in sorted(without_threads(choices).items())},
@@ -70,15 +73,18 @@ class Identity:
         found = self.read() if self._changes else {}
         changed = tuple((it, then, found[it]) for it, then in self._first.items() if found[it] != then)
         key = self._key(self._model.hash()) + self.suffix if changed else self.key
-        if found:
-            note_left(self._model._calls)
-        return Checkpoint(key, t, state, changed, text_of(self._model._calls) if found else "")
+        if not (found or (self._written is not None and self._written.changed)):
+            return Checkpoint(key, t, state, changed, "")
+        note_left(self._model._calls, None if self._written is None else self._written.began)
+        return Checkpoint(key, t, state, changed, text_of(self._model._calls))
 
     def differing(self, checkpoint: Checkpoint) -> list[str]:
-        """Functions that are the same, and return something else than then."""
+        """Functions that are the same, and return something else than then. LinkworkWarning: nobody knows."""
         if checkpoint.method not in (self.key, self.key + ASSEMBLED):
             return []
-        return [f"'{name}'" for name in differing(self._model._calls, checkpoint.returned)]
+        found = differing(self._model._calls, checkpoint.returned)
+        warn_of_unknown("start: ", found.unknown)
+        return [f"'{name}'" for name in found.names]
 
     def goes_on_from(self, checkpoint: Checkpoint) -> None:
         """What was changed in the runs before counts as changed."""
@@ -92,21 +98,25 @@ class Identity:
     def read(self) -> dict[str, str]:
         """Digests of the functions with what they read; what they change themselves is left out."""
         found: dict[str, list[Any]] = {}
-        for name, calls in self._model._calls:
-            found.setdefault(f"'{name}'", []).append(law(calls.function))
-        for it in self._events:
-            found.setdefault(f"event '{it.label}'", []).append(it.laws())
+        with together():
+            for name, calls in self._model._calls:
+                found.setdefault(f"'{name}'", []).append(law(calls.function))
+            for it in self._events:
+                found.setdefault(f"event '{it.label}'", []).append(it.laws())
         if not isinstance(self._method, Integrator):
             found[INTEGRATOR] = [str(callbacks.contents({"": self._method}))]
         return {name: _digest(texts) for name, texts in found.items()}
 
     def warn_of_what_runs_left(self) -> None:
-        """LinkworkWarning: functions read what an event has changed in a run before."""
-        if self._changes and (found := left_by_a_run(self._model._calls)):
-            names = ", ".join(f"'{name}'" for name in found[:3])
+        """LinkworkWarning: functions read what they or an event have changed in a run before."""
+        found = left_by_a_run(self._model._calls)
+        warn_of_unknown("", found.unknown)
+        if found.names:
+            names = ", ".join(f"'{name}'" for name in found.names[:3])
+            what = "reads what events have changed" if self._changes else "remembers what it has kept"
             warn(
-                f"{names}: reads what events have changed in a run before, as it was at its "
-                "end: set it anew before each run, or the second is another one"
+                f"{names}: {what} in a run before, as it was at its end: set it anew before each run, or the "
+                "second is another one"
             )
 
     def _key(self, model_hash: str) -> str:
@@ -114,6 +124,19 @@ class Identity:
         events = [(it.label, it.compiled.signature, it.laws()) for it in self._events]
         of_method = repr(method) if isinstance(method, Integrator) else law(method)
         return _digest({**self._others, "model": model_hash, "method": of_method, "events": events})
+
+
+def warn_of_unknown(start: str, names: Sequence[str]) -> None:
+    """LinkworkWarning: nobody knows whether what these functions read is that of another run."""
+    if names:
+        listed = ", ".join(f"'{name}'" for name in names[:3])
+        then = (
+            "as at the end of the run that this one goes on from" if start else "set anew since the last run"
+        )
+        warn(
+            f"{start}{listed}: reaches what cannot be looked into, so that it is not known whether what it "
+            f"remembers is {then}: keep it in lists, dicts, arrays or attributes"
+        )
 
 
 def _digest(parts: object) -> str:
@@ -134,8 +157,8 @@ def of(start: Snapshot | None, identity: Identity, t_end: float) -> Resume | Non
     if other := _others(resume.checkpoint, identity):
         warn(
             f"start: {', '.join(other[:3])}: reads something else than at the end of the run that this one "
-            "goes on from, where events or steps have changed it: set it as it was there, or the motion is "
-            "another one"
+            "goes on from, where it, events or steps have changed that: set it as it was there, or the "
+            "motion is another one"
         )
         return None
     try:

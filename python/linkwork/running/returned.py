@@ -9,7 +9,7 @@ import functools
 import json
 from collections.abc import Sequence
 from types import CodeType, FunctionType, MethodType
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -18,66 +18,140 @@ from linkwork.functions.calls import Call, Calls
 from linkwork.running.kept import Kept
 from linkwork.running.recall import TOLERANCE
 
-__all__ = ["differing", "left_by_a_run", "note_left", "text_of"]
+__all__ = ["Differing", "differing", "left_by_a_run", "note_left", "text_of"]
 
 Functions = Sequence[tuple[str, Calls]]
 
 #: Calls of each function that are kept, and numbers in all of them.
 CALLS, NUMBERS = 6, 20_000
 
-#: By code and name the first calls of the last run, where they would have returned something else at its end,
-#: and that.
-_left: dict[tuple[CodeType, str], tuple[list[Call], list[Floats | None]]] = {}
+
+class _Left(NamedTuple):
+    """Calls that return something else at the end of a run than at its beginning.
+
+    UNKNOWN where that cannot be known: to call the function would leave a trace in what it remembers.
+    """
+
+    calls: list[Call]
+    end: list[Floats | None]
+
+
+UNKNOWN = _Left([], [])
+
+#: By code and name what the last run left that has left something.
+_left: dict[tuple[CodeType, str], _Left] = {}
 LEFT = 1000
 
 
+class Differing(NamedTuple):
+    """Names of functions that return something else than then, and of those of which that is not known."""
+
+    names: list[str]
+    unknown: list[str]
+
+
 def text_of(functions: Functions) -> str:
-    """For `differing`; of no function where that cannot be known without a trace in what they remember."""
-    listed, left = [], NUMBERS
-    with Kept(calls.function for _, calls in functions) as kept:
-        for place, (_, calls) in enumerate(functions if kept.whole else ()):
-            for call in calls.some(CALLS):
-                left -= sum(np.size(it) for it in call.given)
-                now = calls.again(call) if left >= 0 else None
-                if now is not None:
-                    listed.append([place, [np.asarray(it).tolist() for it in call.given], now.tolist()])
+    """For `differing`."""
+    listed: list[Any] = []
+    left, asked, kept = NUMBERS, list[list[Call]](), _kept(functions)
+    unknown = unknown_of(functions, kept)
+    for place, (name, calls) in enumerate(functions):
+        asked.append([])
+        if name in unknown:
+            listed += [[place, None, None]] if calls.differs is not False else []
+            continue
+        for call in calls.some(CALLS):
+            left -= sum(np.size(it) for it in call.given)
+            asked[-1] += [call] if left >= 0 else []
+    with kept:
+        answers = _answers(functions, asked, kept)
+    for place, of in enumerate(asked):
+        for call, now in zip(of, answers[place], strict=True):
+            if now is not None:
+                listed.append([place, [np.asarray(it).tolist() for it in call.given], now.tolist()])
     return json.dumps(listed)
 
 
-def differing(functions: Functions, text: str) -> list[str]:
-    """Names of those that return something else than when the text was made."""
-    found: dict[str, None] = {}
-    with Kept(calls.function for _, calls in functions):
-        for place, given, returned in json.loads(text or "[]"):
-            name, calls = functions[place]
+def differing(functions: Functions, text: str) -> Differing:
+    """Than when the text was made."""
+    unknown: dict[str, None] = {}
+    asked: list[list[Call]] = [[] for _ in functions]
+    for place, given, returned in json.loads(text or "[]"):
+        if given is None:
+            unknown[functions[place][0]] = None
+        else:
             arguments = tuple(it if isinstance(it, float) else np.array(it) for it in given)
-            if not _same(calls.again(Call(arguments, np.empty(0))), np.array(returned)):
-                found[name] = None
-    return list(found)
+            asked[place].append(Call(arguments, np.array(returned)))
+    with _kept(functions) as kept:
+        answers = _answers(functions, asked, kept)
+    found = [
+        name
+        for (name, _), of, now in zip(functions, asked, answers, strict=True)
+        if not all(map(_same, now, [call.returned for call in of]))
+    ]
+    return Differing(list(dict.fromkeys(found)), list(unknown))
 
 
-def note_left(functions: Functions) -> None:
-    """At the end of a run, for `left_by_a_run`."""
-    with Kept(calls.function for _, calls in functions) as kept:
-        for name, calls in functions if kept.whole else ():
-            if (code := _code(calls.function)) is None:
-                continue
-            _left.pop((code, name), None)
-            now = [calls.again(call) for call in calls.first]
-            if not all(map(_same, now, [call.returned for call in calls.first])):
-                _left[code, name] = calls.first, now
+def note_left(functions: Functions, began: Kept | None) -> None:
+    """At the end of a run that `began` with what they reach, for `left_by_a_run`."""
+    with _kept(functions) as kept:
+        unknown = unknown_of(functions, kept)
+        known = [(name, calls) for name, calls in functions if name not in unknown]
+        asked = [[*calls.first, *calls.some(CALLS)] for _, calls in known]
+        end = _answers(known, asked, kept)
+        then: list[list[Floats | None]] = [[call.returned for call in of] for of in asked]
+        if began is not None:
+            kept.put_back()
+            with began.as_then():
+                then = _answers(known, asked, began)
+    for (name, calls), *of_it in zip(known, asked, end, then, strict=True):
+        apart = [(call, now) for call, now, at_first in zip(*of_it, strict=True) if not _same(now, at_first)]
+        if apart:
+            _note(calls, name, _Left([it for it, _ in apart], [now for _, now in apart]))
+    for name, calls in functions:
+        if name in unknown and calls.differs:
+            _note(calls, name, UNKNOWN)
+
+
+def _answers(functions: Functions, asked: list[list[Call]], memory: Kept) -> list[list[Floats | None]]:
+    """What they return, each call where the memory is what it was, whatever the others make of it."""
+    found: list[list[Floats | None]] = [[] for _ in functions]
+    for k in range(max(map(len, asked), default=0)):
+        memory.put_back()
+        for (_, calls), of, answers in zip(functions, asked, found, strict=True):
+            if k < len(of):
+                answers.append(calls.again(of[k]))
+    return found
+
+
+def _note(calls: Calls, name: str, left: _Left) -> None:
+    if (code := _code(calls.function)) is not None:
+        _left.pop((code, name), None)
+        _left[code, name] = left
     while len(_left) > LEFT:
         del _left[next(iter(_left))]
 
 
-def left_by_a_run(functions: Functions) -> list[str]:
-    """Names of those that return what the last run left, and not what that began with."""
+def left_by_a_run(functions: Functions) -> Differing:
+    """Those that return what the last run left, and not what that began with."""
     known = [(name, calls, _code(calls.function)) for name, calls in functions]
-    left = [
-        (name, calls, *_left[code, name]) for name, calls, code in known if code and (code, name) in _left
-    ]
-    with Kept(calls.function for _, calls, *_ in left):
-        return [name for name, calls, first, then in left if all(map(_same, map(calls.again, first), then))]
+    left = [(name, calls, _left[code, name]) for name, calls, code in known if code and (code, name) in _left]
+    asked = [it for it in left if it[2] is not UNKNOWN]
+    functions = [(name, calls) for name, calls, _ in asked]
+    with _kept(functions) as kept:
+        answers = _answers(functions, [it.calls for *_, it in asked], kept)
+    found = [name for (name, _, it), now in zip(asked, answers, strict=True) if all(map(_same, now, it.end))]
+    hidden = [(name, calls) for name, calls, it in left if it is UNKNOWN]
+    return Differing(found, unknown_of(hidden, _kept(hidden)))
+
+
+def unknown_of(functions: Functions, kept: Kept) -> list[str]:
+    """Those that reach what cannot be looked into; `kept` of them all."""
+    return [] if kept.whole else [name for name, calls in functions if not Kept([calls.function]).whole]
+
+
+def _kept(functions: Functions) -> Kept:
+    return Kept(calls.function for _, calls in functions)
 
 
 def _same(first: Floats | None, second: Floats | None) -> bool:

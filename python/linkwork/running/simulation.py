@@ -41,6 +41,7 @@ from linkwork.running.manifest import manifest
 from linkwork.running.progress import ProgressOption, check_progress, preparing, reporting, sharing
 from linkwork.running.recording import PythonStep
 from linkwork.running.seen_in_frames import warn_of_what_frames_show
+from linkwork.running.written import Written
 
 __all__ = ["PythonStep", "check_run", "simulate", "what_steps"]
 
@@ -148,8 +149,9 @@ def simulate(
         given = {"t_end": t_end, "step": step, "integrator": integrator, "rtol": rtol, "atol": atol,
                  "record_every": record_every, "times": times, "breaks": breaks, "assemble": assemble,
                  "on_inaccurate": on_inaccurate, "verify": verify, **options}  # fmt: skip
-        prepared = _prepared(model, plan, given, options, compile_events(events, model), start,
-                             in_file=output is not None)  # fmt: skip
+        written = Written(calls.function for _, calls in model._calls)
+        watched = compile_events(events, model, written.by_others)
+        prepared = _prepared(model, plan, given, options, watched, start, written, in_file=output is not None)
         _check_output(output, overwrite)
         prepared = _looked_ahead(prepared, output)
     called = functions_of(events) if verify else {}
@@ -202,6 +204,7 @@ class Prepared:
     identity: resuming.Identity  # of checkpoints
     known: Sequence[float]  # [s], breaks of which the driver was told
     watched: Sequence[Watched]
+    written: Written | None = None  # by functions of the model
     forecast: forecast.Forecast | None = None  # of a large run
     looking: Mapping[str, float] = field(default_factory=dict)  # what it cost to make that, of the statistics
 
@@ -224,15 +227,10 @@ class Prepared:
 
 
 def _prepared(
-    model: Model,
-    plan: schedule.Fixed | schedule.Adaptive,
-    given: Mapping[str, Any],
-    options: Options,
-    watched: Sequence[Watched],
-    start: Snapshot | None,
-    *,
+    model: Model, plan: schedule.Fixed | schedule.Adaptive, given: Mapping[str, Any], options: Options,
+    watched: Sequence[Watched], start: Snapshot | None, written: Written | None = None, *,
     in_file: bool = False,
-) -> Prepared:
+) -> Prepared:  # fmt: skip
     """System, consistent initial state and driver. OptionError, ModelError: what cannot be run.
 
     in_file  whether frames go to a file, which has reactions
@@ -241,12 +239,12 @@ def _prepared(
     model_hash = model.hash()  # before anything calls its functions, which may remember it
     method, options, system, assembly, breaks, impacts = what_steps(model, plan, given, options, start)
     choices = {**plan.steps(), **system.options}
-    identity = resuming.Identity(model, model_hash, method, choices, watched, given, assembly)
+    identity = resuming.Identity(model, model_hash, method, choices, watched, given, assembly, written)
     resume = resuming.of(start, identity, plan.t_end)
     if start is not None:
         checks.check_start(model, system.compiled(), start, known=resume is not None)
-    known = breaks
     if resume is None:
+        known = breaks
         checks.warn_of_opposed_axes(model, start.q if start is not None else system.model.compiled().q0)
     else:
         system = _as_then(system, model, options, given["assemble"], identity.key)
@@ -266,7 +264,7 @@ def _prepared(
         **({} if start is None else {"resumed": resume is not None}),
     }
     return Prepared(plan, method, system, options, start, breaks, given, run, chosen, facts, identity, known,
-                    watched)  # fmt: skip
+                    watched, written)  # fmt: skip
 
 
 def _in_words(watched: Sequence[Watched], start: Snapshot | None) -> dict[str, Any]:
@@ -338,7 +336,7 @@ def estimator_of(it: Prepared) -> estimation.ErrorEstimator:
     changes = [each.event.change for each in it.watched if each.event.change is not None]
     return estimation.ErrorEstimator(
         it.run, it.method, it.system, it.options, it.start, it.plan, breaks=it.breaks,
-        stops=it.given["on_inaccurate"] == "stop", others=changes,
+        stops=it.given["on_inaccurate"] == "stop", others=changes, written=it.written,
     )  # fmt: skip
 
 

@@ -1,0 +1,251 @@
+"""Containers and variables with what was in them at some time: what has changed, and how it is put back."""
+
+from __future__ import annotations
+
+import array
+import contextvars
+import ctypes
+import functools
+import operator
+import pickle
+import random
+import types
+from collections import OrderedDict, deque
+from collections.abc import Callable, Hashable, Iterable
+from typing import Any, Protocol
+
+import numpy as np
+
+__all__ = ["ALL", "LARGE", "Named", "Place", "place_of"]
+
+#: A part of a place: all of it. Others are keys and numbers of elements.
+ALL = ("all of it",)
+
+#: Arrays of more bytes are not copied. Elements of one that count one by one.
+LARGE, FEW = 2**27, 1000
+
+_MISSING = object()
+
+#: Numbers, arrays and structures of ctypes.
+_FROM_C: Any = ctypes._SimpleCData.__mro__[1]
+
+
+class Place(Protocol):
+    """Something that can be written to, as it was."""
+
+    @property
+    def size(self) -> int:
+        """Entries and elements."""
+
+    def again(self) -> Place:
+        """The same, as it is now."""
+
+    def changed(self) -> set[Hashable]:
+        """Parts in which something else is now."""
+
+    def put_back(self, parts: set[Hashable] | None) -> None:
+        """Makes them what they were; None: all."""
+
+
+class Named:
+    """A variable, an attribute or an entry: `get` gives None where there is none, as `put` gets then."""
+
+    def __init__(self, get: Callable[[], Any], put: Callable[[Any], object]) -> None:
+        self._get, self._put, self._then = get, put, get()
+        self.size = 1
+
+    def again(self) -> Named:
+        return Named(self._get, self._put)
+
+    def changed(self) -> set[Hashable]:
+        return set() if self._get() is self._then else {ALL}
+
+    def put_back(self, parts: set[Hashable] | None) -> None:
+        if self._get() is not self._then:
+            self._put(self._then)
+
+
+class _Entries:
+    """Of a dictionary, in their order."""
+
+    def __init__(self, it: dict[Any, Any]) -> None:
+        self._it, self._then = it, dict.copy(it)
+        self.size = 1 + len(self._then)
+
+    def again(self) -> _Entries:
+        return _Entries(self._it)
+
+    def changed(self) -> set[Hashable]:
+        now, then = dict.copy(self._it), self._then
+        if _same(now, then) and _same(now.values(), then.values()):
+            return set()
+        keys = now.keys() | then.keys()
+        return {it for it in keys if now.get(it, _MISSING) is not then.get(it, _MISSING)} or {ALL}
+
+    def put_back(self, parts: set[Hashable] | None) -> None:
+        it, then = self._it, self._then
+        kind: Any = OrderedDict if isinstance(it, OrderedDict) else dict
+        if parts is None or ALL in parts:
+            if not (_same(list(it), then) and _same(dict.copy(it).values(), then.values())):
+                kind.clear(it)
+                kind.update(it, then)
+            return
+        for key in parts:
+            if key in then:
+                kind.__setitem__(it, key, then[key])
+            elif dict.__contains__(it, key):
+                kind.__delitem__(it, key)
+
+
+class _Row:
+    """A list, a deque."""
+
+    def __init__(self, it: Any) -> None:
+        self._it, self._then = it, list(list.__iter__(it) if isinstance(it, list) else it)
+        self.size = 1 + len(self._then)
+
+    def again(self) -> _Row:
+        return _Row(self._it)
+
+    def changed(self) -> set[Hashable]:
+        now, then = _Row(self._it)._then, self._then
+        if len(now) != len(then):
+            return {ALL}
+        return {k for k, same in enumerate(map(operator.is_, now, then)) if not same}
+
+    def put_back(self, parts: set[Hashable] | None) -> None:
+        it, then = self._it, self._then
+        kind: Any = list if isinstance(it, list) else deque
+        if parts is None or ALL in parts or len(it) != len(then):
+            if not _same(_Row(it)._then, then):
+                kind.clear(it)
+                kind.extend(it, then)
+            return
+        for place in parts:
+            kind.__setitem__(it, place, then[place])  # type: ignore[call-overload]
+
+
+class _Array:
+    """Of NumPy."""
+
+    def __init__(self, it: Any) -> None:
+        self._it = it
+        self._then = np.array(it, copy=True, subok=False) if it.nbytes <= LARGE else None
+        self.size = 1 + it.size // 16
+
+    def again(self) -> _Array:
+        return _Array(self._it)
+
+    def changed(self) -> set[Hashable]:
+        it, then = np.asarray(self._it), self._then
+        if then is None:
+            return set()
+        if it.shape != then.shape:
+            return {ALL}
+        if it.dtype.hasobject or it.dtype.names:
+            return set() if pickled(it) == pickled(then) else {ALL}
+        apart = np.flatnonzero((it != then) & ~((it != it) & (then != then)))
+        return {ALL} if len(apart) > FEW else set(apart.tolist())
+
+    def put_back(self, parts: set[Hashable] | None) -> None:
+        it, then = np.asarray(self._it), self._then
+        if then is None:
+            return
+        if it.shape != then.shape:  # as whoever calls does it, who makes it larger in place
+            self._it.resize(then.shape, refcheck=False)
+            it = np.asarray(self._it)
+        if not (self.changed() if parts is None else parts):
+            return
+        locked = not it.flags.writeable
+        if locked:
+            it.flags.writeable = True
+        if parts is None or ALL in parts:
+            np.copyto(it, then)
+        else:
+            chosen: Any = list(parts)
+            it.flat[chosen] = then.flat[chosen]
+        if locked:
+            it.flags.writeable = False
+
+
+class _Whole:
+    """What is put back as a whole."""
+
+    def __init__(self, get: Callable[[], Any], put: Callable[[Any], object]) -> None:
+        self._get, self._put, self._then = get, put, get()
+        self.size = 1
+
+    def again(self) -> _Whole:
+        return _Whole(self._get, self._put)
+
+    def changed(self) -> set[Hashable]:
+        now, then = self._get(), self._then
+        if isinstance(then, set):
+            return set() if now == then else {ALL}
+        return set() if pickled(now) == pickled(then) else {ALL}
+
+    def put_back(self, parts: set[Hashable] | None) -> None:
+        if self.changed():
+            self._put(self._then)
+
+
+def pickled(value: Any) -> bytes:
+    return pickle.dumps(value, protocol=5)
+
+
+def place_of(it: Any) -> tuple[Place | None, Iterable[Any]] | None:
+    """What can be written to there, and what is in it; None: it is no container that is known."""
+    if isinstance(it, dict):
+        return _Entries(it), list(dict.values(it))
+    if isinstance(it, list | deque):
+        return (row := _Row(it)), row._then
+    if isinstance(it, np.ndarray):
+        inside: list[Any] = it.ravel().tolist() if it.dtype.hasobject else []
+        return _Array(it), [*inside, it.base]
+    if isinstance(it, memoryview):
+        return None, [it.obj]
+    if isinstance(it, types.MappingProxyType):
+        return None, list(it.values())
+    if isinstance(it, np.random.Generator):
+        return None, [it.bit_generator]
+    found = _whole(it)
+    return None if found is None else (found, list(it) if isinstance(it, set) else [])
+
+
+def _whole(it: Any) -> _Whole | None:
+    if isinstance(it, set):
+        return _Whole(lambda: set(it), functools.partial(_refill, it))
+    if isinstance(it, bytearray | array.array):
+        return _Whole(lambda: it[:], lambda then: it.__setitem__(slice(None), then))
+    if isinstance(it, random.SystemRandom):
+        return _Whole(lambda: None, lambda then: None)
+    if isinstance(it, random.Random):
+        return _Whole(it.getstate, it.setstate)
+    if isinstance(it, np.random.RandomState):
+        return _Whole(it.get_state, it.set_state)
+    if isinstance(it, np.random.BitGenerator):
+        return _Whole(lambda: it.state, lambda then: setattr(it, "state", then))
+    if isinstance(it, contextvars.ContextVar):
+        return _Whole(lambda: it.get(_NONE), lambda then: None if then == _NONE else it.set(then))
+    if isinstance(it, _FROM_C) and not isinstance(it, ctypes._CFuncPtr):  # type: ignore[attr-defined]
+        size = ctypes.sizeof(it)
+        return _Whole(
+            lambda: ctypes.string_at(ctypes.addressof(it), size),
+            lambda then: ctypes.memmove(ctypes.addressof(it), then, size),
+        )
+    return None
+
+
+def _refill(it: set[Any], content: set[Any]) -> None:
+    it.clear()
+    it.update(content)
+
+
+#: Of a context variable that has no value.
+_NONE = ("nothing",)
+
+
+def _same(now: Iterable[Any], then: Iterable[Any]) -> bool:
+    """The very same objects, in this order."""
+    first, second = list(now), list(then)
+    return len(first) == len(second) and all(map(operator.is_, first, second))
