@@ -451,3 +451,22 @@ def test_what_is_computed_once_and_kept_is_no_memory() -> None:
 
     result = quick(_held_by(law), 0.1, step=1e-3, on_inaccurate="warn")
     assert result.verdict is not None and result.verdict.steps and not result.verdict.memory
+
+
+def test_kinematics_says_that_a_law_remembers() -> None:
+    on = [False]
+
+    def law(t: float, angle: float, rate: float) -> float:
+        on[0] = angle > 0.1 or (on[0] and angle > -0.1)
+        return 2.0 if on[0] else -2.0
+
+    def driven(law: Any) -> lw.Model:
+        model = _held_by(law)
+        model.drive("hinge", position=lw.functions.harmonic(0.5, 1.0))
+        return model
+
+    with pytest.warns(lw.LinkworkWarning, match="kinematics: 'controller': remembers calls"):
+        lw.inverse_dynamics(driven(law), np.linspace(0, 2, 41))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", lw.LinkworkWarning)
+        lw.inverse_dynamics(driven(lambda t, angle, rate: -3.0 * angle), np.linspace(0, 0.5, 41))

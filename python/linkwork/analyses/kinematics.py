@@ -23,6 +23,7 @@ from linkwork.motion.header import Header
 from linkwork.motion.records import Snapshot
 from linkwork.results.result import Result
 from linkwork.running import breakpoints, checks
+from linkwork.running.estimation import told_of_memory
 from linkwork.running.manifest import manifest
 from linkwork.running.seen_in_frames import warn_of_what_frames_show
 
@@ -57,12 +58,17 @@ def kinematics(
     which the message names with its time; the error's `result` is the motion up to there.
     SingularSystemError: a singular pose with on_singular="stop", or at the start of a large model.
     OptionError: times, or a function of time that is not known there. LinkworkWarning: a singular pose was
-    passed; the velocity of a driver jumps, by an impulse that multipliers and reactions are without.
+    passed; the velocity of a driver jumps, by an impulse that multipliers and reactions are without; functions of
+    the model remember calls.
     """
-    began = time.perf_counter()
-    t = _times(times)
     one_of(on_singular, ("pass", "warn", "stop"), "on_singular")
     checks.check_bodies(model)
+    with told_of_memory(model, "kinematics"):
+        return _motion(model, _times(times), on_singular)
+
+
+def _motion(model: Model, t: Floats, on_singular: Literal["pass", "warn", "stop"]) -> Result:
+    began = time.perf_counter()
     checks.warn_of_opposed_axes(model, model.compiled().q0)
     checks.check_tables(model, float(t[-1]))
     continuation = Continuation(Equations(model), float(t[-1]))

@@ -8,6 +8,7 @@ sees. Whether it makes a difference what a function finds there, see `recall`.
 from __future__ import annotations
 
 import builtins
+import ctypes
 import dis
 import functools
 import hashlib
@@ -21,6 +22,7 @@ import numpy as np
 from linkwork.fingerprints import is_users
 from linkwork.functions.calls import Calls
 from linkwork.running.kept import is_opaque, names_in
+from linkwork.running.places import is_from_c
 
 if TYPE_CHECKING:
     from linkwork.modeling.model import Model
@@ -63,6 +65,9 @@ def _digest(function: Any, pickles: dict[int, tuple[Any, bytes]]) -> bytes:
     while todo:
         it = todo.pop()
         if _opaque(it):
+            continue
+        if is_from_c(it):
+            digest.update(ctypes.string_at(ctypes.addressof(it), ctypes.sizeof(it)))
             continue
         found = _inside(it)
         try:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any
 
@@ -39,7 +40,15 @@ from linkwork.running.schedule import Adaptive, Fixed
 from linkwork.running.time_scale import size
 from linkwork.running.written import Written
 
-__all__ = ["ErrorEstimator", "apply_policy", "no_second_run", "of_memory", "strict", "warn_of_memory"]
+__all__ = [
+    "ErrorEstimator",
+    "apply_policy",
+    "no_second_run",
+    "of_memory",
+    "strict",
+    "told_of_memory",
+    "warn_of_memory",
+]
 
 #: Takes the steps of integrators of the user's own again.
 TRUSTED = "dop853"
@@ -315,6 +324,23 @@ def of_memory(names: Sequence[str], seen: str = "") -> str:
         "method, and how far the motion is off is not known: let an event change what lasts, as samples of a "
         "controller (lw.Event, change=)"
     )
+
+
+@contextmanager
+def told_of_memory(model: Model, what: str) -> Iterator[None]:
+    """Around an analysis. LinkworkWarning: functions of the model that it calls remember calls."""
+    functions, written = model._calls, Written(calls.function for _, calls in model._calls)
+    for _, calls in functions:
+        calls.forget()
+    yield
+    with Kept(calls.function for _, calls in functions):
+        found = recall.call_again(functions, began=written.began, own=written.parts(Kept([])))
+    if found.remember:
+        listed = ", ".join(f"'{name}'" for name in found.remember[:3])
+        warn(
+            f"{what}: {listed}: remembers calls ({found.example}), so that what it returns depends on the "
+            "times that are asked for, and on what was called before"
+        )
 
 
 def warn_of_memory(verdict: Verdict | None) -> None:

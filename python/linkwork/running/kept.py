@@ -28,7 +28,7 @@ from typing import Any
 import numpy as np
 
 from linkwork.fingerprints import is_users
-from linkwork.running.places import Named, Place, place_of
+from linkwork.running.places import Named, Place, is_from_c, place_of
 
 __all__ = ["Kept", "Parts", "is_opaque", "names_in"]
 
@@ -56,6 +56,9 @@ _LOCKS = ("_multiprocessing", "_thread")
 _WRAPPERS = (types.MethodType, staticmethod, classmethod, functools.partial, property)
 _PROXIES = (weakref.ProxyType, weakref.CallableProxyType)
 _CODE = (types.FunctionType, types.BuiltinFunctionType, types.ModuleType, type)
+
+#: With these a function reads or writes what its texts name.
+_BY_TEXT = {"globals", "getattr", "setattr", "delattr", "vars", "__dict__"}
 
 #: Of places what was written to: the key of one, and a part of it.
 Parts = set[tuple[Hashable, Hashable]]
@@ -156,12 +159,12 @@ class Kept(AbstractContextManager["Kept"]):
         kind = type(it)
         if kind in _PROXIES:
             return self._proxy(it)
-        if (
-            isinstance(it, CONSTANT)
-            or id(it) in self._seen
-            or (found := place_of(it)) is None
-            and is_opaque(it)
-        ):
+        if isinstance(it, CONSTANT) or id(it) in self._seen:
+            return
+        found = place_of(it)
+        if found is None and is_opaque(it):
+            if hasattr(kind, "_numba_type_") or kind.__module__.startswith("numba.typed"):  # holds numbers
+                self._unknown(it)
             return
         self._seen[id(it)] = it
         if isinstance(it, types.FunctionType):
@@ -177,7 +180,7 @@ class Kept(AbstractContextManager["Kept"]):
             if place is not None:
                 self._places[id(it)] = place
             self._todo += _worth_a_look(inside)
-            if hasattr(it, "__dict__") or is_users(kind.__module__):
+            if not is_from_c(it) and (hasattr(it, "__dict__") or is_users(kind.__module__)):
                 self._object(it)
         elif isinstance(it, tuple | frozenset):
             self._todo += it
@@ -199,7 +202,9 @@ class Kept(AbstractContextManager["Kept"]):
         if _is_installed(it):
             return
         names, known = names_in(it.__code__), it.__globals__
-        for name in names & known.keys() | (texts_in(it.__code__) if "globals" in names else frozenset()):
+        texts = texts_in(it.__code__) if names & _BY_TEXT else frozenset()
+        names |= texts
+        for name in names & known.keys() | (texts if "globals" in names else frozenset()):
             self._entry(known, name)
             self._module(known.get(name), names)
 
@@ -317,6 +322,8 @@ def _is_installed(function: types.FunctionType) -> bool:
 def is_opaque(it: Any) -> bool:
     """What keeps no numbers of the user's: compiled functions, parts of a model."""
     package, _, rest = type(it).__module__.partition(".")
+    if is_from_c(it):
+        return False
     return (
         isinstance(it, np.ufunc)
         or package in _COMPILED

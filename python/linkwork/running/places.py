@@ -16,7 +16,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-__all__ = ["ALL", "LARGE", "Named", "Place", "place_of"]
+__all__ = ["ALL", "LARGE", "Named", "Place", "is_from_c", "place_of"]
 
 #: A part of a place: all of it. Others are keys and numbers of elements.
 ALL = ("all of it",)
@@ -227,7 +227,7 @@ def _whole(it: Any) -> _Whole | None:
         return _Whole(lambda: it.state, lambda then: setattr(it, "state", then))
     if isinstance(it, contextvars.ContextVar):
         return _Whole(lambda: it.get(_NONE), lambda then: None if then == _NONE else it.set(then))
-    if isinstance(it, _FROM_C) and not isinstance(it, ctypes._CFuncPtr):  # type: ignore[attr-defined]
+    if is_from_c(it):
         size = ctypes.sizeof(it)
         return _Whole(
             lambda: ctypes.string_at(ctypes.addressof(it), size),
@@ -239,6 +239,11 @@ def _whole(it: Any) -> _Whole | None:
 def _refill(it: set[Any], content: set[Any]) -> None:
     it.clear()
     it.update(content)
+
+
+def is_from_c(it: Any) -> bool:
+    """A number, an array or a structure of ctypes."""
+    return isinstance(it, _FROM_C) and not isinstance(it, ctypes._CFuncPtr)  # type: ignore[attr-defined]
 
 
 #: Of a context variable that has no value.
