@@ -11,7 +11,7 @@ import pickle
 import random
 import types
 from collections import OrderedDict, deque
-from collections.abc import Callable, Hashable, Iterable
+from collections.abc import Callable, Collection, Hashable, Iterable
 from typing import Any, Protocol
 
 import numpy as np
@@ -76,9 +76,9 @@ class _Entries:
         return _Entries(self._it)
 
     def changed(self) -> set[Hashable]:
-        now, then = dict.copy(self._it), self._then
-        if _same(now, then) and _same(now.values(), then.values()):
+        if self._is_same():
             return set()
+        now, then = dict.copy(self._it), self._then
         keys = now.keys() | then.keys()
         return {it for it in keys if now.get(it, _MISSING) is not then.get(it, _MISSING)} or {ALL}
 
@@ -86,7 +86,7 @@ class _Entries:
         it, then = self._it, self._then
         kind: Any = OrderedDict if isinstance(it, OrderedDict) else dict
         if parts is None or ALL in parts:
-            if not (_same(list(it), then) and _same(dict.copy(it).values(), then.values())):
+            if not self._is_same():
                 kind.clear(it)
                 kind.update(it, then)
             return
@@ -95,6 +95,11 @@ class _Entries:
                 kind.__setitem__(it, key, then[key])
             elif dict.__contains__(it, key):
                 kind.__delitem__(it, key)
+
+    def _is_same(self) -> bool:
+        return _same(dict.keys(self._it), self._then.keys()) and _same(
+            dict.values(self._it), self._then.values()
+        )
 
 
 class _Row:
@@ -250,7 +255,6 @@ def is_from_c(it: Any) -> bool:
 _NONE = ("nothing",)
 
 
-def _same(now: Iterable[Any], then: Iterable[Any]) -> bool:
+def _same(now: Collection[Any], then: Collection[Any]) -> bool:
     """The very same objects, in this order."""
-    first, second = list(now), list(then)
-    return len(first) == len(second) and all(map(operator.is_, first, second))
+    return len(now) == len(then) and all(map(operator.is_, now, then))

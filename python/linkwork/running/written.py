@@ -11,7 +11,7 @@ from linkwork.running.kept import Kept, Parts
 __all__ = ["Written"]
 
 #: Entries and elements that are looked at as events come; after them nobody knows what is written between.
-MOST = 20_000_000
+MOST = 10_000_000
 
 
 class Written:
