@@ -470,3 +470,20 @@ def test_kinematics_says_that_a_law_remembers() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error", lw.LinkworkWarning)
         lw.inverse_dynamics(driven(lambda t, angle, rate: -3.0 * angle), np.linspace(0, 0.5, 41))
+
+
+def test_a_sweep_gives_back_what_is_held_beside_a_lock_and_says_nothing() -> None:
+    lock, held = threading.Lock(), [0.0]
+
+    def law(t: float, angle: float, rate: float) -> float:
+        with lock:
+            return held[0]
+
+    def sample(t: float, state: Any) -> None:
+        held[0] = -2.0 - state.body("bar").omega[1]
+
+    clock = lw.Event(lambda t, state: np.sin(20 * np.pi * t + 0.1), "clock", change=sample)
+    how: Any = {"rtol": 1e-6, "step": 0.02, "events": clock, "processes": 1, "progress": False}
+    study = lw.sweep(lambda gain: _held_by(law), {"gain": [1.0, 2.0]}, "final", t_end=0.2, **how)
+    found = study.outputs["final.q"]
+    assert np.array_equal(found[0], found[1]) and held == [0.0] and not study.remarks

@@ -21,7 +21,7 @@ import numpy as np
 
 from linkwork.fingerprints import is_users
 from linkwork.functions.calls import Calls
-from linkwork.running.kept import is_opaque, names_in
+from linkwork.running.kept import CONSTANT, is_opaque, names_in
 from linkwork.running.places import is_from_c
 
 if TYPE_CHECKING:
@@ -80,6 +80,8 @@ def _digest(function: Any, pickles: dict[int, tuple[Any, bytes]]) -> bytes:
                     digest.update(pickles[id(it)][1])
                 continue
         except Exception:  # whatever an object of the user's raises
+            if isinstance(it, CONSTANT):  # a lock, a logger
+                continue
             found = _parts(it)
             if found is None:
                 return UNKNOWN
@@ -202,6 +204,8 @@ def _parts(it: Any) -> list[Any] | None:
         return [*it.keys(), *it.values()]
     if isinstance(it, list | tuple | set | frozenset):
         return list(it)
+    if isinstance(it, memoryview):
+        return [bytes(it)]
     return list(vars(it).values()) if hasattr(it, "__dict__") else None
 
 

@@ -30,7 +30,7 @@ import numpy as np
 from linkwork.fingerprints import is_users
 from linkwork.running.places import Named, Place, is_from_c, place_of
 
-__all__ = ["Kept", "Parts", "is_opaque", "names_in"]
+__all__ = ["CONSTANT", "Kept", "Parts", "is_opaque", "names_in"]
 
 #: Nothing in them can be written to that functions compute with, nor do they hold anything that can be.
 CONSTANT = (
