@@ -58,8 +58,8 @@ def kinematics(
     which the message names with its time; the error's `result` is the motion up to there.
     SingularSystemError: a singular pose with on_singular="stop", or at the start of a large model.
     OptionError: times, or a function of time that is not known there. LinkworkWarning: a singular pose was
-    passed; the velocity of a driver jumps, by an impulse that multipliers and reactions are without; functions of
-    the model remember calls.
+    passed; the velocity of a driver jumps, by an impulse that multipliers and reactions are without;
+    functions of the model remember calls.
     """
     one_of(on_singular, ("pass", "warn", "stop"), "on_singular")
     checks.check_bodies(model)
