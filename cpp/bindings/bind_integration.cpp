@@ -170,7 +170,7 @@ void bind_events(py::module_& module) {
   using Change = std::function<std::pair<VectorXd, bool>(double, const VectorXd&)>;
   py::class_<Event>(module, "Event", "What happens when a function of (t, y) passes through zero; y = (q, v).")
       .def(py::init([](std::string name, std::function<double(double, const VectorXd&)> function, int direction,
-                       bool terminal, std::optional<Change> change, double tolerance) {
+                       bool terminal, std::optional<Change> change, std::optional<double> tolerance) {
              Event event{std::move(name), std::move(function), direction, terminal, {}, tolerance};
              if (change)
                event.change = [change = std::move(*change)](double t, const VectorXd& y) {

@@ -510,12 +510,12 @@ class Event:
             tuple[typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"], bool],
         ]
         | None,
-        tolerance: typing.SupportsFloat | typing.SupportsIndex,
+        tolerance: typing.SupportsFloat | typing.SupportsIndex | None,
     ) -> None: ...
     @property
     def name(self) -> str: ...
     @property
-    def signature(self) -> tuple[int, bool, bool, float]:
+    def signature(self) -> tuple[int, bool, bool, float | None]:
         """
         What beside its functions decides on the steps: direction, terminal, whether it has a change, tolerance.
         """

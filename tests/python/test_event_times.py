@@ -120,3 +120,20 @@ def test_a_run_goes_on_after_a_terminal_event_where_the_motion_is_not_smooth(
         rest = run(make(time), time + 0.01, event, start=start if resumed else start._replace(resume=None))
         assert rest.t[-1] == time + 0.01
         assert not rest.events
+
+
+@pytest.mark.parametrize("period", [1e3, 1.0, 1e-3, 1e-6, 1e-9, 1e-12])
+def test_bounces_are_found_whatever_the_unit_of_time(period: float) -> None:
+    """From 1/2 m, at restitution 0.7, with a gravity that lets 1 m take one `period` [s]."""
+    gravity = 2.0 / period**2
+    model = lw.Model(gravity=(0, 0, -gravity))
+    model.body("ball", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0, 0, 0.5))
+
+    def bounce(t: float, state: lw.State) -> None:
+        state.body("ball").velocity[2] *= -0.7
+
+    floor = lw.Event(lambda t, state: state.body("ball").position[2], direction=-1, change=bounce)
+    result = run(model, 3 * period, floor, 1e-10)
+    first = np.sqrt(0.5)
+    expected = first + 2 * first * np.cumsum([0.0, 0.7, 0.49, 0.343])
+    assert np.array([it.t for it in result.events]) / period == pytest.approx(expected, rel=1e-8)

@@ -156,6 +156,7 @@ void AdaptiveSimulation::begin() {
   if (finished_) return;
   with_time(t_, NAN, [&] {
     step_ = initial_step();
+    watch_.expect(step_);
     watch_.start_after(dynamics_.system(), t_, y_, rates_, schedule_.happened);
   });
 }
@@ -630,15 +631,15 @@ void AdaptiveSimulation::finish_event(double t_before) {
     return std::any_of(schedule_.happened.begin(), schedule_.happened.end(), same);
   };
   bool known = repeating() && t_ <= start_;
-  const auto at_start = [this](const Event& event) {  // of a step that begins there
-    return t_ - start_ <= event.resolution() + rounding * std::abs(t_);
+  const auto at_start = [this](std::size_t event) {  // of a step that begins there
+    return t_ - start_ <= watch_.resolution(event) + rounding * std::abs(t_);
   };
   with_time(t_, NAN, [&] { find_drift(); });
   for (const EventWatch::Found& it : stops_) {
     const Event& event = watch_.event(it.event);
     ends = ends || event.terminal;
     if (event.change) with_time(t_, NAN, [&] { ends = apply(event, *occurrence) || ends; });
-    if (resumed() && came(it.event) && (t_before < start_ ? repeating() : at_start(event))) {
+    if (resumed() && came(it.event) && (t_before < start_ ? repeating() : at_start(it.event))) {
       known = true;
       occurrence->t = start_;  // which is listed already
     }
@@ -649,7 +650,7 @@ void AdaptiveSimulation::finish_event(double t_before) {
 
 void AdaptiveSimulation::check_accumulation() {
   const double interval = t_ - last_stop_;
-  const bool vanishes = interval <= watch_.event(stops_.front().event).resolution();
+  const bool vanishes = interval <= watch_.resolution(stops_.front().event);
   shorter_ = vanishes || interval <= shorter * last_interval_ ? shorter_ + 1 : 0;
   if (shorter_ == 0) shorter_since_ = last_stop_;
   last_stop_ = t_;

@@ -17,8 +17,9 @@ constexpr std::array<double, 14> places = {0x1p-22, 0x1p-20, 0x1p-18, 0x1p-16, 0
                                            0x1p-8,  0x1p-6,  0x1p-4,  0.25,    0.5,     0.75,    1.0};
 constexpr std::size_t usual_places = 4;
 
-constexpr double line = 1e-7;           // of the size of q: for differences of an event's function
-constexpr double roundoff = 1e-15;      // likewise, and of that of v
+constexpr double finest = 1e-12, part_of_step = 1e-9;  // of times of events [s], and of the longest step
+constexpr double line = 1e-7;                          // of the size of q: for differences of an event's function
+constexpr double roundoff = 1e-15;                     // likewise, and of that of v
 constexpr double on_constraints = 0.1;  // of what a function changes by in that line: less is what corrections leave
 constexpr double slowest = 1e4;         // times that it was faster before
 constexpr double leaving = 16.0;        // times as long as a time is known: what a barrier has turned back has left
@@ -32,7 +33,8 @@ void check(const Event& event) {
   const auto refuse = [&](const std::string& why) { throw OptionError("event", "event '" + event.name + "': " + why); };
   if (!event.function) refuse("has no function");
   if (event.direction < -1 || event.direction > 1) refuse("the direction must be 1 (rising), -1 (falling) or 0 (both)");
-  if (!(event.tolerance >= 0.0) || !std::isfinite(event.tolerance)) refuse("the tolerance must not be negative");
+  if (event.tolerance && !(*event.tolerance >= 0.0 && std::isfinite(*event.tolerance)))
+    refuse("the tolerance must not be negative");
 }
 
 }  // namespace
@@ -71,14 +73,20 @@ void EventWatch::take_signs(double t, const VectorXd& y) {
   for (std::size_t k = 0; k < events_.size(); ++k) last_value_[k] = value(k, t, y);
 }
 
+double EventWatch::tolerance(std::size_t index) const {
+  return events_[index].tolerance.value_or(std::min(finest, part_of_step * longest_));
+}
+
+double EventWatch::resolution(std::size_t index) const { return std::min(tolerance(index), finest); }
+
 /// How much later others may come to come with it.
 double EventWatch::resolved(std::size_t index, double t) const {
-  return events_[index].tolerance + 4.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
+  return tolerance(index) + 4.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
 }
 
 /// How exactly its time is known.
 double EventWatch::found_within(std::size_t index, double t) const {
-  return events_[index].resolution() + 4.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
+  return resolution(index) + 4.0 * std::numeric_limits<double>::epsilon() * std::abs(t);
 }
 
 /// Of a function of velocities, by that of these.
@@ -224,6 +232,7 @@ double EventWatch::change_along(const System& system, std::size_t index, double 
 const std::vector<EventWatch::Found>& EventWatch::scan(const Interpolant& step, const System& system, double t,
                                                        double h, bool last) {
   found_.clear();
+  expect(h);
   std::fill(last_theta_.begin(), last_theta_.end(), 0.0);
   double from = 0.0;
   for (std::size_t place = fresh_ ? 0 : places.size() - usual_places; place < places.size(); ++place) {
@@ -273,7 +282,7 @@ void EventWatch::scan_piece(const Interpolant& step, const System& system, doubl
       const double a = std::min(last_theta_[k], from), fa = a == 0.0 ? at(a) : last_value;
       // A sample of zero between the two has no sign, and at the start of a step the interpolant may round otherwise.
       const bool at_a = (fa < 0.0) == (now < 0.0) || fa == 0.0;
-      const double theta = found == 0.0 ? to : at_a ? a : brent(at, a, fa, to, now, events_[k].resolution() / h);
+      const double theta = found == 0.0 ? to : at_a ? a : brent(at, a, fa, to, now, resolution(k) / h);
       found_.push_back({k, theta, now > 0.0 ? 1.0 : -1.0});
     }
     last_value_[k] = now;

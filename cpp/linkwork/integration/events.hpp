@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,11 +25,10 @@ struct Event {
   int direction = 0;                                           ///< 1: rising, -1: falling, 0: both
   bool terminal = false;                                       ///< ends the run
   std::function<Changed(double t, const VectorXd& y)> change;  ///< empty: the state stays the same
-  double tolerance = 1e-12;  ///< within which events come together [s], beside roundoff
+  /// Within which events come together [s], beside roundoff; none: EventWatch chooses it.
+  std::optional<double> tolerance = {};
 
   bool stops() const { return terminal || change; }  ///< ends the step
-  /// How exactly its time is found, beside roundoff [s].
-  double resolution() const { return tolerance < 1e-12 ? tolerance : 1e-12; }
 };
 
 /// An event that came: when [s], and the states y = (q, v) before and after it.
@@ -56,7 +57,8 @@ struct Happened {
 /// than that, their drift, counts as zero until the motion has left it. Other events whose functions are as near to zero
 /// have the sign from which they came. How fast functions change is asked by moving q and v along the motion.
 ///
-/// Events as little later as the tolerance of their times come with it.
+/// Events as little later as the tolerance of their times come with it: 1e-12 s, or 1e-9 of the longest step where that
+/// is less, as in motions of nanoseconds.
 class EventWatch {
  public:
   /// OptionError: an event without a function, with a direction other than -1, 0, 1, or a negative tolerance.
@@ -70,6 +72,10 @@ class EventWatch {
 
   bool empty() const { return events_.empty(); }
   const Event& event(std::size_t index) const { return events_[index]; }
+  /// The next step is about so long [s].
+  void expect(double step) { longest_ = std::max(longest_, step); }
+  /// How exactly the time of an event is found, beside roundoff [s].
+  double resolution(std::size_t index) const;
 
   /// Takes the signs at (t, y), y = (q, v, work), where a motion begins: there the last event may have been, so that what
   /// is zero up to roundoff has none.
@@ -89,7 +95,7 @@ class EventWatch {
   const std::vector<Found>& scan(const Interpolant& step, const System& system, double t, double h, bool last = false);
 
   /// Between steps.
-  void keep(Archive& archive) { archive(last_value_, fresh_, barrier_t_, left_t_, zero_, stayed_); }
+  void keep(Archive& archive) { archive(last_value_, fresh_, barrier_t_, left_t_, zero_, stayed_, longest_); }
 
  private:
   void take_signs(double t, const VectorXd& y);
@@ -101,6 +107,7 @@ class EventWatch {
   void restart_happened(const System& system, double t, const VectorXd& before, const VectorXd& y,
                         const Found& happened);
   void restart_other(const System& system, std::size_t k, double t, const VectorXd& before, double last_value);
+  double tolerance(std::size_t index) const;
   double resolved(std::size_t index, double t) const;
   double found_within(std::size_t index, double t) const;
   double rounding(const System& system, std::size_t index, double t, const VectorXd& y);
@@ -111,6 +118,7 @@ class EventWatch {
   std::vector<Event> events_;
   std::vector<double> last_value_, last_theta_;  ///< of the last sample that was not zero
   std::vector<Found> found_;
+  double longest_ = 0.0;           ///< step so far [s]
   bool fresh_ = false;             ///< an event has just ended a step
   std::vector<double> barrier_t_;  ///< when it came, of the last events that ended a step, if the change was a barrier
   std::vector<double> left_t_;     ///< until when what the barrier turned back may still be there

@@ -107,7 +107,7 @@ class Event:
                goes to the constraints with the least change in the metric of the masses: joints answer an
                impulse on one body with impulses of their own. The run goes on from there, or ends there where
                `change` returns True
-    tolerance  of the time [s], beside roundoff
+    tolerance  of the time [s], beside roundoff; None: 1e-12 s, or 1e-9 of the longest step where that is less
 
     A step is looked at in four places: an event between two of which the function returns to its sign is
     not seen; `step` in `simulate` limits them. A value of zero at the start of a run is no event, at its very
@@ -122,7 +122,7 @@ class Event:
     direction: int = 0
     terminal: bool = False
     change: Callable[[float, State], bool | None] | None = None
-    tolerance: float = 1e-12
+    tolerance: float | None = None
 
     @property
     def label(self) -> str:
@@ -141,7 +141,7 @@ class Event:
             raise OptionError(f"{who}: direction {self.direction!r:.80} is not -1, 0 or 1", code="event")
         if not isinstance(self.terminal, bool | np.bool_):
             raise OptionError(f"{who}: terminal {self.terminal!r:.80} is not True or False", code="event")
-        if not is_number(self.tolerance) or self.tolerance < 0:
+        if self.tolerance is not None and (not is_number(self.tolerance) or self.tolerance < 0):
             raise OptionError(
                 f"{who}: tolerance {self.tolerance!r:.80} must be zero or positive [s]", code="event"
             )
