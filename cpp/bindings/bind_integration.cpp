@@ -225,6 +225,21 @@ py::dict balance_to_dict(LaneRun& run) {
   return out;
 }
 
+py::list to_python(const std::vector<PassedTouch>& touches, const System& system) {
+  py::list out;
+  for (const PassedTouch& it : touches) {
+    const int contact = system.switches()[static_cast<std::size_t>(it.which)];
+    py::dict one;
+    one["contact"] = contact < 0 ? std::string() : system.history_element(contact);
+    one["t"] = it.t;
+    one["until"] = it.until;
+    one["speed"] = it.speed;
+    one["steps"] = it.steps;
+    out.append(one);
+  }
+  return out;
+}
+
 /// What the verdict of a member of an ensemble is made of.
 void bind_lane_runs(py::module_& module) {
   py::class_<LaneRun>(module, "LaneRun", "What the verdict of a member of an ensemble is made of, as that of a Run.")
@@ -241,6 +256,8 @@ void bind_lane_runs(py::module_& module) {
           py::arg("times"))
       .def_property_readonly("t", [](const LaneRun& run) { return run.t; })
       .def_property_readonly("steps_done", [](const LaneRun& run) { return run.steps; })
+      .def_property_readonly("passed_touches",
+                             [](const LaneRun& run) { return to_python(run.touches.passed(), run.dynamics.system()); })
       .def_property_readonly("energies", [](const LaneRun& run) { return to_python(run.sampling.energies()); })
       .def("take_balance", &balance_to_dict, "Energies by name as in frames, which are handed over.")
       .def("relative_violation", exclusive(&relative_violation_of_lane))
@@ -297,6 +314,13 @@ void bind_runs(py::module_& module) {
   bind_checkpoints(run);
 }
 
+py::dict statistics_of_fixed_steps(const Simulation& run) {
+  py::dict out = run_statistics(run);
+  if (py::list passed = to_python(run.passed_touches(), run.dynamics().system()); !passed.empty())
+    out["passed_touches"] = passed;
+  return out;
+}
+
 void bind_fixed_steps(py::module_& module) {
   py::class_<Simulation, Run>(module, "Simulation", "A run with a fixed step.")
       .def(py::init([](Dynamics& dynamics, const py::object& integrator, double t_end, double step,
@@ -313,6 +337,7 @@ void bind_fixed_steps(py::module_& module) {
            py::arg("dynamics"), py::arg("integrator"), py::arg("t_end"), py::arg("step"), py::arg("record_every") = 1,
            py::arg("t_start") = 0.0, py::arg("start") = VectorXd(), py::arg("breaks") = std::vector<double>(),
            py::keep_alive<1, 2>())
+      .def("statistics", &statistics_of_fixed_steps)
       .def("begin_step", exclusive(+[](Simulation& simulation) {
              const double h = simulation.begin_step();
              return py::make_tuple(simulation.t(), VectorXd(simulation.y().head(simulation.y().size() - 1)), h);

@@ -630,6 +630,8 @@ class LaneRun:
     @property
     def energies(self) -> tuple: ...
     @property
+    def passed_touches(self) -> list: ...
+    @property
     def steps_done(self) -> int: ...
     @property
     def t(self) -> float: ...
@@ -1181,6 +1183,7 @@ class Simulation(Run):
         """
         (t, y, h) of the step that begins; h = 0 at the end.
         """
+    def statistics(self) -> dict: ...
 
 class SolverInfo:
     """

@@ -59,3 +59,29 @@ def test_what_is_thrown_at_a_ceiling_comes_back_by_its_law(gap: float, pair: str
     rise, contact = (4 - met) / g, (np.pi - 2 * np.arctan(g / omega / met)) / omega
     result = end(model, 0.9, pair)
     assert result.v[-1, 0, 2] == pytest.approx(-met - g * (0.9 - rise - contact), abs=1e-5)
+
+
+@pytest.mark.parametrize("beside", [0.0, 0.015])
+def test_fixed_steps_tell_where_bodies_pass_through_each_other(beside: float) -> None:
+    result = lw.simulate(two_spheres(5.13, beside), 1.0, 0.02, on_inaccurate="pass", progress=False)
+    assert result.v[-1, 1, 0] == 0.0  # as nothing stopped the other
+    assert result.verdict.level == "wrong"
+    assert "pass through each other at contact 'sphere_sphere_contact 1' at t = 0.5 s" in str(result.verdict)
+    (passed,) = result.statistics["passed_touches"]
+    assert (passed["t"], passed["steps"]) == (pytest.approx(0.5), 1)
+    with pytest.warns(lw.LinkworkWarning, match="pass through each other"):
+        lw.simulate(two_spheres(5.13, beside), 1.0, 0.02, progress=False)
+
+
+@pytest.mark.parametrize("beside", [2.001 * RADIUS, 0.1])
+def test_fixed_steps_tell_nothing_of_bodies_that_pass_by(beside: float) -> None:
+    result = lw.simulate(two_spheres(5.13, beside), 1.0, 0.02, progress=False)
+    assert result.verdict.level == "good"
+    assert "passed_touches" not in result.statistics
+
+
+def test_members_of_ensembles_tell_it_too() -> None:
+    models = [two_spheres(5.13, beside) for beside in (0.0, 0.005, 0.1)]
+    found = lw.simulate_many(models, None, 1.0, 0.02, threads=1, on_inaccurate="pass", progress=False)
+    assert found.alone == {}
+    assert [found.member(k).verdict.level for k in range(3)] == ["wrong", "wrong", "good"]

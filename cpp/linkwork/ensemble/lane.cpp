@@ -27,7 +27,12 @@ FixedSteps::FixedSteps(double t_end, double step, std::int64_t record_every, std
 }
 
 LaneRun::LaneRun(Dynamics& mechanism, const FixedSteps& steps, bool keeps_balance)
-    : dynamics(mechanism), fixed_steps(steps), balanced(keeps_balance), sampling(mechanism), y(mechanism.initial_y()) {
+    : dynamics(mechanism),
+      fixed_steps(steps),
+      balanced(keeps_balance),
+      sampling(mechanism),
+      touches(mechanism),
+      y(mechanism.initial_y()) {
   sampling.expect(steps.count());
 }
 
@@ -121,6 +126,12 @@ void Lane::balance(std::int64_t step, const VectorXd& y, double potential) {
 
 void Lane::sample(const VectorXd& y, double kinetic, double potential, const VectorXd& switches) {
   if (run_) run_->sampling.before(dynamics_, y, kinetic, potential, switches);
+}
+
+void Lane::look_for_touches(double t, double h, const VectorXd& y, const VectorXd& y_new, const VectorXd& switches) {
+  if (!run_ || switches.size() == 0) return;
+  if (h == 0.0 || leaping_ || leapt_) return run_->touches.restart(switches);
+  guarded(t, [&] { run_->touches.pass(t, h, y, y_new, switches); });
 }
 
 void Lane::sample_step(double t, double h, const VectorXd& y, const VectorXd& y_new, const Rates& rates) {

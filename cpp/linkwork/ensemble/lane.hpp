@@ -15,6 +15,7 @@
 #include "linkwork/integration/recorder.hpp"
 #include "linkwork/integration/run_judge.hpp"
 #include "linkwork/integration/step_sampling.hpp"
+#include "linkwork/integration/touch_monitor.hpp"
 
 namespace linkwork {
 
@@ -62,6 +63,7 @@ struct LaneRun {
   bool balanced;
   EnergyFrames balance;  ///< for runs whose frames are too few to see it
   StepSampling sampling;
+  TouchMonitor touches;
   double t = 0.0;
   VectorXd y;  ///< at t, the end
   std::int64_t steps = 0;
@@ -134,6 +136,8 @@ class Lane {
   LaneRun* run() const { return run_; }
   /// For the verdict.
   void sample(const VectorXd& y, double kinetic, double potential, const VectorXd& switches);
+  /// The same of the step h from (t, y) to y_new, where the switches are these; h = 0: there was none.
+  void look_for_touches(double t, double h, const VectorXd& y, const VectorXd& y_new, const VectorXd& switches);
   void sample_step(double t, double h, const VectorXd& y, const VectorXd& y_new, const Rates& rates);
   /// Singular poses ahead of a step from the state y. `factors`, where there are any, spare the lane its own.
   void look_ahead(std::int64_t at, const FixedSteps& steps, const Speeds& speeds, const VectorXd& y,

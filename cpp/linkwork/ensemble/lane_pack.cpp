@@ -195,6 +195,8 @@ void LanePack::begin_lane(int l, std::int64_t step) {
     lane.watch_limits(t, Phi_, Phi_dot_);
   }
   if (lane.alive() && steps_.records(step)) lane.record(t, steps_.frame_time(step), y, last);
+  if (lane.judged() && step == 0) lane.look_for_touches(t, 0.0, y, y, stepper_.switches(l));
+  else if (lane.judged()) look_for_touches(l, step);
   const double potential = stepper_.potential(l);
   if (lane.alive()) lane.balance(step, y, potential);
   if (!lane.stepping()) return;
@@ -212,6 +214,12 @@ void LanePack::begin_lane(int l, std::int64_t step) {
   if (!lane.moves()) return;
   lane.move(step, y);
   watches_.hand_on(l, lane);
+}
+
+/// Of the step before.
+void LanePack::look_for_touches(int l, std::int64_t step) {
+  const double t = steps_.time(step - 1), h = steps_.size(step - 1);
+  lanes_[l]->look_for_touches(t, h, watches_.state_before(l), watches_.state(l), stepper_.switches(l));
 }
 
 void LanePack::finish_step(std::int64_t step) {

@@ -44,6 +44,7 @@ class LanePack final : private LaneGuard {
   void begin_step(std::int64_t step);
   void hold(std::int64_t step);
   void continue_lane(int l, std::int64_t step);
+  void look_for_touches(int l, std::int64_t step);
   void begin_lane(int l, std::int64_t step);
   void set_state(int l, const VectorXd& y);
   bool usual_in_redundant_rows(int l) const;

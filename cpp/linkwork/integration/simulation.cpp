@@ -27,7 +27,8 @@ Simulation::Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrato
       schedule_(schedule),
       divergence_(dynamics.system()),
       breaks_(dynamics.system().model(), schedule.breaks),
-      crossing_(dynamics) {
+      crossing_(dynamics),
+      touches_(dynamics) {
   if (!(schedule.step > 0.0) || !std::isfinite(schedule.step))
     throw OptionError("step", "step must be positive and finite");
   if (!(schedule.t_end >= 0.0) || !std::isfinite(schedule.t_end))
@@ -191,12 +192,20 @@ void Simulation::evaluate_and_record() {
   if (evaluated_) return;
   dynamics_.evaluate(time_of(steps_done_), y_);
   look_where_steps_are_long(y_.size());
+  look_for_touches();
   accept_state();
   if (!leaping_) monitor_violation(t());
   evaluated_ = true;
   if (!integrator_) add_work();
   if (recording_due()) record();
   leapt_ = false;
+}
+
+void Simulation::look_for_touches() {
+  const VectorXd& switches = dynamics_.evaluation().switches;
+  if (leapt_ || steps_done_ == 0) return touches_.restart(switches);
+  const double t = time_of(steps_done_ - 1);
+  touches_.pass(t, time_of(steps_done_) - t, kept_y_, y_, switches);
 }
 
 /// StepSizeError: an angle has turned so far that full turns cannot be counted.

@@ -9,6 +9,7 @@
 #include "linkwork/integration/divergence.hpp"
 #include "linkwork/integration/integrator.hpp"
 #include "linkwork/integration/run.hpp"
+#include "linkwork/integration/touch_monitor.hpp"
 
 namespace linkwork {
 
@@ -31,6 +32,7 @@ class Simulation final : public Run {
   double t() const override;
   const VectorXd& last_state() const override { return kept_y_; }
   std::int64_t steps_total() const override { return steps_total_ - start_step_; }
+  const std::vector<PassedTouch>& passed_touches() const { return touches_.passed(); }
 
   // For an integrator of the user's own: begin_step, then accept with the new (q, v).
   /// Size of the step that begins here; 0 at the end.
@@ -54,6 +56,7 @@ class Simulation final : public Run {
   bool same(double a, double b) const;
   void go_on_to(double start);
   void evaluate_and_record();
+  void look_for_touches();
   void accept_state();
   void record();
   void finish_step();
@@ -76,6 +79,7 @@ class Simulation final : public Run {
   double given_start_ = NAN;     ///< its start, where that is the end of a step
   BreakPoints breaks_;
   Crossing crossing_;
+  TouchMonitor touches_;
   bool evaluated_ = false;
   bool leaping_ = false;  ///< over a singular pose: states come from the leap
   bool leapt_ = false;    ///< to the present state

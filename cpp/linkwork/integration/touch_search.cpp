@@ -19,7 +19,7 @@ TouchSearch::TouchSearch(const Dynamics& dynamics, double least) : dynamics_(dyn
   q_dot_.resize(dynamics.system().q_size());
 }
 
-void TouchSearch::begin(const VectorXd& y) {
+void TouchSearch::begin(const VectorXd& y, const VectorXd& switches) {
   if (dynamics_.system().switches().empty()) return;
   const auto is_at_y = [&](const Mark& mark) { return mark.y.size() == y.size() && mark.y == y; };
   if (is_at_y(to_)) {
@@ -28,7 +28,7 @@ void TouchSearch::begin(const VectorXd& y) {
     from_.y = y;
     from_.rates.resize(0);
   }
-  from_.values = dynamics_.evaluation().switches;
+  from_.values = switches;
   to_.y.resize(0);
 }
 
@@ -44,10 +44,10 @@ void TouchSearch::find_rates(double t, double seconds, Mark& mark) {
   mark.rates = (at_.switches - mark.values) / seconds;
 }
 
-bool TouchSearch::suspects(double t, double h, const VectorXd& y_new) {
+bool TouchSearch::suspects(double t, double h, const VectorXd& y_new, const VectorXd& switches) {
   suspects_.clear();
   if (dynamics_.system().switches().empty()) return false;
-  to_.values = dynamics_.evaluation().switches;
+  to_.values = switches;
   if (!((from_.values.array() < 0.0) && (to_.values.array() < 0.0)).any()) return false;
   to_.y = y_new;
   if (from_.rates.size() == 0) find_rates(t, beside * h, from_);

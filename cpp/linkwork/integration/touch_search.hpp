@@ -20,12 +20,19 @@ class TouchSearch {
   TouchSearch(const Dynamics& dynamics, double least);
 
   /// A step begins at y, where `dynamics` is evaluated.
-  void begin(const VectorXd& y);
+  void begin(const VectorXd& y) { begin(y, dynamics_.evaluation().switches); }
+  /// The same where its switches are known.
+  void begin(const VectorXd& y, const VectorXd& switches);
   /// It ends at (t + h, y_new), where `dynamics` is evaluated: whether it is worth a search.
-  bool suspects(double t, double h, const VectorXd& y_new);
+  bool suspects(double t, double h, const VectorXd& y_new) {
+    return suspects(t, h, y_new, dynamics_.evaluation().switches);
+  }
+  bool suspects(double t, double h, const VectorXd& y_new, const VectorXd& switches);
 
   /// The values of the switches there.
   const VectorXd& at_begin() const { return from_.values; }
+  /// Of a suspect [1/s].
+  double rate_at_begin(int which) const { return from_.rates[which]; }
   /// Of one, where `dynamics` is evaluated at (t + h, y_new), the end of that step [1/s].
   double rate_at_end(double t, double h, const VectorXd& y_new, int which);
 

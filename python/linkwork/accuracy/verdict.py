@@ -33,8 +33,8 @@ import numpy as np
 from linkwork.arrays import Floats
 
 __all__ = [
-    "LEAST_RTOL", "WRONG", "Energies", "Method", "StepEstimate", "Verdict", "estimate", "leaping", "say",
-    "without_steps",
+    "LEAST_RTOL", "WRONG", "Energies", "Method", "StepEstimate", "Verdict", "estimate", "leaping",
+    "passing", "say", "without_steps",
 ]  # fmt: skip
 
 #: Errors up to here are good, beyond the second the motion is wrong.
@@ -173,6 +173,10 @@ class Energies:
         """Whether nothing moved: then estimates are of rounding."""
         return self._kinetic <= self._rest
 
+    def speed(self, mass: float) -> float:
+        """Of that mass [kg] at the largest kinetic energy [m/s]."""
+        return math.sqrt(2 * self._kinetic / mass) if mass > 0 else 0.0
+
     def error(self, share: float = 1.0, rest: float = 0.0) -> tuple[float, float]:
         """Made or lost, relative to what there was and to all that was exchanged: the first counts.
 
@@ -295,6 +299,27 @@ def leaping(verdict: Verdict, moments: Iterable[tuple[float, str]]) -> Verdict:
             remedy = "give it its breaks (linkwork.functions.with_breaks), or a shorter step"
             return replace(verdict, sentence=f"{leapt}: {remedy}")
     return verdict
+
+
+def passing(verdict: Verdict, passed: Iterable[Mapping[str, Any]], speed: float) -> Verdict:
+    """Says so where fixed steps went over contacts or stops, which no step taken again may have seen.
+
+    passed  of the statistics, with the `speed` at which bodies came nearer [m/s or rad/s]
+    speed   of the mechanism, the largest [m/s]
+    """
+    worst = max(passed, key=lambda it: it["speed"], default=None)
+    if worst is None:
+        return verdict
+    error = min(1.0, worst["speed"] / speed) if speed > 0 else 1.0
+    if error <= GOOD:
+        return verdict
+    error = max(error, verdict.error)
+    what = f"bodies pass through each other at contact '{worst['contact']}'"
+    if not worst["contact"]:
+        what = "bodies pass through a stop"
+    more = f", {worst['steps']} times up to {worst['until']:.5g} s" if worst["steps"] > 1 else ""
+    sentence = f"{what} at t = {worst['t']:.5g} s{more}: the step is too long for their speed; use rtol"
+    return replace(verdict, error=error, level=_level(error), sentence=sentence)
 
 
 def loose(verdict: Verdict, formulation: str) -> Verdict:

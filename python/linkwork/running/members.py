@@ -398,6 +398,7 @@ def _judged(
         counts: dict[str, Any] = {
             **poses,
             "steps": it.run.steps_done,
+            **({"passed_touches": passed} if (passed := it.run.passed_touches) else {}),
             **method.plan.steps_with_breaks(it.stepped.breaks, 0.0),
         }
         return it.estimator.verdict(counts, steps=not method.state_alone), counts
