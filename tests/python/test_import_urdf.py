@@ -470,7 +470,11 @@ def test_coordinates_are_checked() -> None:
         ({"coordinates": {"elbow": "abc"}}, lw.OptionError, "coordinates.'elbow'. 'abc' is not made of num"),
         ({"coordinates": {"elbow": 1j}}, lw.OptionError, "coordinates.'elbow'. 1j is not made of numbers"),
         ({"velocities": {"elbow": "1.5"}}, lw.OptionError, "velocities.'elbow'. '1.5' is no number"),
-        ({"velocities": {"elbow": [[1], [2, 3]]}}, lw.OptionError, "velocities.'elbow'. .* not made of num"),
+        (
+            {"velocities": {"elbow": [[1], [2, 3]]}},
+            lw.OptionError,
+            "velocities.'elbow'. .* rows of different",
+        ),
         *(
             ({"align_axes": angle}, lw.OptionError, f"align_axes {angle!r} is no angle from 0 to 0.785 rad")
             for angle in ("x", float("nan"), -1, 3.2, True)

@@ -395,7 +395,7 @@ def test_reactions_that_are_not_unique_are_dashed_and_marked(
         (lambda r: r.plot(kind="phases"), OptionError, "nearest is 'phase'"),
         (lambda r: r.plot(kind="reactions", joints=["pon 0"]), ModelError, "nearest is 'pin 0'"),
         (lambda r: r.plot("x.nonsense", "energy"), FileError, "nonsense"),
-        (lambda r: r.movie("x.avi"), FileError, "neither .mp4 nor .gif"),
+        (lambda r: r.movie("x.avi"), FileError, "a movie is written to .mp4 or .gif"),
         (lambda r: r.movie("no/x.gif"), FileError, "no such file or directory"),
         (lambda r: r.movie("x.gif", size=(31, 100)), OptionError, "even sizes"),
         (lambda r: r.movie("x.gif", seconds=-1), OptionError, "positive times"),

@@ -71,6 +71,7 @@ def lines(result: Result) -> list[tuple[str, str]]:
         ("events", _events(result)),
         ("breaks", _breaks(result)),
         ("impacts", impacts(result)),
+        ("discs", str(result.statistics.get("lifting_discs", ""))),
         ("singular", _singular(result)),
         ("redundant", _row_changes(result)),
         ("limits", _excesses(result)),

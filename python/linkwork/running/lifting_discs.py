@@ -9,20 +9,20 @@ from __future__ import annotations
 import numpy as np
 
 from linkwork.arrays import Floats, Indices
-from linkwork.errors import warn
 from linkwork.results.result import Result
 from linkwork.running.sampled_frames import ELEMENTS, every_of, listed, times_of
 
-__all__ = ["warn_of_lifting_discs"]
+__all__ = ["note_lifting_discs"]
 
 #: Pulls that are none: of the largest force along the normal, and of weight and centrifugal force m v^2 / R.
 OF_LARGEST, OF_INERTIA = 1e-3, 1e-4
 
 
-def warn_of_lifting_discs(result: Result) -> None:
-    """LinkworkWarning: planes pulled at discs that roll on them, as far as the frames tell.
+def note_lifting_discs(result: Result) -> None:
+    """Statistics and summary say where planes pulled at discs that roll on them, as far as the frames tell.
 
-    Discs whose reaction does not follow from the motion are not looked at.
+    No warning: a joint may be meant to hold its disc. Those whose reaction does not follow from the motion are
+    not looked at.
     """
     header = result.header
     discs = [k for k, kind in enumerate(header.joint_kinds) if kind == "rolling_disc"][:ELEMENTS]
@@ -41,10 +41,9 @@ def warn_of_lifting_discs(result: Result) -> None:
         return
     first, most = float(t[int(np.argmax(pulls.any(axis=1)))]), float(-normal[:, held].min())
     names = listed([header.joint_names[int(k)] for k in places[held]])
-    warn(
-        f"{names}: by t = {first:.6g} s the plane pulls at the disc, with up to {most:.3g} N, as the joint "
-        "holds it down: a disc that only stands on its plane lifts off there, and moves in another way from "
-        "there on"
+    result._statistics["lifting_discs"] = (
+        f"{names}: by t = {first:.6g} s the plane pulls at the disc, with up to {most:.3g} N; one that only "
+        "stands there lifts off"
     )
 
 
