@@ -473,7 +473,7 @@ def test_coordinates_are_checked() -> None:
         (
             {"velocities": {"elbow": [[1], [2, 3]]}},
             lw.OptionError,
-            "velocities.'elbow'. .* rows of different",
+            "velocities.'elbow'. .* rows of diff",
         ),
         *(
             ({"align_axes": angle}, lw.OptionError, f"align_axes {angle!r} is no angle from 0 to 0.785 rad")

@@ -21,8 +21,8 @@ OF_LARGEST, OF_INERTIA = 1e-3, 1e-4
 def note_lifting_discs(result: Result) -> None:
     """Statistics and summary say where planes pulled at discs that roll on them, as far as the frames tell.
 
-    No warning: a joint may be meant to hold its disc. Those whose reaction does not follow from the motion are
-    not looked at.
+    No warning: a joint may be meant to hold its disc. Those whose reaction does not follow from the motion
+    are not looked at.
     """
     header = result.header
     discs = [k for k, kind in enumerate(header.joint_kinds) if kind == "rolling_disc"][:ELEMENTS]

@@ -10,7 +10,8 @@ from linkwork.running.turned_bushings import warn_of_turned_bushings
 
 __all__ = ["warn_of_what_frames_show"]
 
-#: Each gives a LinkworkWarning, or a note in the summary, as far as the frames of a result tell, also of one that failed.
+#: Each gives a LinkworkWarning, or a note in the summary, as far as the frames of a result tell, also of one
+#: that failed.
 LOOKS = (warn_of_tilted_axes, warn_of_folded_joints, warn_of_turned_bushings, note_lifting_discs)
 
 
