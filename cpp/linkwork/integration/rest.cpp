@@ -8,9 +8,9 @@
 namespace linkwork {
 namespace {
 
-constexpr double hardly = 1e-3;    // of its size: farther, and the run has left the pose
+constexpr double hardly = 1e-6;    // of its size: farther, and it may have moved, however softly it is held
 constexpr double slowest = 1e-9;   // of the speed of a fall: a velocity at the beginning
-constexpr double balanced = 1e-6;  // of what gravity does: forces that balance, as an equilibrium leaves them
+constexpr double balanced = 1e-8;  // of what gravity does: forces that balance, as an equilibrium leaves them
 
 const KeptStep& earliest(const std::vector<const KeptStep*>& steps) {
   return **std::min_element(steps.begin(), steps.end(),

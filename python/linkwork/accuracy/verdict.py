@@ -173,10 +173,6 @@ class Energies:
         """Whether nothing moved: then estimates are of rounding."""
         return self._kinetic <= self._rest
 
-    def speed(self, mass: float) -> float:
-        """Of that mass [kg] at the largest kinetic energy [m/s]."""
-        return math.sqrt(2 * self._kinetic / mass) if mass > 0 else 0.0
-
     def error(self, share: float = 1.0, rest: float = 0.0) -> tuple[float, float]:
         """Made or lost, relative to what there was and to all that was exchanged: the first counts.
 
@@ -301,19 +297,16 @@ def leaping(verdict: Verdict, moments: Iterable[tuple[float, str]]) -> Verdict:
     return verdict
 
 
-def passing(verdict: Verdict, passed: Iterable[Mapping[str, Any]], speed: float) -> Verdict:
+def passing(verdict: Verdict, passed: Iterable[Mapping[str, Any]]) -> Verdict:
     """Says so where fixed steps went over contacts or stops, which no step taken again may have seen.
 
-    passed  of the statistics, with the `speed` at which bodies came nearer [m/s or rad/s]
-    speed   of the mechanism, the largest [m/s]
+    For the bodies there the motion is another one, however fast others are. `passed`: of the statistics, with
+    the `speed` at which bodies came nearer [m/s or rad/s].
     """
     worst = max(passed, key=lambda it: it["speed"], default=None)
     if worst is None:
         return verdict
-    error = min(1.0, worst["speed"] / speed) if speed > 0 else 1.0
-    if error <= GOOD:
-        return verdict
-    error = max(error, verdict.error)
+    error = max(1.0, verdict.error)
     what = f"bodies pass through each other at contact '{worst['contact']}'"
     if not worst["contact"]:
         what = "bodies pass through a stop"

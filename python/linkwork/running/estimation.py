@@ -239,9 +239,8 @@ class ErrorEstimator:
                 self._inexact = by_steps.error < CAUSE * verdict.error
         except Exception as error:  # also of the user's functions
             return self._by_balance(f"no step could be taken again ({error})", statistics)
-        speed = self._energies.speed(float(np.sum(system.model.compiled().mass)))
         passed = statistics.get("passed_touches", ())
-        return self._explained(passing(leaping(verdict, self._pulses), passed, speed))
+        return self._explained(passing(leaping(verdict, self._pulses), passed))
 
     def _explained(self, verdict: Verdict) -> Verdict:
         inexact = self._inexact and verdict.level != "good"

@@ -21,6 +21,7 @@ import threading
 import types
 import uuid
 import weakref
+from collections import deque
 from collections.abc import Callable, Hashable, Iterable, Iterator
 from contextlib import AbstractContextManager
 from typing import Any
@@ -49,6 +50,12 @@ _HOLDERS = ("pandas", "xarray", "scipy", "operator", "functools", "types", "weak
 
 #: Objects that are looked into.
 MOST = 200_000
+
+#: Of a global variable that is not there.
+_ABSENT = object()
+
+#: Containers that a compiled object has for itself.
+_BARE = (list, dict, set, deque, bytearray)
 
 _ASSIGN = ("STORE_DEREF", "STORE_GLOBAL", "STORE_ATTR")
 _COMPILED = ("ctypes", "_ctypes", "_cffi_backend", "numba")
@@ -243,7 +250,10 @@ class Kept(AbstractContextManager["Kept"]):
         if hasattr(it, "__dict__"):
             self._todo.append(vars(it))
         elif not any("__slots__" in vars(base) for base in kind.__mro__) and id(it) not in self._places:
-            self._todo += [inner for inner in gc.get_referents(it) if inner is not kind]
+            # Bare containers are the object's own, which counts on what is in them: writing there may crash.
+            self._todo += [
+                inner for inner in gc.get_referents(it) if inner is not kind and type(inner) not in _BARE
+            ]
             if kind.__module__.partition(".")[0] not in (*_HOLDERS, *_LOCKS):
                 self._unknown(it)
         if is_users(kind.__module__):
@@ -258,8 +268,8 @@ class Kept(AbstractContextManager["Kept"]):
         self._named((id(of), name), value, get, functools.partial(_put, of, name))
 
     def _entry(self, of: dict[str, Any], name: str) -> None:
-        value = of.get(name)
-        self._named((id(of), name), value, lambda: of.get(name), functools.partial(_enter, of, name))
+        get = functools.partial(of.get, name, _ABSENT)
+        self._named((id(of), name), of.get(name), get, functools.partial(_enter, of, name))
 
     def _named(self, key: Hashable, value: Any, get: Callable[[], Any], put: Callable[[Any], object]) -> None:
         self._todo.append(value)
@@ -285,8 +295,8 @@ def _put(of: Any, name: str, value: Any) -> None:
 
 
 def _enter(of: dict[str, Any], name: str, value: Any) -> None:
-    if value is None and of.get(name) is not None:
-        del of[name]  # it was not there, or None, which whoever asks for it is given
+    if value is _ABSENT:
+        of.pop(name, None)
     else:
         of[name] = value
 

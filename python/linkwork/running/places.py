@@ -48,7 +48,7 @@ class Place(Protocol):
 
 
 class Named:
-    """A variable, an attribute or an entry: `get` gives None where there is none, as `put` gets then."""
+    """A variable, an attribute or an entry: what `get` gives where there is none, `put` gets then."""
 
     def __init__(self, get: Callable[[], Any], put: Callable[[Any], object]) -> None:
         self._get, self._put, self._then = get, put, get()

@@ -7,7 +7,9 @@ time between them, and x going from 0 to 1,
 
 It bends one way where 3 |a + b| <= |b - a|, and lies between its chord and its tangents then, as the motion
 does. Elsewhere the rates at the frames are not those between, as at an impact, or it hardly bends: there, and
-where no rate is recorded, values go straight from frame to frame, and are largest and smallest at one.
+where that is so often, as in an oscillation of which there are too few frames, or no rate is recorded, values
+go straight from frame to frame, and are largest and smallest at one. So they do where second rates are
+recorded as well and say something else than the cubic's, -4 a - 2 b and 2 a + 4 b over h^2.
 """
 
 from __future__ import annotations
@@ -28,6 +30,9 @@ GAUSS = tuple(
     (0.5 + 0.5 * x, 0.5 * weight) for x, weight in zip(*np.polynomial.legendre.leggauss(8), strict=True)
 )
 
+#: The part of the times between frames in which rates have to fit, or frames are too far apart.
+RESOLVED = 0.8
+
 #: Parts of the time between frames at whose ends extremes are looked for, and how often the place of one is
 #: narrowed to a half then, to some 1e-8 of that time.
 PARTS, HALVINGS = 8, 24
@@ -43,14 +48,19 @@ class Bends(NamedTuple):
     known: NDArray[np.bool_]  #: whether the rates are those of what is between the frames
 
 
-def bends_of(t: Floats, values: Floats, rates: Floats) -> Bends:
-    """Of values (k, ...) at times `t` (k,) [s] with their rates."""
+def bends_of(t: Floats, values: Floats, rates: Floats, second: Floats | None = None) -> Bends:
+    """Of values (k, ...) at times `t` (k,) [s] with their rates, and second ones where there are such."""
     h = np.diff(t).reshape(-1, *[1] * (values.ndim - 1))
     rise = np.diff(values, axis=0)
     a, b = h * rates[:-1] - rise, h * rates[1:] - rise
     one_way = 3 * np.abs(a + b) <= np.abs(b - a)
     straight = np.maximum(np.abs(a), np.abs(b)) <= 0.5 * np.abs(rise)
-    return Bends(np.where(one_way, a, 0.0), np.where(one_way, b, 0.0), one_way | straight)
+    if second is not None:
+        apart = np.abs(h**2 * second[:-1] + 4 * a + 2 * b), np.abs(h**2 * second[1:] - 2 * a - 4 * b)
+        one_way &= np.maximum(*apart) <= np.maximum(np.abs(a), np.abs(b))
+    resolved = (one_way | straight).mean(axis=0) >= RESOLVED
+    one_way, known = one_way & resolved, (one_way | straight) & resolved
+    return Bends(np.where(one_way, a, 0.0), np.where(one_way, b, 0.0), known)
 
 
 @dataclass(frozen=True)

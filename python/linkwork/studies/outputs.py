@@ -303,8 +303,12 @@ def _bends(result: Result, steps: Sequence[Step], values: Floats) -> Bends | Non
         return None
     if name is None:
         return _bends_of_energy(result, names[-1])
-    rates = [("get", RATES[name]) if step == ("get", name) else step for step in steps]
-    return bends_of(result.t, values, _followed(result, rates))
+
+    def rates(of: str) -> Any:
+        return _followed(result, [("get", of) if step == ("get", name) else step for step in steps])
+
+    second = rates(RATES[RATES[name]]) if RATES[name] in RATES else None
+    return bends_of(result.t, values, rates(RATES[name]), second)
 
 
 def _bends_of_energy(result: Result, name: str) -> Bends | None:
