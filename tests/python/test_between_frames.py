@@ -108,3 +108,11 @@ def test_what_has_no_rate_is_largest_at_a_frame() -> None:
     assert study.outputs[names[0]][0] == result.potential_energy.max()
     assert study.outputs[names[1]][0] == np.linalg.norm(result.body("b").acceleration, axis=1).max()
     assert study.outputs[names[2]][0] == result.energy.min()
+
+
+@pytest.mark.parametrize("apart", [0.5, 1.5, 3.3, 11.5])
+def test_frames_too_far_apart_for_an_oscillation_give_no_more_than_they_have(apart: float) -> None:
+    """sin t at frames so many periods apart: velocities look as if it went far between."""
+    t = 2 * np.pi * apart * np.arange(60)
+    bends = bends_of(t, np.sin(t), np.cos(t), -np.sin(t))
+    assert Curve(t, np.sin(t), bends).largest() <= 1.0

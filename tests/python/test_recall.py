@@ -487,3 +487,42 @@ def test_a_sweep_gives_back_what_is_held_beside_a_lock_and_says_nothing() -> Non
     study = lw.sweep(lambda gain: _held_by(law), {"gain": [1.0, 2.0]}, "final", t_end=0.2, **how)
     found = study.outputs["final.q"]
     assert np.array_equal(found[0], found[1]) and held == [0.0] and not study.remarks
+
+
+_TABLE: Floats | None = None
+
+
+def _looked_up(t: float, angle: float, rate: float) -> float:
+    global _TABLE
+    if _TABLE is None:
+        _TABLE = np.linspace(-3.0, 3.0, 7)
+    return float(np.interp(-angle, _TABLE, 3.0 * _TABLE))
+
+
+def test_a_global_variable_that_was_none_stays_what_the_run_made_it() -> None:
+    """A table that is made at the first call is no memory; in ensembles each member finds the variable."""
+    globals()["_TABLE"] = None
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        quick(_held_by(_looked_up), 0.2, step=1e-3)
+    assert _TABLE is not None
+    globals()["_TABLE"] = None
+    many = lw.simulate_many(_held_by(_looked_up), {"bar.mass": [1.0, 2.0]}, 0.1, step=1e-3, progress=False)
+    assert list(many.status) == ["finished", "finished"]
+
+
+@pytest.mark.parametrize("before", [0, 3])
+def test_what_a_compiled_object_holds_for_itself_is_not_written_to(before: int) -> None:
+    """A cycle keeps a list of what it goes over, and counts on it."""
+    names, log = itertools.cycle("abcd"), []
+    for _ in range(before):
+        next(names)
+
+    def law(t: float, angle: float, rate: float) -> float:
+        log.append(next(names))
+        return -3.0 * angle
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", lw.LinkworkWarning)
+        quick(_held_by(law), 0.2, step=1e-3)
+    assert [next(names) for _ in range(8)] == 2 * [next(names) for _ in range(4)]
