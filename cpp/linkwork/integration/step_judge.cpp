@@ -16,8 +16,7 @@ namespace {
 constexpr int divisions_where_contacts_begin = 3;
 constexpr double well_chosen = 0.1;  // root of the smallest pivot, relative to the usual one
 constexpr double beside = 1e-9;      // of a step: how far from a break the parts on its sides end and begin
-constexpr double soon =
-    0.1;  // by a step, of what stabilization takes back: then errors off the constraints do not add up
+constexpr double soon = 0.1;         // share that a step takes back: then errors off the constraints do not add up
 constexpr double roundoff = 8.0 * std::numeric_limits<double>::epsilon();
 
 /// One step of a one-step method in parts, with the correction that a multistep method adds.

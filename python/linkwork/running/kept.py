@@ -51,7 +51,7 @@ _HOLDERS = ("pandas", "xarray", "scipy", "operator", "functools", "types", "weak
 #: Objects that are looked into.
 MOST = 200_000
 
-#: Of a global variable that is not there.
+#: Of a variable or an attribute that is not there.
 _ABSENT = object()
 
 #: Containers that a compiled object has for itself.
@@ -261,10 +261,11 @@ class Kept(AbstractContextManager["Kept"]):
 
     def _attribute(self, of: Any, name: str, value: Any) -> None:
         self._seen[id(of)] = of
-        held: Any = vars(of) if isinstance(of, type | types.ModuleType) else None
-        get = (
-            functools.partial(getattr, of, name, None) if held is None else functools.partial(held.get, name)
-        )
+        if isinstance(of, type | types.ModuleType):
+            held: Any = vars(of)
+            get = functools.partial(held.get, name, _ABSENT)
+        else:
+            get = functools.partial(getattr, of, name, _ABSENT)
         self._named((id(of), name), value, get, functools.partial(_put, of, name))
 
     def _entry(self, of: dict[str, Any], name: str) -> None:
@@ -290,6 +291,9 @@ def _worth_a_look(inside: Iterable[Any]) -> list[Any]:
 
 
 def _put(of: Any, name: str, value: Any) -> None:
+    if value is _ABSENT:
+        delattr(of, name)
+        return
     put: Any = setattr if isinstance(of, type | types.ModuleType) else object.__setattr__
     put(of, name, value)
 
