@@ -36,6 +36,22 @@ inline Model four_bar(bool flat = false) {
   return model;
 }
 
+/// Without weight: a ball that comes along x from the origin, one that waits at this place; both of 1 cm.
+inline Model two_balls(double speed, const Vec3<double>& waits) {
+  Model model(Vec3<double>::Zero());
+  Body first;
+  first.velocity = {speed, 0, 0};
+  model.add_body("first", first);
+  model.add_body("second", body_at(waits));
+  const Vec3<double> O = Vec3<double>::Zero();
+  const Mat3<double> I = Mat3<double>::Identity();
+  std::vector<Parameter> parameters;
+  for (const ParameterInfo& it : force_kinds()[force_kind_index("sphere_sphere_contact")].info.parameters)
+    parameters.push_back({it.name.starts_with("radius") ? 0.01 : it.value.usual.value_or(1e6), -1});
+  model.add_force("sphere_sphere_contact", "contact", 0, 1, {O, O, I, I}, parameters);
+  return model;
+}
+
 /// A row of four-bars with posts and beams of 1 m, on hinges about z: three redundant equations each, one motion of all.
 inline Model ladder(int loops) {
   Model model;

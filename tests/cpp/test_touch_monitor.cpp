@@ -6,26 +6,9 @@ using namespace support;
 
 namespace {
 
-/// Without weight: a ball that comes along x at 100 m/s, one that waits at x = 1 m, `beside` its way; radii of 1 cm.
-Model passing(double beside) {
-  Model model(Vec3<double>::Zero());
-  Body first, second;
-  first.velocity = {100, 0, 0};
-  second.position = {1, beside, 0};
-  model.add_body("first", first);
-  model.add_body("second", second);
-  const Vec3<double> O = Vec3<double>::Zero();
-  const Mat3<double> I = Mat3<double>::Identity();
-  std::vector<Parameter> parameters;
-  for (const ParameterInfo& it : force_kinds()[force_kind_index("sphere_sphere_contact")].info.parameters)
-    parameters.push_back({it.name.starts_with("radius") ? 0.01 : it.value.usual.value_or(1e6), -1});
-  model.add_force("sphere_sphere_contact", "contact", 0, 1, {O, O, I, I}, parameters);
-  return model;
-}
-
 /// Of ten steps of 0.3 m as if nothing were in the way.
 std::vector<PassedTouch> passed(double beside) {
-  Dynamics dynamics(passing(beside), {});
+  Dynamics dynamics(two_balls(100.0, {1, beside, 0}), {});
   TouchMonitor monitor(dynamics);
   VectorXd y = dynamics.initial_y(), y_new = y;
   dynamics.evaluate(0.0, y);

@@ -9,26 +9,9 @@ namespace {
 
 constexpr double radius = 0.01;
 
-/// Without weight: a sphere that comes along x at 10 m/s, one that waits at x = 5 m, `beside` its way.
-Model passing(double beside) {
-  Model model(Vec3<double>::Zero());
-  Body first, second;
-  first.velocity = {10, 0, 0};
-  second.position = {5, beside, 0};
-  model.add_body("first", first);
-  model.add_body("second", second);
-  const Vec3<double> O = Vec3<double>::Zero();
-  const Mat3<double> I = Mat3<double>::Identity();
-  std::vector<Parameter> parameters;
-  for (const ParameterInfo& it : force_kinds()[force_kind_index("sphere_sphere_contact")].info.parameters)
-    parameters.push_back({it.name.starts_with("radius") ? radius : it.value.usual.value_or(1e6), -1});
-  model.add_force("sphere_sphere_contact", "contact", 0, 1, {O, O, I, I}, parameters);
-  return model;
-}
-
 /// Of one step over 10 m, far longer than the spheres take to pass.
 std::vector<TouchSearch::Touch> touches(double beside) {
-  Dynamics dynamics(passing(beside), {});
+  Dynamics dynamics(two_balls(10.0, {5, beside, 0}), {});
   TouchSearch search(dynamics, 1e-12);
   const VectorXd y = dynamics.initial_y();
   VectorXd y_new = y;

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import bisect
 import warnings
 from typing import Any
 
@@ -14,6 +13,7 @@ from ensembles import KNOWN, alone, bits, variants, with_functions
 from hypothesis import given
 from linkwork import mechanisms
 from linkwork.options import names as option_names
+from remembering_laws import delayed
 
 pytestmark = pytest.mark.filterwarnings("ignore")
 
@@ -280,19 +280,6 @@ def test_studies_that_follow_tolerances_run_in_lanes() -> None:
 
 def test_members_that_share_a_delay_line_come_to_an_end_each_with_its_own() -> None:
     """In lanes they would read each other's angles at ever more times."""
-
-    def delayed() -> Any:
-        times: list[float] = []
-        angles: list[float] = []
-
-        def law(t: float, angle: float, rate: float) -> float:
-            place = bisect.bisect_left(times, t)
-            if place == len(times) or times[place] != t:
-                times.insert(place, t)
-                angles.insert(place, angle)
-            return -3.0 * float(np.interp(t - 0.05, times, angles))
-
-        return law
 
     def build(law: Any, omega: float) -> lw.Model:
         model = lw.Model()

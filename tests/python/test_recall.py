@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import bisect
 import collections
 import ctypes
 import datetime
@@ -26,6 +25,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork.arrays import Floats
+from remembering_laws import delayed
 
 
 def quick(model: lw.Model, t_end: float, **how: Any) -> lw.Result:
@@ -221,22 +221,7 @@ def _sampled() -> Any:
     return lambda t, angle, rate: held.setdefault(int(t / 0.02), -3.0 * angle)
 
 
-def _delayed() -> Any:
-    """By a line that is sorted by time."""
-    times: list[float] = []
-    angles: list[float] = []
-
-    def law(t: float, angle: float, rate: float) -> float:
-        place = bisect.bisect_left(times, t)
-        if place == len(times) or times[place] != t:
-            times.insert(place, t)
-            angles.insert(place, angle)
-        return -3.0 * float(np.interp(t - 0.05, times, angles))
-
-    return law
-
-
-@pytest.mark.parametrize("make", [_Brake, _sampled, _delayed])
+@pytest.mark.parametrize("make", [_Brake, _sampled, delayed])
 @pytest.mark.parametrize("how", [{"step": 1e-3}, {"rtol": 1e-8}])
 def test_what_is_remembered_by_time_is_told_too_and_what_it_leaves_for_the_next_run(
     make: Any, how: dict[str, float]
