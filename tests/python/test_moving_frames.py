@@ -157,3 +157,19 @@ def test_a_vibration_of_ten_nanometers_is_no_rest() -> None:
     model.translational(model.ground, body, **where)
     model.translational_spring_damper(model.ground, body, **where, stiffness=1e4, force=9.81 + 1e4 * 1e-8)
     assert found(quick(model, 1.0, step=0.018)).level == "wrong"
+
+
+def test_what_a_driver_moves_by_ten_nanometers_is_no_rest() -> None:
+    """A load on a spring whose foot moves by that: the spring is as it was where both are in the first pose."""
+    model, moved = lw.Model(), 1e-8
+    foot = model.body("foot", mass=1.0, inertia=(0.1, 0.1, 0.1))
+    load = model.body("load", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0.1, 0, 0))
+    model.translational("ground", foot, at=(0, 0, 0), axis=(1, 0, 0))
+    along = {"at": (0.05, 0, 0), "axis": (1, 0, 0)}
+    model.translational(foot, load, **along)
+    model.translational_spring_damper(foot, load, **along, stiffness=400.0)
+    there = lw.functions.cycloidal(moved, 1.0, 1.0)
+    model.displacement_driver("ground", foot, at=(0, 0, 0), axis=(1, 0, 0), displacement=there)
+    run = quick(model, 40.0, step=0.02, integrator="heun")
+    assert run.position[:, 1, 0].max() > 0.1 + 2 * moved  # in truth it swings by no more than that
+    assert found(run).level == "wrong"

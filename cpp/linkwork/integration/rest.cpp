@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "linkwork/math/error.hpp"
 
@@ -11,6 +12,8 @@ namespace {
 constexpr double hardly = 1e-6;    // of its size: farther, and it may have moved, however softly it is held
 constexpr double slowest = 1e-9;   // of the speed of a fall: a velocity at the beginning
 constexpr double balanced = 1e-8;  // of what gravity does: forces that balance, as an equilibrium leaves them
+
+constexpr double roundoff = 32.0 * std::numeric_limits<double>::epsilon();
 
 const KeptStep& earliest(const std::vector<const KeptStep*>& steps) {
   return **std::min_element(steps.begin(), steps.end(),
@@ -76,12 +79,23 @@ class RestSearch {
     axes_.carry(t, y);
     try {
       dynamics_.evaluate(t, y);
+      if (!is_left_alone(y)) return false;
       dynamics_.accelerations(v_dot, lambda);
     } catch (const Error&) {
       return false;
     }
     return fastest(v_dot) <= balanced * rest_.speed * rest_.speed / length_;
   }
+
+  /// By drivers: constraints hold as well as at the beginning, and demand no other velocity.
+  bool is_left_alone(const VectorXd& y) {
+    const Evaluation& at = dynamics_.evaluation();
+    if (Phi_.size() == 0) Phi_ = at.Phi;
+    const double least = roundoff * (length_ + y.head(system().q_size()).cwiseAbs().maxCoeff());
+    return largest(at.Phi - Phi_) <= least && largest(at.Phi_dot) <= slowest * rest_.speed * (1.0 + 1.0 / length_);
+  }
+
+  static double largest(const VectorXd& x) { return x.size() > 0 ? x.cwiseAbs().maxCoeff() : 0.0; }
 
   /// Largest of any body, of turning by the size.
   double fastest(const ConstVector& v) const {
@@ -97,6 +111,7 @@ class RestSearch {
   double length_;
   MovingAxes axes_;
   VectorXd pose_;  ///< as the axes see it
+  VectorXd Phi_;   ///< there, at first
   Rest rest_;
 };
 

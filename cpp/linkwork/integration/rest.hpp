@@ -15,8 +15,9 @@ struct Rest {
   double energy = 0.0;                 ///< kinetic, of that [J]
 };
 
-/// None: it moves. It rests where it began without a velocity, the run hardly moved it, and nothing accelerates it from
-/// there where any of the parts of these steps begins or ends. Takes four evaluations for each. `length`: its size [m].
+/// None: it moves. It rests where it began without a velocity, the run hardly moved it, and no force accelerates it from
+/// there, nor does a driver move it, where any of the parts of these steps begins or ends. Takes four evaluations for
+/// each. `length`: its size [m].
 std::optional<Rest> find_rest(Dynamics& dynamics, const std::vector<const KeptStep*>& steps, const StepParts& parts,
                               double length);
 
