@@ -26,6 +26,7 @@ PARTS = {
     "assembly/system_algebra": "system",
     "assembly/system_compilation": "system",
     "model/coordinate_rows": "inerters",
+    "integration/adaptive_switches": "adaptive_simulation",
     "linear/kkt": "saddle_solver",
     "linear/normal": "saddle_solver",
     "linear/schur": "saddle_solver",

@@ -72,6 +72,9 @@ class AdaptiveSimulation final : public Run {
   std::vector<Occurrence> take_occurrences() { return std::exchange(occurrences_, {}); }
 
  private:
+  /// Of t: t + h is exact to some percent.
+  static constexpr double least_step = 16 * std::numeric_limits<double>::epsilon();
+
   void take_step() override;
   void forget() override {
     crossing_.restart();
@@ -87,6 +90,7 @@ class AdaptiveSimulation final : public Run {
   bool prepare_trial();
   BodyMaximum trial(double h);
   void accept(double h, double error);
+  // Contacts and stops, see adaptive_switches.cpp.
   bool end_at_switch(double h);
   void end_at(const SwitchWatch::Switch& found, double h);
   BodyMaximum end_at_zero(int which, double h, double& part);
