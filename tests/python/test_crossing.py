@@ -189,6 +189,40 @@ def test_fixed_steps_do_not_leap_over_breaks(start: float, told: str) -> None:
     assert len(result.singular_poses) == 1
 
 
+@pytest.mark.parametrize("middle", [0.325, 0.3334, 0.341])
+def test_fixed_steps_do_not_leap_over_narrow_forces(middle: float) -> None:
+    """Smooth, known to nobody: of some steps, it fits between the nodes of a leap. It gives 1 N m s."""
+    model, width = lw.Model(gravity=(0, 0, 0)), 4e-4
+    parallelogram(model, 0.0, 0.5, -1.5)
+    model.force(
+        "body 1", torque=(0, 0, lambda t: np.exp(-(((t - middle) / width) ** 2)) / (width * np.pi**0.5))
+    )
+    result = lw.simulate(model, 0.4, 1e-4, progress=False)
+    assert result.omega[-1, 0, 2] == pytest.approx(-1.5 + 0.6, abs=1e-5)
+    assert len(result.singular_poses) == 1
+
+
+def test_fixed_steps_do_not_leap_over_narrow_motions_of_drivers() -> None:
+    model, middle, width = lw.Model(gravity=(0, 0, 0)), 0.325, 1e-3
+    parallelogram(model, 0.0, 0.5, -1.5)
+    cart = model.body("cart", mass=1.0, inertia=(1, 1, 1), position=(0, 0, 3))
+    along = {"at": (0, 0, 3), "axis": (1, 0, 0)}
+    model.translational("ground", cart, **along)
+
+    def bump(t: float) -> float:
+        return float(1e-3 * np.exp(-(((t - middle) / width) ** 2)))
+
+    def speed(t: float) -> float:
+        return -2 * (t - middle) / width**2 * bump(t)
+
+    def acceleration(t: float) -> float:
+        return (4 * ((t - middle) / width**2) ** 2 - 2 / width**2) * bump(t)
+
+    model.displacement_driver("ground", cart, **along, displacement=(bump, speed, acceleration))
+    result = lw.simulate(model, 0.4, 1e-4, progress=False)
+    assert result.position[:, -1, 0] == pytest.approx([bump(t) for t in result.t], abs=2e-7)
+
+
 def test_ensembles_do_not_leap_over_breaks_either() -> None:
     models = [struck_parallelogram(0.338, torque, "run") for torque in (0.0, 100.0, 200.0)]
     options = {"step": 1e-3, "breaks": (0.338, 0.343), "deterministic": True, "progress": False}

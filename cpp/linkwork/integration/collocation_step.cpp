@@ -15,7 +15,8 @@ constexpr int slow_from = 10, looked_back = 5;  // sweeps
 constexpr double tolerance = 1e-10;             // of the energy over a step
 constexpr double resolved = 1e-10;              // of velocities inside; at the end about the square of it counts
 constexpr double end_part = 1e-2;               // of that, at most
-constexpr double fair_tolerance = 1e-7;         // of both, where nothing better is found
+constexpr double fair_tolerance = 1e-7;         // of all three, where nothing better is found
+constexpr double foreseen = 1e-9;               // of velocities that forces between the nodes give
 constexpr double consistent = 1e-8;             // correction of the nodes: more, and the branches do not quite meet
 constexpr double farthest_off = 1e-6;           // of a start that is not taken to the constraints, which the nodes are
 
@@ -30,16 +31,16 @@ bool hopeless(const double (&changes)[most_sweeps], int sweep) {
 }  // namespace
 
 bool CollocationStep::Quality::good() const {
-  return converged && correction <= consistent && resolution <= resolved && energy <= tolerance;
+  return converged && correction <= consistent && resolution <= resolved && energy <= tolerance && unseen <= foreseen;
 }
 
 bool CollocationStep::Quality::fair() const {
   return converged && correction <= std::max(consistent, 2.0 * off) && badness() <= fair_tolerance;
 }
 
-double CollocationStep::Quality::badness() const { return std::max(resolution, energy); }
+double CollocationStep::Quality::badness() const { return std::max({resolution, energy, unseen}); }
 
-double CollocationStep::Quality::error() const { return std::max({end_part * resolution, energy, roundoff}); }
+double CollocationStep::Quality::error() const { return std::max({end_part * resolution, energy, unseen, roundoff}); }
 
 double CollocationStep::rate(const Eigen::Matrix<double, 6, 1>& v) const {
   return std::max(v.head<3>().norm() / length_, v.tail<3>().norm());
@@ -64,6 +65,7 @@ void CollocationStep::allocate(double t, const VectorXd& y) {
   const System& system = dynamics_.system();
   step_ = {t, 0.0, 0.0, y, {}, MatrixXd(y.size(), stages), MatrixXd::Zero(system.row_count(), stages)};
   v_dot_.resize(system.v_size());
+  g_.resize(system.v_size(), stages);
   for (VectorXd* rates : {&rates_, &rates_before_}) rates->resize(y.size());
 }
 
@@ -157,6 +159,7 @@ double CollocationStep::node(int i) {
   const double speed = size(y_.segment(nq, nv)), before = size(rates_.segment(nq, nv));
   if (before > 0.0) jump_ = std::max(jump_, size(y_.segment(nq, nv) - rates_.segment(nq, nv)) / before);
   dynamics_.evaluate(t, y_);
+  g_.col(i) = dynamics_.evaluation().g.head(nv);
   dynamics_.refined_accelerations(v_dot_, step_.lambda.col(i));
   dynamics_.rates(v_dot_, step_.lambda.col(i), rates_);
   return changed(i, speed);
@@ -167,6 +170,7 @@ double CollocationStep::extrapolated_node(int i) {
   const GaussCollocation::Weights weights = gauss_.from_others(i);
   rates_ = step_.k * weights;
   step_.lambda.col(i) = step_.lambda * weights;
+  g_.col(i) = g_ * weights;
   return changed(i, size(step_.y.segment(system.q_size(), system.v_size())));
 }
 
@@ -206,6 +210,25 @@ void CollocationStep::finish(Quality& quality) {
   rates_ = step_.y_new;
   if (can_project(step_.end(), rates_)) step_.y_new = rates_;
   note_missing_energy(quality);
+}
+
+double CollocationStep::unseen(double interval) {
+  const System& system = dynamics_.system();
+  const int nq = system.q_size(), nv = system.v_size();
+  VectorXd rest(nv);
+  double sum = 0.0, violation = 0.0;
+  const int count = static_cast<int>(step_.h / interval);
+  for (int k = 1; k <= count; ++k) {
+    const double time = k * interval;
+    state_at(time, y_);
+    dynamics_.evaluate(step_.t + time, y_);
+    rest = dynamics_.evaluation().g.head(nv) - g_ * gauss_.values(time / step_.h);
+    system.multiply_inverse_mass(rest, v_dot_);
+    sum += size(v_dot_);
+    violation = std::max(violation, dynamics_.evaluation().Phi_dot.cwiseAbs().maxCoeff());
+  }
+  const double speed = std::max(size(step_.y.segment(nq, nv)), size(step_.y_new.segment(nq, nv)));
+  return std::max(interval * sum, violation / std::min(1.0, length_)) / speed;
 }
 
 void CollocationStep::end_as_it_is(Quality& quality) {

@@ -35,6 +35,7 @@ class CollocationStep {
     double jump = 0.0;        ///< the same of their velocities, relative to them
     double resolution = 0.0;  ///< what the polynomials do not resolve of the velocities, relative to them
     double energy = 0.0;      ///< that is missing at the end, relative to the kinetic energy
+    double unseen = 0.0;      ///< see `unseen`
     double roundoff = 0.0;    ///< in the node next to a singular pose, relative
     bool good() const;
     bool fair() const;
@@ -54,6 +55,9 @@ class CollocationStep {
   void begin_in_pose(double t, const VectorXd& y);
   /// To t + h. A node that is `left_out`, in a singular pose, is where the others lead.
   Quality attempt(double h, int left_out = none);
+  /// How far the motion is from the forces and constraints between the nodes, in velocities relative to them, looked at
+  /// in such intervals: of forces and drivers that come and go between two nodes.
+  double unseen(double interval);
   /// The end of the attempt where the polynomials say, as beside a singular pose.
   void end_as_it_is(Quality& quality);
 
@@ -95,6 +99,7 @@ class CollocationStep {
   GaussCollocation gauss_;
   Leap step_;
   double correction_ = 0.0, jump_ = 0.0;  ///< of the last sweep, see Quality
+  MatrixXd g_;                            ///< at the nodes
   double off_ = 0.0, energy_before_ = 0.0, kinetic_before_ = 0.0;
   VectorXd y_, v_dot_, v_dot_before_, rates_, rates_before_;
 };

@@ -45,12 +45,13 @@ constexpr double farther = 1e-3;          // the same, of nodes from poses: what
 constexpr int most_attempts = 12;
 // Of the length, where a leap does not converge: a node may be in the pose, or the leap too long.
 constexpr double other_lengths[most_attempts] = {0.85, 1.15, 0.7, 0.6, 0.5, 1.3, 0.4, 0.35, 0.3, 0.25, 0.2, 0.15};
-constexpr double precision = 1e-16;   // of solutions, relative to the square of the angle to the pose
-constexpr double no_branch = 1e-2;    // correction of velocities by the constraints: they do not go on that way
-constexpr double beside_pose = 0.05;  // of a leap: so near nothing is projected
-constexpr double too_far = 1.5;       // of the usual distance to the pose: steps go on before the leap
-constexpr double other_pace = 0.2;    // change of the rate with which a pose that was found is not relied on
-constexpr double part_of_way = 0.8;   // to a foreseen pose
+constexpr double precision = 1e-16;         // of solutions, relative to the square of the angle to the pose
+constexpr double no_branch = 1e-2;          // correction of velocities by the constraints: they do not go on that way
+constexpr double looked_at_between = 36.0;  // times, where steps are adaptive: the eight nodes are not all that counts
+constexpr double beside_pose = 0.05;        // of a leap: so near nothing is projected
+constexpr double too_far = 1.5;             // of the usual distance to the pose: steps go on before the leap
+constexpr double other_pace = 0.2;          // change of the rate with which a pose that was found is not relied on
+constexpr double part_of_way = 0.8;         // to a foreseen pose
 
 /// From a center of mass to a joint [m]; 1 where they coincide.
 double longest_arm(const Model& model) {
@@ -493,6 +494,7 @@ void Crossing::weigh(Search& search, CollocationStep::Quality quality) {
   const bool beyond = last > leap_.h && leap_.h < search.most, clear = nearest >= margin && !beyond;
   const bool over = search.poses.front() <= leap_.h || leap_.h >= search.most;
   quality.roundoff = precision * elementary::power(search.usual / (reach * nearest * leap_.h), 2.0);
+  if (quality.fair()) quality.unseen = step_.unseen(search.grid > 0.0 ? search.grid : leap_.h / looked_at_between);
   search.done = quality.good() && clear;
   if (search.done || (over && quality.fair() && nearest >= least_margin && quality.error() < search.error)) {
     search.best = leap_;
