@@ -15,6 +15,8 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "benchmarks"))
 import singular_poses
 from planar_branches import BRANCHES
 
+#: [rad/s]
+TURNS = 2 * np.pi
 SIZES = {True: (1e-6, 1e-8, 1e-10, 1e-12), False: (1e-3, 1e-4)}
 
 #: Without those of linear solvers that are not in this build.
@@ -142,7 +144,7 @@ def parallelogram(model: lw.Model, place: float, theta: float, rate: float) -> N
     pose = lw.rotation.from_axes(x=along, y=across)
     turn = {"orientation": pose, "velocity": rate * across / 2, "omega": (0, 0, rate)}
     bars = [model.body(mass=1.0, inertia=inertia, position=end + along / 2, **turn) for end in ends]
-    middle = ends[0] + along + (0.5, 0, 0)
+    middle = ends[0] + along + np.array((0.5, 0, 0))
     beam = model.body(mass=1.0, inertia=inertia, position=middle, velocity=rate * across)
     for bar, end in zip(bars, ends, strict=True):
         model.revolute(model.ground, bar, at=end, axis=(0, 0, 1))
@@ -242,6 +244,54 @@ def test_poses_of_independent_loops_are_all_listed(apart: float, options: dict[s
         parallelogram(model, place, 1.5 * passes, -1.5)
     result = lw.simulate(model, 2.0, progress=False, **options)
     assert [it.t for it in result.singular_poses] == pytest.approx([1.0, 1.0 + apart], abs=1e-4)
+
+
+def steady_parallelogram(ahead: float = 0.0, driven: bool = False) -> lw.Model:
+    """Bars of 1 m and 1 kg turn once a second, at the start upright and `ahead` [rad] of it, without weight:
+    each pin of the rod carries half of what its path on a circle takes."""
+    model = lw.Model(gravity=(0, 0, 0))
+    along, inertia = np.array((-np.sin(ahead), 0, np.cos(ahead))), mechanisms.thin_rod(1.0, 1.0)
+    across, turned = np.cross((0, -TURNS, 0), along), lw.rotation.from_axes(x=along, y=(0, 1, 0))
+    for name, x in (("a", 0.0), ("b", 1.0)):
+        foot = np.array((x, 0, 0))
+        model.body(name, mass=1.0, inertia=inertia, position=foot + along / 2, velocity=across / 2,
+                   orientation=turned, omega=(0, -TURNS, 0))  # fmt: skip
+    model.body("rod", mass=1.0, inertia=inertia, position=along + np.array((0.5, 0, 0)), velocity=across)
+    for name, x in (("a", 0.0), ("b", 1.0)):
+        model.revolute("ground", name, at=(x, 0, 0), axis=(0, 1, 0), name=f"foot {name}")
+        model.revolute(name, "rod", at=along + np.array((x, 0, 0)), axis=(0, 1, 0), name=f"top {name}")
+    if driven:
+        model.drive("foot a", velocity=-TURNS)
+    return model
+
+
+def error_of_pins(result: lw.Result, ahead: float = 0.0) -> float:
+    """Largest of any frame, relative to the force."""
+    angle = ahead + TURNS * result.t
+    inward = -(TURNS**2) / 2 * np.stack([-np.sin(angle), 0 * angle, np.cos(angle)], axis=1)
+    errors = [result.reaction(pin).force - inward for pin in ("top a", "top b")]
+    return float(np.abs(errors).max() / (TURNS**2 / 2))
+
+
+@pytest.mark.parametrize("driven", [False, True], ids=["free", "driven"])
+@pytest.mark.parametrize("ahead", [0.0, 1e-7, -1e-5, 1e-4])
+@pytest.mark.parametrize("steps", [8, 13, 25, 40])
+def test_frames_in_and_beside_singular_poses_have_the_forces_of_the_motion(
+    steps: int, ahead: float, driven: bool
+) -> None:
+    """A step ends where the bars are flat, or almost: the equations there tell nothing of forces in pins."""
+    result = lw.simulate(
+        steady_parallelogram(ahead, driven), 1.0, 0.25 / steps, record_every=1, progress=False
+    )
+    assert [pose.t for pose in result.singular_poses] == pytest.approx([0.25, 0.75], abs=1e-4)
+    assert error_of_pins(result, ahead) <= max(1e-3, 3 * result.verdict.error)
+
+
+def test_members_of_ensembles_too() -> None:
+    models = [steady_parallelogram(ahead) for ahead in (0.0, 1e-6, 1e-4)]
+    found = lw.simulate_many(models, None, 0.5, 0.0125, threads=1, progress=False)
+    for k, ahead in enumerate((0.0, 1e-6, 1e-4)):
+        assert error_of_pins(found.member(k), ahead) <= 1e-3
 
 
 def flat_parallelogram(rocker: float) -> lw.Model:

@@ -194,7 +194,7 @@ void Lane::look_ahead(std::int64_t at, const FixedSteps& steps, const Speeds& sp
   guarded(t, [&] {
     if (crossing_.due(t, h, speeds, false, start)) {
       leaping_ = crossing_.leap(t, h, steps.step(), most, y);
-      if (leaping_) begin_leap(t, steps, y);
+      if (leaping_) begin_leap(at, steps, y);
       else dynamics_.evaluate(t, y);
     }
     moves_ = changed || dynamics_.watch().row_changes() != changes;
@@ -213,11 +213,13 @@ void Lane::wait() {
   waits_ = true;
 }
 
-void Lane::begin_leap(double t, const FixedSteps& steps, const VectorXd& y) {
+void Lane::begin_leap(std::int64_t at, const FixedSteps& steps, const VectorXd& y) {
+  const double t = steps.time(at);
   if (stops_) return leave(t, "a singular pose is ahead");
   if (run_) run_->sampling.correct(y, crossing_.last().y);
   if (crossing_.last().end() > steps.t_end()) crossing_.cut(steps.t_end() - t);
   crossing_.look_into_leap(std::min(crossing_.last().end(), steps.t_end()));
+  crossing_.correct_frame(recorder_, steps.frame_time(at), y);
 }
 
 void Lane::follow_leap(double t, double step, VectorXd& y) {

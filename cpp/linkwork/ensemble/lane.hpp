@@ -160,7 +160,7 @@ class Lane {
 
   template <class Action>
   void guarded(double t, Action action);
-  void begin_leap(double t, const FixedSteps& steps, const VectorXd& y);
+  void begin_leap(std::int64_t at, const FixedSteps& steps, const VectorXd& y);
 
   Dynamics& dynamics_;
   Recorder recorder_;

@@ -259,6 +259,7 @@ bool AdaptiveSimulation::leap() {
   with_time(t_, h_, [&] {
     if (!watch_.empty()) look_for_events();
     crossing_.look_into_leap(t_new_);
+    crossing_.correct_frame(recorder_, t_, y_);
     stop_at_singular_pose();
   });
   return true;

@@ -16,6 +16,7 @@ constexpr double tolerance = 1e-10;             // of the energy over a step
 constexpr double resolved = 1e-10;              // of velocities inside; at the end about the square of it counts
 constexpr double end_part = 1e-2;               // of that, at most
 constexpr double fair_tolerance = 1e-7;         // of all three, where nothing better is found
+constexpr double of_projection = 4.0;           // energy of velocities that constraints correct, relative to these
 constexpr double foreseen = 1e-9;               // of velocities that forces between the nodes give
 constexpr double consistent = 1e-8;             // correction of the nodes: more, and the branches do not quite meet
 constexpr double farthest_off = 1e-6;           // of a start that is not taken to the constraints, which the nodes are
@@ -35,10 +36,10 @@ bool CollocationStep::Quality::good() const {
 }
 
 bool CollocationStep::Quality::fair() const {
-  return converged && correction <= std::max(consistent, 2.0 * off) && badness() <= fair_tolerance;
+  const double projected = off > 0.0 ? of_projection * jump : 0.0;
+  return converged && correction <= std::max(consistent, 2.0 * off) && resolution <= fair_tolerance &&
+         std::max(energy, unseen) <= std::max(fair_tolerance, projected);
 }
-
-double CollocationStep::Quality::badness() const { return std::max({resolution, energy, unseen}); }
 
 double CollocationStep::Quality::error() const { return std::max({end_part * resolution, energy, unseen, roundoff}); }
 
@@ -53,9 +54,9 @@ double CollocationStep::size(const ConstVector& velocities) const {
   return largest;
 }
 
-void CollocationStep::begin_in_pose(double t, const VectorXd& y) {
+void CollocationStep::begin_in_pose(double t, const VectorXd& y, double off) {
   allocate(t, y);
-  off_ = 0.0;
+  off_ = off;
   note_energy(y);
   dynamics_.rates(rates_before_);
   v_dot_before_ = rates_before_.segment(dynamics_.system().q_size(), v_dot_.size());

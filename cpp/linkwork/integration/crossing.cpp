@@ -22,6 +22,8 @@ constexpr double way_at_start = 0.03, change_at_start = 0.1;  // [rad], and of t
 constexpr double passed_at_start = 2.0;                       // the same, where that way leads over the pose
 constexpr double left_behind = 0.05;                          // [rad] so far behind the start a pose does not matter
 constexpr double least_usual = 0.15;  // the usual value of both, for runs that begin near a pose
+constexpr double solvable = 1e-2;     // of the usual root: nearer to a pose, accelerations are of few digits
+constexpr double drifted = 1e-3;      // farthest that a run that steps into a pose is off the constraints [rad]
 constexpr double in_pose = 1e-5;      // at the start: rows that near each other, and only a leap leads out of it
 constexpr double looked_at = 0.2;     // of the usual root: nearer, pivots do not tell when a pose is passed
 constexpr double look_part = 0.1;     // rad to the next look, where the least singular value is the usual one
@@ -371,11 +373,13 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   const SingularWatch::Sample* latest = dynamics_.watch().latest();
   declined_root_ = latest ? latest->root : 0.0;
   declined_least_ = least_.value;
-  if (starting_) step_.begin_in_pose(t, y);
-  const Unwatched unwatched(dynamics_);
   const auto v = y.segment(dynamics_.system().q_size(), dynamics_.system().v_size());
   const bool beside = std::abs(foreseen) < beside_pose * usual_length(v);
-  if (!starting_ && !step_.begin(t, y, !beside)) return false;
+  const bool in_it = starting_ || (beside && latest && latest->root < solvable * dynamics_.watch().root_of_level());
+  stepped_in_ = in_it && !starting_;
+  if (in_it) step_.begin_in_pose(t, y, stepped_in_ ? drifted : 0.0);
+  const Unwatched unwatched(dynamics_);
+  if (!in_it && !step_.begin(t, y, !beside)) return false;
   if (beside_ > 0.0) return leap_beside(most, usual_length(v));
   const VectorXd& v_dot = step_.start_accelerations();
   const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot.size()), v_dot);
@@ -576,7 +580,8 @@ bool Crossing::look_back(double t, double h, const VectorXd& y) {
 void Crossing::look_into_leap(double until) {
   if (!starting_) poses_.look_to(leap_.t, leap_.y);
   for (const double pose : leap_.poses)
-    if (pose > 0.0 && leap_.t + pose < until && leap_.t + pose > poses_.last_listed() + same_pose * leap_.h) {
+    if ((pose > 0.0 || stepped_in_) && leap_.t + pose < until &&
+        leap_.t + pose > poses_.last_listed() + same_pose * leap_.h) {
       step_.state_at(pose, y_);
       poses_.list(leap_.t + pose, y_);
     }
@@ -612,6 +617,14 @@ void Crossing::place(double theta, VectorXd& y) {
     return;
   }
   y = y_;
+}
+
+void Crossing::correct_frame(Recorder& recorder, double t, const VectorXd& y) {
+  if (!beside_a_pose(0.0) || recorder.last() != t) return;
+  VectorXd v_dot(dynamics_.system().v_size()), lambda(dynamics_.system().row_count());
+  interpolate(0.0, v_dot, lambda);
+  dynamics_.evaluate(leap_.t, y);
+  recorder.correct_last(y, v_dot, lambda);
 }
 
 void Crossing::interpolate(double theta, MutableVector v_dot, MutableVector lambda) const {

@@ -6,6 +6,7 @@
 #include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/integration/collocation_step.hpp"
 #include "linkwork/integration/interpolant.hpp"
+#include "linkwork/integration/recorder.hpp"
 #include "linkwork/integration/singular_pose_search.hpp"
 
 namespace linkwork {
@@ -92,6 +93,9 @@ class Crossing final : public Interpolant {
   void interpolate(const System& system, double theta, VectorXd& y) const override;
   /// The same on the constraints, unless a pose is too near. Leaves `dynamics` evaluated somewhere else.
   void place(double theta, VectorXd& y);
+  /// A frame at t of the state y where the last leap begins, in or beside a pose: its equations tell little of what goes
+  /// on there, the leap does. Leaves `dynamics` evaluated somewhere else.
+  void correct_frame(Recorder& recorder, double t, const VectorXd& y);
   /// Accelerations and multipliers there.
   void interpolate(double theta, MutableVector v_dot, MutableVector lambda) const;
 
@@ -153,9 +157,10 @@ class Crossing final : public Interpolant {
   SingularPoseSearch poses_;
   std::vector<char> in_loops_;  ///< bodies
   bool prepared_ = false;
-  bool starting_ = false;  ///< the leap begins near the pose, not before it
-  bool in_pose_ = false;   ///< or in it
-  bool fresh_ = true;      ///< no step was looked at yet
+  bool starting_ = false;    ///< the leap begins near the pose, not before it
+  bool in_pose_ = false;     ///< or in it
+  bool stepped_in_ = false;  ///< it begins in one that a step of the run ends in
+  bool fresh_ = true;        ///< no step was looked at yet
   bool limited_ = false;
   bool approached_ = false, leaves_ = false;  ///< a leap beside the pose: there was one before it; is to be, after it
   double beside_ = 0.0;                       ///< length of the one that is due, else 0

@@ -65,6 +65,20 @@ void Recorder::record(double t, const VectorXd& y, const ConstVector& v_dot, con
   look_for_interruption();
 }
 
+void Recorder::correct_last(const VectorXd& y, const ConstVector& v_dot, const ConstVector& lambda) {
+  const System& system = dynamics_.system();
+  const double t = frames_.t.back();
+  const std::size_t before = frames_.t.size() - 1;
+  frames_.t.resize(before);
+  frames_.q.resize(before * system.q_size());
+  for (std::vector<double>* list : {&frames_.v, &frames_.v_dot}) list->resize(before * system.v_size());
+  frames_.lambda.resize(before * system.row_count());
+  for (std::vector<double>* list : {&frames_.kinetic, &frames_.potential, &frames_.work}) list->resize(before);
+  frames_.violation.resize(3 * before);
+  frames_.history.resize(before * dynamics_.evaluation().history.size());
+  record(t, y, v_dot, lambda);
+}
+
 /// Of the frame that comes next: by the D of the step that is just here, where it is that of this very pose.
 void Recorder::add_reactions(double t, const ConstVector& q, const ConstVector& lambda) {
   const System& system = dynamics_.system();

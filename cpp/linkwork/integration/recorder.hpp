@@ -34,6 +34,10 @@ class Recorder {
 
   /// The same where a step goes on from this state: in the course of it, without changing a bit of it.
   void record_in_step(double t, const VectorXd& y);
+  /// Time of the last frame that nobody has taken; NaN: there is none.
+  double last() const { return frames_.t.empty() ? NAN : frames_.t.back(); }
+  /// Its accelerations and multipliers are known better now; `dynamics` is evaluated there.
+  void correct_last(const VectorXd& y, const ConstVector& v_dot, const ConstVector& lambda);
   /// From here on frames have reactions, which whoever needs them can find later, too, but not for less.
   void record_reactions() { with_reactions_ = true; }
   /// Frames up to t are not kept.

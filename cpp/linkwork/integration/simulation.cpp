@@ -170,6 +170,7 @@ void Simulation::begin_leap() {
   if (crossing_.last().end() > schedule_.t_end) crossing_.cut(schedule_.t_end - t());
   bounded_ = bounded_ || crossing_.limited();
   crossing_.look_into_leap(std::min(crossing_.last().end(), schedule_.t_end));
+  crossing_.correct_frame(recorder_, begins() ? given_start_ : t(), y_);
   if (integrator_) integrator_->start(static_cast<int>(y_.size()));
   stop_at_singular_pose();
 }
