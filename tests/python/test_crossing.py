@@ -287,6 +287,18 @@ def test_frames_in_and_beside_singular_poses_have_the_forces_of_the_motion(
     assert error_of_pins(result, ahead) <= max(1e-3, 3 * result.verdict.error)
 
 
+@pytest.mark.parametrize("driven", [False, True], ids=["free", "driven"])
+@pytest.mark.parametrize("ahead", [0.0, -1e-6, 1e-4, 1e-2])
+@pytest.mark.parametrize("rtol", [1e-4, 1e-6, 1e-8])
+@pytest.mark.parametrize("integrator", ["dopri5", "dop853"])
+def test_frames_between_long_steps_do_in_singular_poses(
+    integrator: str, rtol: float, ahead: float, driven: bool
+) -> None:
+    options = {"integrator": integrator, "rtol": rtol, "times": np.linspace(0, 1, 101), "progress": False}
+    result = lw.simulate(steady_parallelogram(ahead, driven), 1.0, **options, on_inaccurate="pass")
+    assert error_of_pins(result, ahead) <= max(2e-3, 3 * result.verdict.error)
+
+
 def test_members_of_ensembles_too() -> None:
     models = [steady_parallelogram(ahead) for ahead in (0.0, 1e-6, 1e-4)]
     found = lw.simulate_many(models, None, 0.5, 0.0125, threads=1, progress=False)

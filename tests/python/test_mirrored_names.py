@@ -27,6 +27,7 @@ PARTS = {
     "assembly/system_compilation": "system",
     "model/coordinate_rows": "inerters",
     "integration/adaptive_switches": "adaptive_simulation",
+    "integration/crossing_frames": "crossing",
     "linear/kkt": "saddle_solver",
     "linear/normal": "saddle_solver",
     "linear/schur": "saddle_solver",

@@ -448,9 +448,15 @@ void AdaptiveSimulation::record_inside() {
     else interpolant().interpolate(dynamics_.system(), (t - t_) / h_, workspace_);
     dynamics_.evaluate(std::max(t, breaks_.after(t_)), workspace_);
     if (leapt_) record_in_leap(t, workspace_);
-    else recorder_.record(t, workspace_);
+    else record_in_step(t, workspace_);
   });
   dynamics_.formulation().look(false);
+}
+
+void AdaptiveSimulation::record_in_step(double t, const VectorXd& y) {
+  VectorXd v_dot(dynamics_.system().v_size()), lambda(dynamics_.system().row_count());
+  if (!crossing_.accelerations_beside(interpolant(), t_, h_, t, v_dot, lambda)) return recorder_.record(t, y);
+  recorder_.record(t, y, v_dot, lambda);
 }
 
 void AdaptiveSimulation::record_in_leap(double t, const VectorXd& y) {

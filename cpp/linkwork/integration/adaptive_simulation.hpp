@@ -118,6 +118,7 @@ class AdaptiveSimulation final : public Run {
   void check_accumulation();
   bool output_inside() const;
   void record_inside();
+  void record_in_step(double t, const VectorXd& y);
   void record_in_leap(double t, const VectorXd& y);
   void finish_step();
   void list_singular_poses();

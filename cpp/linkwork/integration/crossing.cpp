@@ -39,7 +39,6 @@ constexpr double most_of_way = 0.75;      // that they may have gone where it wa
 constexpr double short_steps = 4.0;       // of which a leap beside the pose is worth so many
 constexpr double least_beside = 0.4;      // of a usual leap
 constexpr double least_margin = 0.006;    // the same, where nothing better is found
-constexpr double margin = 0.06;           // least distance of nodes from the pose, relative to the leap
 constexpr double in_pose_from = 0.03;     // the same: where such a node is left out if it must be there
 constexpr double same_time = 1e-9;        // relative to the step
 constexpr double same_pose = 1e-2;        // relative to a leap
@@ -593,42 +592,6 @@ void Crossing::look_into_leap(double until) {
 bool Crossing::end(double t, const VectorXd& y) {
   if (prepared_) poses_.finish(t, y, parts_to(t));
   return prepared_;
-}
-
-void Crossing::interpolate(const System&, double theta, VectorXd& y) const {
-  step_.state_at(theta * leap_.followed, y);
-}
-
-/// Where the constraints would move a state of the leap more than it is off.
-bool Crossing::beside_a_pose(double time) const {
-  return std::any_of(leap_.poses.begin(), leap_.poses.end(),
-                     [&](double pose) { return std::abs(time - pose) < margin * leap_.h; });
-}
-
-void Crossing::place(double theta, VectorXd& y) {
-  const double part = theta * leap_.followed;
-  step_.state_at(part, y);
-  if (beside_a_pose(part)) return;
-  const Unwatched unwatched(dynamics_);
-  y_ = y;
-  try {
-    step_.project(leap_.t + part, y_);
-  } catch (const Error&) {
-    return;
-  }
-  y = y_;
-}
-
-void Crossing::correct_frame(Recorder& recorder, double t, const VectorXd& y) {
-  if (!beside_a_pose(0.0) || recorder.last() != t) return;
-  VectorXd v_dot(dynamics_.system().v_size()), lambda(dynamics_.system().row_count());
-  interpolate(0.0, v_dot, lambda);
-  dynamics_.evaluate(leap_.t, y);
-  recorder.correct_last(y, v_dot, lambda);
-}
-
-void Crossing::interpolate(double theta, MutableVector v_dot, MutableVector lambda) const {
-  step_.accelerations_at(theta * leap_.followed, v_dot, lambda);
 }
 
 }  // namespace linkwork

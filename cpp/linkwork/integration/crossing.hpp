@@ -96,10 +96,16 @@ class Crossing final : public Interpolant {
   /// A frame at t of the state y where the last leap begins, in or beside a pose: its equations tell little of what goes
   /// on there, the leap does. Leaves `dynamics` evaluated somewhere else.
   void correct_frame(Recorder& recorder, double t, const VectorXd& y);
+  /// Accelerations and multipliers at `at` in a usual step h from t, where `dynamics` is evaluated; false: its equations
+  /// tell them, no pose is near.
+  bool accelerations_beside(const Interpolant& step, double t, double h, double at, MutableVector v_dot,
+                            MutableVector lambda);
   /// Accelerations and multipliers there.
   void interpolate(double theta, MutableVector v_dot, MutableVector lambda) const;
 
  private:
+  static constexpr double margin = 0.06;  ///< least distance of nodes from the pose, relative to the leap
+
   /// For a length with which the nodes are clear of the poses. Times in s, from the start of the leap.
   struct Search {
     double t, grid, most;
@@ -132,6 +138,8 @@ class Crossing final : public Interpolant {
   double usual_length(const Speeds& speeds) const;
   double usual_length(const ConstVector& v) const { return usual_length(speeds(v)); }
   bool beside_a_pose(double time) const;
+  bool in_doubt();
+  bool tell(const Interpolant& step, double t, double h, double time, VectorXd& v_dot, VectorXd& lambda);
   [[noreturn]] void throw_no_branch(double t) const;
   void keep_rows_good(Arrival& state);
   Speeds speeds(const ConstVector& v) const;

@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+
+#include "linkwork/integration/crossing.hpp"
+#include "linkwork/math/error.hpp"
+
+/// What is recorded in leaps, and beside singular poses.
+namespace linkwork {
+namespace {
+
+constexpr double doubtful = 0.1;  // of the usual root: nearer to a pose, small violations make other forces
+constexpr double away = 0.03;     // rad between states whose forces tell those in the pose, at most
+constexpr int most_states = 6, least_states = 4;
+
+/// Weights of the polynomial through values at so many times, at time 0.
+void lagrange_weights(const std::vector<double>& times, std::vector<double>& weights) {
+  weights.assign(times.size(), 1.0);
+  for (std::size_t i = 0; i < times.size(); ++i)
+    for (std::size_t k = 0; k < times.size(); ++k)
+      if (k != i) weights[i] *= times[k] / (times[k] - times[i]);
+}
+
+}  // namespace
+
+void Crossing::interpolate(const System&, double theta, VectorXd& y) const {
+  step_.state_at(theta * leap_.followed, y);
+}
+
+/// Where the constraints would move a state of the leap more than it is off.
+bool Crossing::beside_a_pose(double time) const {
+  return std::any_of(leap_.poses.begin(), leap_.poses.end(),
+                     [&](double pose) { return std::abs(time - pose) < margin * leap_.h; });
+}
+
+void Crossing::place(double theta, VectorXd& y) {
+  const double part = theta * leap_.followed;
+  step_.state_at(part, y);
+  if (beside_a_pose(part)) return;
+  const Unwatched unwatched(dynamics_);
+  y_ = y;
+  try {
+    step_.project(leap_.t + part, y_);
+  } catch (const Error&) {
+    return;
+  }
+  y = y_;
+}
+
+void Crossing::correct_frame(Recorder& recorder, double t, const VectorXd& y) {
+  if (!beside_a_pose(0.0) || recorder.last() != t) return;
+  VectorXd v_dot(dynamics_.system().v_size()), lambda(dynamics_.system().row_count());
+  interpolate(0.0, v_dot, lambda);
+  dynamics_.evaluate(leap_.t, y);
+  recorder.correct_last(y, v_dot, lambda);
+}
+
+void Crossing::interpolate(double theta, MutableVector v_dot, MutableVector lambda) const {
+  step_.accelerations_at(theta * leap_.followed, v_dot, lambda);
+}
+
+bool Crossing::in_doubt() {
+  if (!prepared_) return false;
+  try {
+    dynamics_.factorize();
+  } catch (const SingularSystemError&) {
+    return true;
+  }
+  return dynamics_.formulation().root_of_pivot() < doubtful * dynamics_.watch().root_of_level();
+}
+
+/// Accelerations and multipliers at `time` in a step; false in a pose.
+bool Crossing::tell(const Interpolant& step, double t, double h, double time, VectorXd& v_dot, VectorXd& lambda) {
+  step.interpolate(dynamics_.system(), (time - t) / h, y_);
+  dynamics_.evaluate(time, y_);
+  try {
+    dynamics_.accelerations(v_dot, lambda);
+  } catch (const SingularSystemError&) {
+    return false;
+  }
+  return true;
+}
+
+/// By the forces some hundredths of a radian before and after it, where the equations tell them.
+bool Crossing::accelerations_beside(const Interpolant& step, double t, double h, double at, MutableVector v_dot,
+                                    MutableVector lambda) {
+  if (!in_doubt()) return false;
+  const System& system = dynamics_.system();
+  step.interpolate(system, (at - t) / h, y_);
+  const double rate = largest_rate(y_.segment(system.q_size(), system.v_size()));
+  if (!(rate > 0.0)) return false;
+  const double apart = std::min(away / rate, std::max(at - t, t + h - at) / least_states);
+  std::vector<double> times, weights;
+  std::vector<VectorXd> accelerations, multipliers;
+  VectorXd its_v_dot(v_dot.size()), its_lambda(lambda.size());
+  for (int k = 1; k <= most_states; ++k)
+    for (const double time : {k * apart, -k * apart}) {
+      if (static_cast<int>(times.size()) == most_states || at + time < t || at + time > t + h) continue;
+      if (!tell(step, t, h, at + time, its_v_dot, its_lambda)) continue;
+      times.push_back(time);
+      accelerations.push_back(its_v_dot);
+      multipliers.push_back(its_lambda);
+    }
+  step.interpolate(system, (at - t) / h, y_);
+  dynamics_.evaluate(at, y_);
+  if (static_cast<int>(times.size()) < least_states) return false;
+  lagrange_weights(times, weights);
+  v_dot.setZero();
+  lambda.setZero();
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    v_dot += weights[k] * accelerations[k];
+    lambda += weights[k] * multipliers[k];
+  }
+  return true;
+}
+
+}  // namespace linkwork
