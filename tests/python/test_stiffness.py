@@ -78,3 +78,23 @@ def test_the_fastest_eigenvalue_does_not_depend_on_units(mechanism: Mechanism, u
         assert found is scaled is None
     else:
         assert abs(scaled.eigenvalue) * to.s == pytest.approx(abs(found.eigenvalue), rel=1e-3, abs=1e-3)
+
+
+@pytest.mark.parametrize("length", [1.0, 1e-3, 1e-7, 1e4])
+def test_the_fastest_eigenvalue_of_one_ball_on_an_incline_does_not_depend_on_the_unit_of_length(
+    length: float,
+) -> None:
+    model = lw.Model(gravity=(0, 0, -9.81 * length))
+    z = (0.1 - 1e-5) * length
+    ball = model.body("ball", mass=1.0, inertia=(0.004 * length**2,) * 3, position=(0, 0, z))
+    model.sphere_plane_contact(
+        model.ground, ball, at=((0, 0, 0), (0, 0, z)), normal=(0.1, 0, 1), radius=0.1 * length,
+        stiffness=1e5 * length**-0.5, hysteresis=0.3, friction=0.3, transition=1e-2 * length,
+    )  # fmt: skip
+    found = stiffness.fastest(lw.System(model))
+    assert found is not None
+    # friction at rest, mu K d^(3/2) / transition, against the ball's mass and its turning
+    depth = 0.1 - (0.1 - 1e-5) / np.sqrt(1.01)
+    rate = 0.3 * 1e5 * depth**1.5 / 1e-2 * (1 / 1.0 + (0.1 - depth) ** 2 / 0.004)
+    assert found.eigenvalue.real == pytest.approx(-rate, rel=1e-6)
+    assert found.eigenvalue.imag == pytest.approx(0.0, abs=1e-6 * rate)
