@@ -75,6 +75,7 @@ py::dict to_dict(const AccumulatedError& found, bool steps_too) {
   out["state"] = found.state;
   out["local_error"] = found.local_error;
   out["reactions_by_state"] = found.reactions_by_state;
+  out["onset"] = found.onset;
   out["violation"] = found.violation;
   out["rate"] = found.rate;
   out["seconds"] = found.seconds;

@@ -34,7 +34,7 @@ from typing import Any
 
 import linkwork as lw
 import numpy as np
-from linkwork.accuracy.measures import Differences, Sampled, Scales, longest_arm
+from linkwork.accuracy.measures import Bodies, Differences, Sampled, Scales
 from linkwork.errors import LinkworkError
 from linkwork.integrators import METHODS, EmbeddedPair, HalfExplicit
 
@@ -196,14 +196,14 @@ def patience() -> Iterator[None]:
 
 def difference(result: lw.Result, best: lw.Result) -> Floats:
     reference = Sampled.of(best)
-    scales = Scales.of(reference, longest_arm(best), best.header.mass)
+    scales = Scales.of(reference, Bodies.of(best.header))
     return Differences.between(Sampled.of(result), reference).state(scales)
 
 
 def growth(model: lw.Model, best: lw.Result) -> float:
     """Largest departure of a twin by its first."""
     reference = Sampled.of(best)
-    scales = Scales.of(reference, longest_arm(best), best.header.mass)
+    scales = Scales.of(reference, Bodies.of(best.header))
     start = best.snapshot(0)
     push = np.random.default_rng(1).standard_normal(start.v.shape) * PERTURBATION
     push *= [scales.speed] * 3 + [scales.speed / scales.length] * 3
@@ -245,7 +245,7 @@ def local_errors(
     verdict = result.verdict
     if verdict is None or not verdict.steps:
         return
-    scales = Scales.of(Sampled.of(best), longest_arm(best), best.header.mass)
+    scales = Scales.of(Sampled.of(best), Bodies.of(best.header))
     places = np.linspace(0, len(verdict.steps) - 1, min(LOOKED_AT, len(verdict.steps))).astype(int)
     for step in (verdict.steps[place] for place in places):
         k = int(np.argmin(np.abs(result.t - step.t)))
@@ -306,7 +306,7 @@ def study(seed: int, count: int) -> tuple[str, list[Found]]:
         truth = Truth.of(made.model)
     except (LinkworkError, TimeoutError) as error:
         return f"no reference: {type(error).__name__}: {error}", []
-    scales = Scales.of(Sampled.of(truth.result), longest_arm(truth.result), truth.result.header.mass)
+    scales = Scales.of(Sampled.of(truth.result), Bodies.of(truth.result.header))
     fastest = np.abs(truth.result.v).max(axis=(0, 1))
     if not max(fastest[:3].max() / scales.length, fastest[3:].max()) > STILL:
         return "at rest", []

@@ -5,6 +5,20 @@
 
 using namespace support;
 
+TEST_CASE("a force connects two bodies where forces count, too, and none to the ground") {
+  Model model;
+  for (int k = 0; k < 3; ++k) model.add_body("body " + std::to_string(k), body_at({1.0 * k, 0, 0}));
+  Random random(53);
+  const std::vector<Parameter> parameters = {{100.0, -1}, {0.0, -1}, {1.0, -1}, {0.0, -1}};
+  model.add_force("spring_damper", "between", 0, 2, random_attachment(random), parameters);
+  model.add_force("spring_damper", "to ground", ground, 1, random_attachment(random), parameters);
+  const System system(model);
+  CHECK(ConnectedComponents(system).count() == 3);
+  const ConnectedComponents parts(system, ConnectedComponents::Edges::forces_too);
+  CHECK(parts.count() == 2);
+  CHECK(parts.of_body(0) == parts.of_body(2));
+}
+
 TEST_CASE("joints and inerters connect bodies, the ground does not") {
   Model model;
   for (int k = 0; k < 6; ++k) model.add_body("body " + std::to_string(k), body_at({1.0 * k, 0, 0}));

@@ -25,13 +25,15 @@ import pytest
 from commands import running
 from drawn_words import HOSTILE, words_of
 from linkwork import mechanisms
-from linkwork.accuracy.measures import Differences, Sampled, Scales
+from linkwork.accuracy.measures import Bodies, Differences, Sampled, Scales
 from linkwork.arrays import Floats
 from linkwork.cli import run
 from linkwork.comparison import Comparison, text, workers
 from linkwork.comparison.reference import solved_reference
 from linkwork.comparison.store import Store
 from linkwork.validation import Series
+
+ONE_BODY = Bodies(np.ones(1), np.zeros(1, int), longest_arm=1.0)
 
 STEPS = [1e-2, 5e-3, 2.5e-3]
 
@@ -573,7 +575,8 @@ def test_scales_of_a_body_that_only_turns_are_those_of_its_arm() -> None:
     q = np.tile([0.0, 0, 0, 1, 0, 0, 0], (3, 1, 1))
     v = np.tile([0.0, 0, 0, 0, 0, 5.0], (3, 1, 1))
     scales = Scales.of(
-        Sampled(np.arange(3.0), q, v, np.zeros((3, 0, 3)), np.zeros((3, 0, 3))), 0.2, np.ones(1)
+        Sampled(np.arange(3.0), q, v, np.zeros((3, 0, 3)), np.zeros((3, 0, 3))),
+        ONE_BODY._replace(longest_arm=0.2),
     )
     assert (scales.length, scales.speed, scales.force) == (0.2, 1.0, 1.0)
 
@@ -586,7 +589,7 @@ def test_forces_scale_the_speed_of_what_is_at_rest_alone(way: float, speed: floa
     v = np.tile([way, 0.0, 0, 0, 0, 0], (3, 1, 1))
     force = np.tile([1e6, 0.0, 0.0], (3, 1, 1))
     motion = Sampled(np.linspace(0.0, 1.0, 3), q, v, force, np.zeros((3, 1, 3)))
-    assert Scales.of(motion, 1.0, np.ones(1), tolerance=1e-4).speed == pytest.approx(speed)
+    assert Scales.of(motion, ONE_BODY, tolerance=1e-4).speed == pytest.approx(speed)
 
 
 # --- the command ---

@@ -94,6 +94,43 @@ def test_a_vibration_is_judged_by_itself_however_fast_what_vibrates_flies(
     assert true < 0.01 or found(result).level != "good"
 
 
+def at_rest(model: lw.Model) -> None:
+    model.body("marker", mass=1e-3, inertia=(1e-6,) * 3, position=(0, 5, 0))
+
+
+def on_the_ground(model: lw.Model) -> None:
+    at_rest(model)
+    model.fixed(model.ground, "marker", at=(0, 5, 0))
+
+
+def flying_past(model: lw.Model) -> None:
+    model.body("other", mass=10.0, inertia=(1.0,) * 3, position=(0, 50, 0), velocity=(-20.0, 10.0, 0))
+
+
+@pytest.mark.parametrize("beside", [at_rest, on_the_ground, flying_past])
+@pytest.mark.parametrize("make", [slosh, tumbling])
+@pytest.mark.parametrize("speed", [0.0, 30.0, 7600.0])
+def test_what_rests_or_flies_beside_it_changes_no_verdict(
+    make: Callable[[Floats], lw.Model], beside: Callable[[lw.Model], None], speed: float
+) -> None:
+    alone, both = make(np.array([speed, 0, 0])), make(np.array([speed, 0, 0]))
+    beside(both)
+    for how in ({"step": 0.05, "integrator": "heun"}, {"step": 0.1, "verify": True}):
+        expected = told(quick(alone, 2.0, **how))
+        assert told(quick(both, 2.0, **how)) == pytest.approx(expected, rel=0.05), how
+
+
+@pytest.mark.parametrize("how", [{}, {"verify": True}])
+@pytest.mark.parametrize("speed", [30.0, 7600.0])
+def test_a_vibration_beside_a_body_at_rest_is_judged_by_itself(speed: float, how: dict[str, Any]) -> None:
+    model = slosh(np.array([speed, 0, 0]))
+    on_the_ground(model)
+    result = quick(model, 5.0, rtol=1e-4, **how)
+    value = result.coordinate("guide").value
+    assert np.abs(value - AMPLITUDE * np.sin(OMEGA * result.t)).max() > 0.1 * AMPLITUDE
+    assert found(result).level == "wrong"
+
+
 def test_tolerances_for_a_speed_of_everything_are_told_as_such() -> None:
     said = found(quick(slosh(np.array([7600.0, 0, 0])), 5.0, rtol=1e-6)).sentence
     assert "is relative to speeds in space, and the mechanism moves as a whole at" in said
@@ -160,7 +197,7 @@ def test_a_vibration_of_ten_nanometers_is_no_rest() -> None:
 
 
 def test_what_a_driver_moves_by_ten_nanometers_is_no_rest() -> None:
-    """A load on a spring whose foot moves by that: the spring is as it was where both are in the first pose."""
+    """A load on a spring whose foot moves by that: where both are in the first pose, so is the spring."""
     model, moved = lw.Model(), 1e-8
     foot = model.body("foot", mass=1.0, inertia=(0.1, 0.1, 0.1))
     load = model.body("load", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0.1, 0, 0))

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from linkwork import _core, mechanisms
 from linkwork.accuracy import verdict
-from linkwork.accuracy.measures import Differences, Sampled, Scales, longest_arm
+from linkwork.accuracy.measures import Bodies, Differences, Sampled, Scales
 from linkwork.arrays import Floats
 from linkwork.integrators import METHODS
 from linkwork.options import compile_options
@@ -36,7 +36,7 @@ def true_error(model: lw.Model, result: lw.Result) -> float:
     best = exact(model, result)
     reference = Sampled.of(best)
     differences = Differences.between(Sampled.of(result), reference)
-    return float(differences.state(Scales.of(reference, longest_arm(best), best.header.mass)).max())
+    return float(differences.state(Scales.of(reference, Bodies.of(best.header))).max())
 
 
 # --- near the truth ---
@@ -48,7 +48,7 @@ def test_the_error_of_a_step_is_that_of_the_exact_motion_from_its_start(integrat
     result = quick(model, 0.1, step=h, integrator=integrator, record_every=1, stabilization="none")
     assert result.verdict is not None and result.verdict.steps
     reference = Sampled.of(result)
-    scales = Scales.of(reference, longest_arm(result), result.header.mass)
+    scales = Scales.of(reference, Bodies.of(result.header))
     for step in result.verdict.steps[2::6]:
         k = round(step.t / h)
         start = result.snapshot(k)
@@ -571,3 +571,40 @@ def test_a_step_over_a_pose_in_which_its_redundant_rows_are_bad_is_taken_again_w
     assert result.statistics["row_changes"] == 1
     assert np.abs(result.position[-1] - truth.position[-1]).max() < 1e-7
     assert result.verdict is not None and result.verdict.error < 3e-4
+
+
+# --- contacts ---
+
+
+def bouncing(friction: float, hysteresis: float = 0.3, height: float = 0.3) -> lw.Model:
+    """A ball that comes down on a floor at a slant, once within 0.4 s."""
+    model = lw.Model()
+    ball = model.body("ball", mass=0.1, inertia=(4e-5,) * 3, position=(0, 0, height), velocity=(0.4, 0, 0))
+    model.sphere_plane_contact(
+        model.ground, ball, at=((0, 0, 0), (0, 0, height)), normal=(0, 0, 1), radius=0.03, stiffness=1e5,
+        hysteresis=hysteresis, friction=friction,
+    )  # fmt: skip
+    return model
+
+
+@pytest.mark.parametrize(
+    "how", [{"step": 3e-5}, {"step": 1e-5}, {"rtol": 1e-4}, {"rtol": 1e-5}, {"step": 1e-3}]
+)
+def test_errors_that_friction_takes_back_do_not_add_up(how: dict[str, Any]) -> None:
+    model = bouncing(friction=0.3)
+    best = quick(model, 0.4, rtol=1e-11, times=[0.4])
+    result = quick(model, 0.4, **how)
+    off = np.abs(result.v[-1] - best.v[-1]).max(axis=0)
+    true = max(off[:3].max(), 0.03 * off[3:].max()) / 2.3
+    assert result.verdict is not None
+    assert (result.verdict.level == "good") == (how != {"step": 1e-3})
+    assert result.verdict.error > true / 3
+
+
+def test_a_step_that_its_tolerance_did_not_see_needs_a_longest_one() -> None:
+    """No error estimate, no law by which it gets smaller with rtol."""
+    leap, usual = (verdict.StepEstimate(*it, None) for it in ((2.0, 15.0, 0.5), (17.0, 0.1, 1e-8)))
+    method = verdict.Method(5, rtol=1e-7)
+    said = method.advice(1.0, [usual, leap])
+    assert "between t = 2 and 17 s" in said and "longest step (step=), less than 10 s" in said
+    assert "rtol 1e-11 would give 1e-4" in method.advice(1.0, [usual])

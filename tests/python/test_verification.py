@@ -298,3 +298,19 @@ def test_a_second_run_that_fails_loses_nothing() -> None:
         result = quick(model, 0.1, step=step, verify=True)
     assert not result.verified
     assert result.t[-1] == 0.1
+
+
+@pytest.mark.parametrize(("height", "hysteresis"), [(0.3228, 0.5), (0.2995, 1.0), (0.3268, 2.0)])
+def test_a_contact_that_begins_in_the_second_half_of_a_step_is_seen(height: float, hysteresis: float) -> None:
+    """Half the step would end where the step does: both take the speed there for that of the touch."""
+    model = lw.Model()
+    ball = model.body("ball", mass=0.1, inertia=(4e-5,) * 3, position=(0, 0, height))
+    model.sphere_plane_contact(
+        model.ground, ball, at=((0, 0, 0), (0, 0, height)), normal=(0, 0, 1), radius=0.03, stiffness=1e4,
+        hysteresis=hysteresis,
+    )  # fmt: skip
+    exact = quick(model, 0.5, rtol=1e-12, times=[0.5])
+    result = quick(model, 0.5, step=2e-4, verify=True)
+    off = float(np.abs(result.v[-1] - exact.v[-1]).max()) / 2.3
+    assert result.verdict is not None and off / 3 < result.verdict.error < 0.01
+    assert np.abs(result.error_of("body", "ball").velocity).max() > off * 2.3 / 5

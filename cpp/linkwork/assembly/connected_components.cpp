@@ -22,7 +22,7 @@ class DisjointSets {
 
 }  // namespace
 
-ConnectedComponents::ConnectedComponents(const System& system)
+ConnectedComponents::ConnectedComponents(const System& system, Edges edges)
     : of_body_(system.body_count()), of_row_(system.row_count(), 0) {
   DisjointSets sets(system.body_count());
   for (int joint = 0; joint < system.joint_count(); ++joint)
@@ -30,6 +30,9 @@ ConnectedComponents::ConnectedComponents(const System& system)
       sets.unite(system.blocks()[index].body, system.blocks()[*system.joint_blocks(joint).begin()].body);
   for (std::size_t k = 0; k < system.inerters().count(); ++k)
     if (const auto [i, j] = system.inerters().bodies(k); i != ground && j != ground) sets.unite(i, j);
+  if (edges == Edges::forces_too)
+    for (const Element& force : system.model().forces())
+      if (force.i != ground && force.j != ground) sets.unite(force.i, force.j);
   std::vector<int> number(system.body_count(), -1);
   for (int body = 0; body < system.body_count(); ++body) {
     int& own = number[sets.find(body)];

@@ -7,10 +7,12 @@
 namespace linkwork {
 
 /// The connected components of the graph of bodies, its edges the joints and inerters between them; the ground connects
-/// nothing. Each has equations of its own, whatever the others do.
+/// nothing. Each has equations of its own. With forces between bodies as edges, too, each has a motion of its own,
+/// whatever the others do.
 class ConnectedComponents {
  public:
-  explicit ConnectedComponents(const System& system);
+  enum class Edges { equations, forces_too };
+  explicit ConnectedComponents(const System& system, Edges edges = Edges::equations);
   /// Those of a system are found once.
   static const ConnectedComponents& of(const System& system);
 

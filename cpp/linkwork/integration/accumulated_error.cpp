@@ -67,6 +67,7 @@ class Accumulation {
     const double once = std::max(at_once(), error(errors_.corrections));
     out_.state = once + (errors_.rest ? away_from_rest() : errors_.resolved * state());
     out_.local_error = sum([this](const StepError& it) { return error(it.end); }) / out_.seconds;
+    out_.onset = sum([](const StepError& it) { return it.onset; }) / V_;
     out_.rate = V_ / L_;
     out_.carried = errors_.speed_as_a_whole / V_;
     out_.length = L_;
@@ -76,13 +77,12 @@ class Accumulation {
   }
 
  private:
-  double speed(const StepError& it) const { return std::max(it.speed, L_ * it.spin); }
   double pose(const StateDifference& it) const { return std::max(it.position, L_ * it.rotation) / size_; }
   double velocity(const StateDifference& it) const { return std::max(it.velocity, L_ * it.omega) / V_; }
   double error(const StateDifference& it) const { return std::max(pose(it), velocity(it)); }
   /// |y_dot| by V / size: by how much the state is off where it is late, relative to how late.
   double pace(const StepError& it) const {
-    return std::max(speed(it) / V_, std::max(it.acceleration, L_ * it.spin_rate) * size_ / (V_ * V_));
+    return std::max(it.speed / V_, std::max(it.acceleration, L_ * it.spin_rate) * size_ / (V_ * V_));
   }
 
   double pace(const RunPart& part) const { return part.peak * size_ / (V_ * V_); }
@@ -103,12 +103,12 @@ class Accumulation {
     }
     for (const KnownPart& part : parts_) {
       known += part.steps();
-      path += part.part->seconds * part.mean([this](const StepError& it) { return speed(it); });
+      path += part.part->seconds * part.mean([](const StepError& it) { return it.speed; });
     }
     missed_ = all / known;
     V_ = still * L_ / out_.seconds;
     for (const StepError& it : errors_.steps)
-      if (!it.failed) V_ = std::max(V_, speed(it));
+      if (!it.failed) V_ = std::max(V_, it.speed);
     size_ = std::max(std::min(L_, missed_ * path), still * L_);
     if (!errors_.rest) return;
     V_ = std::max(V_, errors_.rest->speed);

@@ -13,8 +13,9 @@ struct JudgedStep {
   double reactions;  ///< NaN: not looked at
 };
 
-/// What the local errors of a run come to over it. Poses are relative to L, half of the box in which centers of mass
-/// move or the size of the mechanism, or to the path where that is shorter; velocities to V, the largest speed;
+/// What the local errors of a run come to over it. Poses are relative to L, half of the box in which centers of mass of
+/// a connected part move or the size of the mechanism, or to the path where that is shorter; velocities to V, the largest
+/// speed;
 /// reactions to the largest. Box, path and speeds are those in MovingAxes. Where there is no motion, what moved is the
 /// error, relative to the size of the mechanism and the speed of Rest.
 struct AccumulatedError {
@@ -23,11 +24,12 @@ struct AccumulatedError {
   double state = 0.0;               ///< over the run
   double local_error = 0.0;         ///< of the state, the mean over the run [1/s]
   double reactions_by_state = 0.0;  ///< of local errors; NaN: not known
+  double onset = 0.0;               ///< of the speeds at which contacts began, added up, relative to V
   double violation = 0.0;           ///< largest at the ends of these steps, see RelativeViolation
   double rate = 0.0;                ///< V / L [1/s]
   double seconds = 0.0;             ///< that the parts of the run took
   double kinetic_share = 1.0;       ///< see StepJudge
-  double carried = 0.0;             ///< speed of the mechanism as a whole, relative to V
+  double carried = 0.0;             ///< speed of the fastest part as a whole, relative to V
   double length = 0.0;              ///< L [m]
   std::optional<Rest> rest;         ///< see RunErrors
 };

@@ -56,10 +56,23 @@ RunJudge::RunJudge(const StepSampling& sampling, Dynamics& dynamics, SecondTake 
       kept_.push_back(step);
       out_.part_of.push_back(static_cast<int>(k));
     }
-  const MovingAxes axes = MovingAxes::of(dynamics.system(), kept_);
-  judge_.move_with(axes);
-  out_.speed_as_a_whole = axes.velocity.norm();
+  see_from_moving_axes();
   judge_.choose_from(choices_of_rows(kept_, dynamics.dropped().rows()));
+}
+
+/// Turning counts by half of the box in which the centers of a connected part move, or the size of the mechanism.
+void RunJudge::see_from_moving_axes() {
+  MovingAxes axes = MovingAxes::of(dynamics_.system(), kept_);
+  out_.speed_as_a_whole = axes.fastest();
+  VectorXd arms = VectorXd::Constant(dynamics_.system().body_count(), length_);
+  const VectorXd diagonals = axes.diagonals(kept_);
+  for (std::size_t body = 0; body < axes.part.size(); ++body) {
+    const double diagonal = diagonals[axes.part[body]];
+    out_.diagonal = std::max(out_.diagonal, diagonal);
+    double& arm = arms[static_cast<Eigen::Index>(body)];
+    arm = std::max(arm, diagonal / 2);
+  }
+  judge_.move_with(std::move(axes), std::move(arms));
 }
 
 /// Of a state, relative to the size and the speed of the mechanism at all the steps.
@@ -82,7 +95,7 @@ void RunJudge::judge(const RetakenSteps& retaken) {
   for (std::size_t k = 0; k < kept_.size(); ++k)
     out_.steps.push_back(
         judge_next(k, divisions_, k % every_reaction == 0, k % every_inside_ == 0, of_step(k, retaken)));
-  for (const StepError& it : out_.steps) speed_ = std::max({speed_, it.speed, length_ * it.spin});
+  for (const StepError& it : out_.steps) speed_ = std::max(speed_, it.speed);
   std::vector<std::size_t> order(out_.steps.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const std::size_t count = std::min(worst, order.size());
@@ -111,7 +124,6 @@ RunErrors RunJudge::judge_worst(const RetakenSteps& retaken) {
     after += size(again);
   }
   if (before > 0.0 && after > before) out_.resolved = after / before;
-  out_.diagonal = judge_.diagonal();
   out_.kinetic_share = judge_.kinetic_share();
   look_for_rest();
   return std::move(out_);

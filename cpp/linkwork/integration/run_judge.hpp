@@ -18,10 +18,11 @@ struct RunErrors {
   /// By how much the errors of the worst steps are larger than what a first look said of them, at least 1: where
   /// something is not smooth, or steps are very long, two parts of a step are not as much better as Richardson has it.
   double resolved = 1.0;
-  StateDifference corrections;                 ///< see StepSampling
-  double diagonal = 0.0, kinetic_share = 1.0;  ///< see StepJudge
-  double speed_as_a_whole = 0.0;               ///< of MovingAxes [m/s]
-  std::optional<Rest> rest;                    ///< where there is no motion
+  StateDifference corrections;    ///< see StepSampling
+  double diagonal = 0.0;          ///< the longest of MovingAxes [m]
+  double kinetic_share = 1.0;     ///< see StepJudge
+  double speed_as_a_whole = 0.0;  ///< of the fastest of MovingAxes [m/s]
+  std::optional<Rest> rest;       ///< where there is no motion
 };
 
 /// Of kept steps, in their order.
@@ -49,6 +50,7 @@ class RunJudge {
   RunErrors judge_worst(const RetakenSteps& retaken = {});
 
  private:
+  void see_from_moving_axes();
   double size(const StepError& error) const;
   void look_for_rest();
   StepError judge_next(std::size_t k, int divisions, bool reactions, bool inside, const RetakenStep& retaken);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "linkwork/formulation/watched_formulation.hpp"
+#include "linkwork/integration/damped_error.hpp"
 #include "linkwork/integration/runge_kutta.hpp"
 #include "linkwork/math/elementary.hpp"
 #include "linkwork/math/error.hpp"
@@ -110,8 +111,7 @@ StepJudge::StepJudge(Dynamics& dynamics, SecondTake take, std::vector<double> br
       parts_(std::move(breaks), take_.share),
       factor_(1.0 / (1.0 - take_.left)),
       violation_(dynamics.system()),
-      low_(Eigen::Array3d::Constant(INFINITY)),
-      high_(Eigen::Array3d::Constant(-INFINITY)),
+      arms_(VectorXd::Constant(dynamics.system().body_count(), violation_.length())),
       v_dot_(dynamics.system().v_size()),
       lambda_(VectorXd::Zero(dynamics.system().row_count())) {
   if (projects_positions(dynamics.stabilization()) || projects_velocities(dynamics.stabilization()))
@@ -271,6 +271,7 @@ void StepJudge::compare(const KeptStep& step, StepError& out) {
   const System& system = dynamics_.system();
   out.end.raise(system, step.y_new, y_);
   if (const double share = share_taken_back(dynamics_, step.h); share >= soon) separate_fading(step, share, out);
+  else separate_damped(step, out);
   out.end.lower(rounding(system, step.y_new));
   for (double* error : {&out.end.position, &out.end.rotation, &out.end.velocity, &out.end.omega}) *error *= factor_;
   look_at_motion(step, out);
@@ -296,17 +297,33 @@ void StepJudge::separate_fading(const KeptStep& step, double share, StepError& o
   out.end.raise(dynamics_.system(), ours, others);
 }
 
+/// What friction that sticks and stiff dampers take back does not add up.
+void StepJudge::separate_damped(const KeptStep& step, StepError& out) {
+  const VectorXd history = dynamics_.history();
+  dynamics_.set_history(step.history_new.size() > 0 ? step.history_new : step.history);
+  std::optional<DampedError> found;
+  try {
+    found = find_damped_error(dynamics_, step.t + step.h, step.h, step.y_new, y_, axes_.part);
+  } catch (const Error&) {  // then all of it adds up
+  }
+  dynamics_.set_history(history);
+  if (!found) return;
+  out.end.position += found->lasting.position;
+  out.end.rotation += found->lasting.rotation;
+  out.end.velocity = found->lasting.velocity;
+  out.end.omega = found->lasting.omega;
+  out.fading = found->fading;
+  for (double* error : {&out.fading.velocity, &out.fading.omega}) *error *= factor_;
+}
+
 void StepJudge::look_at_motion(const KeptStep& step, StepError& out) {
   const System& system = dynamics_.system();
   const VectorXd& a = step.y_new;
   seen_ = a;
   axes_.see(step.t + step.h, seen_);
   for (int body = 0; body < system.body_count(); ++body) {
-    const int r = position_size * body, v = system.q_size() + velocity_size * body;
-    low_ = low_.min(seen_.segment<3>(r).array());
-    high_ = high_.max(seen_.segment<3>(r).array());
-    out.speed = std::max(out.speed, seen_.segment<3>(v).norm());
-    out.spin = std::max(out.spin, a.segment<3>(v + 3).norm());
+    const int v = system.q_size() + velocity_size * body;
+    out.speed = std::max({out.speed, seen_.segment<3>(v).norm(), arms_[body] * a.segment<3>(v + 3).norm()});
     out.acceleration = std::max(out.acceleration, (a.segment<3>(v) - step.y.segment<3>(v)).norm() / step.h);
     out.spin_rate = std::max(out.spin_rate, (a.segment<3>(v + 3) - step.y.segment<3>(v + 3)).norm() / step.h);
   }
@@ -348,7 +365,8 @@ void StepJudge::compare_history(const KeptStep& step, StepError& out) {
   const VectorXd& found = dynamics_.history();
   for (Eigen::Index k = 0; k < found.size(); ++k)
     if (step.history_new[k] != 0.0)  // else it begins in the next step
-      out.end.velocity = std::max(out.end.velocity, std::abs(found[k] - step.history_new[k]));
+      out.onset = std::max(out.onset, std::abs(found[k] - step.history_new[k]));
+  out.end.velocity = std::max(out.end.velocity, out.onset);
 }
 
 void StepJudge::compare_reactions(const KeptStep& step, StepError& out) {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "linkwork/formulation/projection.hpp"
@@ -69,13 +70,14 @@ class StepParts {
 struct StepError {
   double t = 0.0, h = 0.0, change = 0.0;
   StateDifference end, inside;                 ///< inside: where the first part ends; zero where that was not looked at
-  StateDifference fading;                      ///< what errors come to that stabilization takes back within steps
+  StateDifference fading;                      ///< what errors come to that stabilization or forces take back soon
   double force = 0.0, torque = 0.0;            ///< of reactions [N, N m]; NaN: not looked at
-  double speed = 0.0, spin = 0.0;              ///< m/s, rad/s
+  double speed = 0.0;                          ///< also of turning, by the arm of the body [m/s]
   double acceleration = 0.0, spin_rate = 0.0;  ///< mean over the step [m/s^2, rad/s^2]
   double largest_force = 0.0, largest_torque = 0.0;  ///< NaN likewise
-  double violation = 0.0;                            ///< of positions where the step ended, see RelativeViolation
-  bool failed = false;  ///< it could not be taken again in parts: nothing else but t, h and change is known
+  double onset = 0.0;      ///< of the speed at which a contact begins [m/s], also in that of the velocity
+  double violation = 0.0;  ///< of positions where the step ended, see RelativeViolation
+  bool failed = false;     ///< it could not be taken again in parts: nothing else but t, h and change is known
 };
 
 /// Where a step ends in parts.
@@ -99,10 +101,12 @@ class StepJudge {
   /// `reactions`: those, too; it takes two more evaluations. `inside`: where the run records there, too; it takes one
   /// more step. `retaken`: if somebody else has taken it again.
   StepError judge(const KeptStep& step, bool reactions, bool inside = false, const RetakenStep& retaken = {});
-  /// Motion is seen from these, from now on; from the ground, if nobody says so.
-  void move_with(const MovingAxes& axes) { axes_ = axes; }
-  /// Diagonal of the box around the centers of mass at the steps that were judged, as these axes see them [m].
-  double diagonal() const { return (high_ - low_).matrix().norm(); }
+  /// Motion is seen from these, from now on; from the ground, if nobody says so. `arms`: of each body [m], by which
+  /// turning counts as a speed; without them the size of the mechanism.
+  void move_with(MovingAxes axes, VectorXd arms) {
+    axes_ = std::move(axes);
+    arms_ = std::move(arms);
+  }
   /// Largest kinetic energy at these steps, relative to what the ground sees; at most 1.
   double kinetic_share() const;
 
@@ -116,6 +120,7 @@ class StepJudge {
   void finish(double t);
   void compare(const KeptStep& step, StepError& out);
   void separate_fading(const KeptStep& step, double share, StepError& out);
+  void separate_damped(const KeptStep& step, StepError& out);
   void look_at_motion(const KeptStep& step, StepError& out);
   void compare_inside(const KeptStep& step, StepError& out);
   void compare_history(const KeptStep& step, StepError& out);
@@ -129,7 +134,7 @@ class StepJudge {
   std::unique_ptr<Projection> projection_;  ///< where the run projects
   RelativeViolation violation_;
   MovingAxes axes_;
-  Eigen::Array3d low_, high_;
+  VectorXd arms_;
   double kinetic_ = 0.0, ground_kinetic_ = 0.0;  ///< largest [J]
   std::unique_ptr<PairStepper> stepper_;         ///< of a run that records inside of steps
   std::vector<std::vector<int>> choices_;

@@ -9,8 +9,8 @@ means "as large as the motion itself":
     reaction error  max(|F - F*|, |T - T*| / L) / F_max
 
 with the `Scales` L, V, F_max of the reference, the starred quantities. L and V are those of its motion in
-axes that move with the mechanism as a whole, at the mean velocity of its center of mass: a uniform motion of
-everything changes no error, and no scale (Galilei).
+axes that move with each connected part as a whole, at the mean velocity of its center of mass: a uniform
+motion of a part changes no error, and no scale (Galilei), nor does what rests or flies along beside it.
 """
 
 from __future__ import annotations
@@ -25,9 +25,10 @@ from linkwork.arrays import Floats, ReadOnly
 from linkwork.errors import OptionError
 
 if TYPE_CHECKING:
+    from linkwork.motion.header import Header
     from linkwork.results.result import Result
 
-__all__ = ["MOVING", "AtRest", "Differences", "Sampled", "Scales", "rounding_of", "same_times"]
+__all__ = ["MOVING", "AtRest", "Bodies", "Differences", "Sampled", "Scales", "rounding_of", "same_times"]
 
 #: Two times are the same, relative to the later one.
 SAME_TIME = 1e-9
@@ -87,39 +88,59 @@ class AtRest(NamedTuple):
 MOVING = AtRest(0.0, 0.0)
 
 
+class Bodies(NamedTuple):
+    """What there is to know of n bodies to weigh their motion."""
+
+    masses: Floats  #: (n,) [kg]
+    part: NDArray[np.integer]  #: (n,) of each the connected part: joints and forces connect, the ground not
+    longest_arm: float  #: from a center of mass to a joint [m]
+
+    @classmethod
+    def of(cls, header: Header) -> Bodies:
+        from scipy.sparse import coo_array
+        from scipy.sparse.csgraph import connected_components
+
+        pairs = np.concatenate([header.joint_bodies, header.force_bodies]).astype(np.int64)
+        first, second = pairs[(pairs >= 0).all(axis=1)].T
+        count = len(header.mass)
+        edges = coo_array((np.ones(len(first)), (first, second)), shape=(count, count))
+        part = connected_components(edges, directed=False)[1] if count else np.zeros(0, np.intp)
+        arms = np.linalg.norm(header.joint_origin, axis=-1)[header.joint_bodies >= 0]
+        return cls(header.mass, part, float(arms.max(initial=0.0)))
+
+
 @dataclass(frozen=True)
 class Scales:
-    """What errors are divided by, in axes that move with the mechanism; 1 where nothing moves or pulls."""
+    """What errors are divided by, in axes that move with each part; 1 where nothing moves or pulls."""
 
-    length: (
-        float  #: L: half the diagonal of the box in which the centers of mass move, or the longest arm [m]
-    )
-    speed: float  #: V: largest of |r_dot| and L |omega| [m/s]
+    length: float  #: L: half the diagonal of the box in which centers of a part move, or the longest arm [m]
+    speed: float  #: V: largest of |r_dot| and L |omega|, L of the part [m/s]
     force: float  #: F_max: largest of |F| and |T| / L of the unique reactions [N]
 
     @classmethod
     def of(
         cls,
         motion: Sampled,
-        longest_arm: float,
-        masses: Floats,
+        bodies: Bodies,
         tolerance: float | None = None,
         at_rest: AtRest = MOVING,
     ) -> Scales:
-        """`longest_arm` [m]: from a center of mass to a joint; `masses` (n,) [kg]; `at_rest`: see AtRest.
+        """`at_rest`: see AtRest.
 
         What goes no farther than `STILL`, or the `tolerance` that steps follow, of the length is at rest: its
         trembling is weighed by the speed that the largest reaction gives to the mass of all bodies.
         """
-        r, r_dot = _in_moving_axes(motion, masses)
-        diagonal = float(np.linalg.norm(np.ptp(r, axis=(0, 1)))) if r.size else 0.0
-        length = max(diagonal / 2, longest_arm, at_rest.length) or 1.0
-        speed = max(_largest(r_dot), length * _largest(motion.v[:, :, 3:]), at_rest.speed)
+        r, r_dot = _in_moving_axes(motion, bodies)
+        arms = np.maximum(_half_boxes(r, bodies.part), max(bodies.longest_arm, at_rest.length))
+        length = float(arms.max(initial=0.0)) or 1.0
+        arms = np.where(arms > 0.0, arms, length)
+        turning = _largest(arms[bodies.part, None] * motion.v[:, :, 3:]) if r.size else 0.0
+        speed = max(_largest(r_dot), turning, at_rest.speed)
         force = max(_largest(motion.force), _largest(motion.torque) / length)
         duration = float(np.ptp(motion.t)) if len(motion.t) else 0.0
         speed = max(speed, STILL * length / duration if duration > 0.0 else 0.0)
         still = max(STILL, tolerance or 0.0)
-        mass = float(masses.sum())
+        mass = float(bodies.masses.sum())
         if mass > 0.0 and _way(r, motion.q[:, :, 3:], length) <= still * length:
             speed = max(speed, still * float(np.sqrt(force * length / mass)))
         return cls(length, speed or 1.0, force or 1.0)
@@ -171,24 +192,30 @@ class Differences(ReadOnly):
         return np.maximum(self.force, self.torque / scales.length) / scales.force
 
 
-def longest_arm(result: Result) -> float:
-    """Longest distance from a center of mass to a joint on the body [m]."""
-    header = result.header
-    arms = np.linalg.norm(header.joint_origin, axis=-1)[header.joint_bodies >= 0]
-    return float(arms.max(initial=0.0))
-
-
-def _in_moving_axes(motion: Sampled, masses: Floats) -> tuple[Floats, Floats]:
-    """Positions and velocities (k, n, 3) in axes with the mean velocity of the center of mass."""
+def _in_moving_axes(motion: Sampled, bodies: Bodies) -> tuple[Floats, Floats]:
+    """Positions and velocities (k, n, 3) in axes with the mean velocity of the center of each part."""
     r, r_dot = motion.q[:, :, :3], motion.v[:, :, :3]
     if not r.size or not np.ptp(motion.t) > 0.0:
         return r, r_dot
-    weights = masses / masses.sum() if masses.sum() > 0.0 else np.full(len(masses), 1 / len(masses))
+    mass = np.bincount(bodies.part, bodies.masses)
+    weights = np.where(mass[bodies.part] > 0.0, bodies.masses, 1.0)
     since = motion.t - motion.t[0]
-    velocity = weights @ (r[-1] - r[0]) / since[-1]
-    if not np.isfinite(velocity).all():
-        return r, r_dot
+    moved = weights[:, None] * (r[-1] - r[0])
+    centers = np.stack([np.bincount(bodies.part, along) for along in moved.T], axis=1)
+    velocity = centers / np.bincount(bodies.part, weights)[:, None] / since[-1]
+    velocity = np.where(np.isfinite(velocity).all(axis=1, keepdims=True), velocity, 0.0)[bodies.part]
     return r - since[:, None, None] * velocity, r_dot - velocity
+
+
+def _half_boxes(r: Floats, part: NDArray[np.integer]) -> Floats:
+    """Of the centers of mass (k, n, 3) of each part half the diagonal of the box in which they move [m]."""
+    if not r.size:
+        return np.zeros(int(part.max(initial=-1)) + 1)
+    low, high = np.full((2, int(part.max()) + 1, 3), np.inf)
+    np.minimum.at(low, part, r.min(axis=0))
+    np.minimum.at(high, part, -r.max(axis=0))
+    half: Floats = np.linalg.norm(high + low, axis=1) / 2
+    return half
 
 
 def _way(r: Floats, p: Floats, length: float) -> float:

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from linkwork.accuracy.measures import Differences, Sampled, Scales, longest_arm
+from linkwork.accuracy.measures import Bodies, Differences, Sampled, Scales
 from linkwork.arrays import Floats
 from linkwork.comparison.workers import Lost, in_processes
 from linkwork.errors import LinkworkError, ModelError, OptionError
@@ -167,7 +167,7 @@ def _solve(run: _Run) -> Result | Lost:
 
 def _made(result: Result, description: str, tighter: Result | None) -> Reference:
     motion = Sampled.of(result)
-    scales = Scales.of(motion, longest_arm(result), result.header.mass)
+    scales = Scales.of(motion, Bodies.of(result.header))
     error = None
     warn_of_memory(result.verdict)
     if tighter is not None:

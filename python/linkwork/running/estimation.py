@@ -102,7 +102,7 @@ class ErrorEstimator:
         self._options: Options = {**options, "stabilization": stabilization}
         self._plan = plan
         self._inexact = False  # the formulation
-        self._at_rest, self._carried = MOVING, 0.0
+        self._at_rest, self._carried, self._onset = MOVING, 0.0, 0.0
         self._before = start.error if start is not None else 0.0
         self._energies = Energies(
             _at_rest(system.model, plan.t_end - (start.t if start is not None else 0.0))
@@ -164,14 +164,18 @@ class ErrorEstimator:
                 found = self._second_run(result, run)
         except LinkworkError as error:
             return warn(f"verify: the second run failed, so that nothing is known by it: {error}")
-        order = self._resolution().order
-        gain = 2.0**order if isinstance(self._plan, Fixed) else 10.0
+        gain = 10.0
+        if isinstance(self._plan, Fixed):
+            # The speed at which a contact begins is known to the first order.
+            order = 1 if self._onset > 0.0 else self._resolution().order
+            gain = (self._plan.step / self._finer(result)["step"]) ** order
         finer = Finer.of(result, found, gain / (gain - 1) if gain > 1 else 2.0)
         result._finer = finer
         verdict = result.verdict
         if verdict is not None:
             second = None if self._energies.at_rest else found.verdict
-            new = verified(verdict, state_error(result, finer, self._at_rest), self._resolution(), second)
+            state = max(state_error(result, finer, self._at_rest), self._onset)
+            new = verified(verdict, state, self._resolution(), second)
             result._statistics["verdict"] = self._explained(new).numbers()
         if output is not None:
             from linkwork.results.writing import add_finer
@@ -185,13 +189,16 @@ class ErrorEstimator:
         Those of a run that goes on with a fixed step are at multiples of the steps of the one before: another
         run is to come to the first of them.
         """
-        finer = self._plan.finer(result.t)
+        finer = self._finer(result)
         if isinstance(self._plan, Adaptive) or not result.manifest.get("resumed") or len(result) < 3:
             return run(finer)
         t_start, t_first = map(float, result.t[:2])
         lead = run({**finer, "t_end": t_first, "step": min(finer["step"], t_first - t_start)})
         rest = run({**finer, "start": lead.snapshot()._replace(resume=None)})
         return joined(lead, rest)
+
+    def _finer(self, result: Result) -> dict[str, Any]:
+        return self._plan.finer(result.t, onsets=self._onset > 0.0)
 
     def _of(
         self,
@@ -259,7 +266,7 @@ class ErrorEstimator:
             found = self._run.judge(system.compiled(), *self._compiled(), steps=listed)
         else:
             found = self._run.judge(system.compiled(), *self._compiled(), progress=report)
-        self._carried = found["carried"]
+        self._carried, self._onset = found["carried"], found["onset"]
         self._at_rest = AtRest(found["rest_length"], found["rest_speed"])
         return estimate(found, self._energies, self._resolution(), statistics, self._before)
 

@@ -37,6 +37,9 @@ MOST_STEPS = 1e15
 #: Times that are one, relative to the step.
 SAME_TIME = 1e-9
 
+#: Steps, at least, between those that end when one of a second run does.
+APART = 5
+
 #: Where only the other tolerance is given.
 USUAL_RTOL, USUAL_RATIO = 1e-6, 1e-3
 
@@ -54,9 +57,16 @@ class Fixed:
     def expected_frames(self, run: _core.Run) -> int:
         return run.steps_total // self.record_every + 3
 
-    def finer(self, times: NDArray[np.float64]) -> dict[str, Any]:
-        """Arguments of a run with half the step and frames at the same times."""
-        return {"step": self.step / 2, "record_every": 2 * self.record_every}
+    def finer(self, times: NDArray[np.float64], onsets: bool = False) -> dict[str, Any]:
+        """Arguments of a run with half the step and frames at the same times.
+
+        onsets  contacts begin, at a speed that is known where a step ends. Where a step of both ends, both
+                are off by the same: with a little less than half of it that is so at frames alone
+        """
+        if not onsets:
+            return {"step": self.step / 2, "record_every": 2 * self.record_every}
+        steps = self.record_every * math.ceil(APART / self.record_every)
+        return {"step": self.step * steps / (2 * steps + 1), "record_every": 2 * steps + 1}
 
     def least_steps(self, t_start: float) -> float:
         return (self.t_end - t_start) / self.step
@@ -133,7 +143,7 @@ class Adaptive:
     def expected_frames(self, run: _core.Run) -> int | None:
         return None if self.record_every else len(self.times) + 1
 
-    def finer(self, times: NDArray[np.float64]) -> dict[str, Any]:
+    def finer(self, times: NDArray[np.float64], onsets: bool = False) -> dict[str, Any]:
         """Arguments of a run with a tenth of the tolerances and frames at these times."""
         largest = self.largest_step if math.isfinite(self.largest_step) else None
         rtol = max(self.rtol / 10, LEAST_RTOL)
