@@ -608,3 +608,4 @@ def test_a_step_that_its_tolerance_did_not_see_needs_a_longest_one() -> None:
     said = method.advice(1.0, [usual, leap])
     assert "between t = 2 and 17 s" in said and "longest step (step=), less than 10 s" in said
     assert "rtol 1e-11 would give 1e-4" in method.advice(1.0, [usual])
+    assert "longest step" in method.advice(1.0, [usual], state=1e-3)  # the energy alone shows it

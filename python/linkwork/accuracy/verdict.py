@@ -204,11 +204,12 @@ class Method:
     rtol: float | None = None
     carried: float = 0.0
 
-    def advice(self, error: float, steps: Sequence[StepEstimate] = ()) -> str:
-        """ "the step is too long: about 4 % off; 2e-4 s would give 1e-4"; `steps`: some of the run."""
+    def advice(self, error: float, steps: Sequence[StepEstimate] = (), state: float = math.inf) -> str:
+        """ "the step is too long: about 4 % off; 2e-4 s would give 1e-4"; `steps`: some of
+        the run, `state`: what these come to."""
         if self.rtol is not None and self.carried > FAST:
             return f"{_off(error)}, as {self._carries()}: {self._along(error)}"
-        if self.rtol is not None and (blind := _blind(steps, self.rtol, error)):
+        if self.rtol is not None and (blind := _blind(steps, self.rtol, error, state)):
             span = f"between t = {blind.t:.5g} and {blind.t + blind.h:.5g} s"
             return (
                 f"a step goes over what happens {span}, {_off(error)}, which rtol did not see: give a "
@@ -372,11 +373,14 @@ def _sentence(
     if VIOLATED * violation >= error:
         size = f"{_percent(violation)} of the mechanism's size"
         return f"the constraints are violated by {size}: {method.advice(error)}"
-    return method.advice(error, steps)
+    return method.advice(error, steps, state)
 
 
-def _blind(steps: Sequence[StepEstimate], rtol: float, error: float) -> StepEstimate | None:
-    """The step that makes most of the error, where it is off far more than steps that follow rtol may be."""
+def _blind(steps: Sequence[StepEstimate], rtol: float, error: float, state: float) -> StepEstimate | None:
+    """The step that makes most of the error, where it is off far more than steps that follow rtol may be; the
+    longest, where the balance of energy shows what no step does."""
+    if state < MOST * error:
+        return max(steps, key=lambda step: step.h, default=None)
     worst = max(steps, key=lambda step: step.error, default=None)
     if worst is None or worst.error < max(BLIND * rtol, MOST * error):
         return None
