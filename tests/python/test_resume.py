@@ -364,6 +364,91 @@ def test_a_sampled_controller_goes_on_with_what_it_held_and_not_with_something_e
     assert np.abs(rest.q[-1] - whole.q[-1]).max() > 1e-4
 
 
+def test_a_sample_in_steps_that_the_end_had_shortened_is_not_taken_again_with_what_it_left() -> None:
+    sampled = Sampled(in_list=True)
+    model, how = sampled.model(), {"rtol": 1e-8, "step": sampled.period, "events": sampled.events()}
+    whole = run(model, 0.2, **how)
+    resumed = set()
+    for end in np.linspace(0.1, 0.13, 7):
+        sampled.set(0.0)
+        first = run(model, float(end), **how)
+        rest = run(model, 0.2, start=first.snapshot(), **how)
+        assert np.abs(rest.q[-1] - whole.q[-1]).max() < 1e-8, end
+        resumed.add(rest.manifest["resumed"])
+    assert resumed == {True, False}
+
+
+def kicks() -> lw.Event:
+    """Every 0.1 s 0.5 rad/s more, at times that the event itself moves on."""
+    due = [0.1]
+
+    def kick(t: float, state: Any) -> None:
+        state.body("bob").velocity[0] += 0.5
+        due[0] += 0.1
+
+    return lw.Event(lambda t, state: t - due[0], "kick", direction=1, change=kick)
+
+
+def test_an_event_that_moves_its_next_time_on_comes_once_where_the_end_had_shortened_steps() -> None:
+    model, how = mechanisms.pendulum(), {"rtol": 1e-10, "step": 0.02}
+    whole = run(model, 0.5, events=kicks(), **how)
+    for end in (0.2, 0.205, 0.21):
+        kick = kicks()
+        first = run(model, end, events=kick, **how)
+        rest = run(model, 0.5, start=first.snapshot(), events=kick, **how)
+        assert np.abs(rest.q[-1] - whole.q[-1]).max() < 1e-8, end
+
+
+@pytest.mark.parametrize("from_file", [True, False])
+def test_a_start_from_the_middle_tells_what_was_changed_later(from_file: bool, tmp_path: Path) -> None:
+    sampled = Sampled(in_list=True)
+    model, how = sampled.model(), {"rtol": 1e-10, "events": sampled.events()}
+    first = run(model, 0.4, times=[0.0, 0.13, 0.4], output=tmp_path / "r.h5" if from_file else None, **how)
+    left = sampled.held
+    with pytest.warns(lw.LinkworkWarning, match="'controller'.*: reads what .* changed after t = 0.13 s"):
+        again = run(model, 0.4, start=first.snapshot(1), **how)
+    assert np.abs(again.q[-1] - first.q[-1]).max() > 1e-6
+    sampled.set(0.0)
+    run(model, 0.13, **how)
+    assert sampled.held != left
+    again = run(model, 0.4, start=first.snapshot(1), **how)
+    assert np.abs(again.q[-1] - first.q[-1]).max() < 1e-8
+
+
+def test_a_start_from_the_middle_tells_nothing_where_the_last_change_was_back() -> None:
+    """An effort that is switched off and on every 0.1 s, and is on at the end."""
+    on = [1.0]
+
+    def switch(t: float, state: Any) -> None:
+        on[0] = 1.0 - on[0]
+
+    model = mechanisms.pendulum()
+    model.user_force(lambda t, q, v: [on[0], 0, 0, 0, 0, 0], "bob", name="effort")
+    clock = lw.Event(lambda t, state: np.sin(np.pi * (t - 0.05) / 0.1), "clock", change=switch)
+    how: dict[str, Any] = {"rtol": 1e-10, "events": clock, "step": 0.02}
+    first = run(model, 0.3, times=[0.0, 0.1, 0.2, 0.3], **how)
+    assert [it.t for it in first.events] == pytest.approx([0.05, 0.15, 0.25]) and on == [0.0]
+    again = run(model, 0.3, start=first.snapshot(1), **how)
+    assert np.abs(again.q[-1] - first.q[-1]).max() < 1e-8
+    on[0] = 0.0
+    with pytest.warns(lw.LinkworkWarning, match="'effort': reads what it or events have changed"):
+        run(model, 0.3, start=first.snapshot(2), **how)
+
+
+def test_a_start_from_the_middle_tells_that_a_law_has_latched_later() -> None:
+    latched = [False]
+
+    def law(t: float, q: Any, v: Any) -> list[float]:
+        latched[0] = latched[0] or t > 0.2
+        return [5.0 * latched[0], 0, 0, 0, 0, 0]
+
+    model = mechanisms.pendulum()
+    model.user_force(law, "bob", name="latch")
+    first = run(model, 0.4, step=1e-3)
+    with pytest.warns(lw.LinkworkWarning, match="'latch': reads what it or events have changed after"):
+        run(model, 0.4, step=1e-3, start=first.snapshot(100))
+
+
 @pytest.mark.parametrize("in_list", [True, False])
 def test_what_the_last_run_left_in_a_controller_is_told_as_the_next_begins(in_list: bool) -> None:
     sampled = Sampled(in_list)

@@ -37,6 +37,7 @@ class Calls:
 
     def forget(self) -> None:
         self.differs: bool | None = None  #: whether they return something else later; None: nobody has looked
+        self.remembers = False  #: whether that is by the calls before
         self._rows: list[list[Call]] = []
         self._left = 0  # calls until the next that is kept
         self._apart = 0  # calls between rows

@@ -79,6 +79,20 @@ class Checkpoint(NamedTuple):
     #: functions that read something else than as the run began: name, digest then and now
     changed: tuple[tuple[str, str, str], ...] = ()
     returned: str = ""  #: what laws return now, see linkwork.running.returned
+    #: from and until when [s] functions read something else than now, in order, as events have changed it
+    unlike: tuple[tuple[float, float], ...] = ()
+    read: tuple[tuple[str, str], ...] = ()  #: these functions: name, digest now
+    remember: tuple[str, ...] = ()  #: functions that change it themselves
+
+    @property
+    def of_memory(self) -> Checkpoint | None:
+        """For another state of the run: what functions read at its end; None: what they always read."""
+        return self._replace(state=b"") if self.changed or self.unlike or self.remember else None
+
+    def is_unlike(self, first: float, last: float) -> bool:
+        """Whether functions read something else than now at any time from `first` to `last` [s]."""
+        by_itself = bool(self.remember) and first < last
+        return by_itself or any(begin <= last and first < end for begin, end in self.unlike)
 
     def __repr__(self) -> str:
         return f"<Checkpoint: t = {self.t:g} s, {len(self.state)} bytes>"
@@ -87,7 +101,7 @@ class Checkpoint(NamedTuple):
 class Resume(NamedTuple):
     """What a snapshot has beside its state, for the run that it is of to go on to the last bit."""
 
-    checkpoint: Checkpoint  #: not after the snapshot: steps from there on are taken once more
+    checkpoint: Checkpoint  #: steps from there on to the snapshot are taken once more
     work: float  #: up to the snapshot [J]
     state: str  #: digest of the state of the snapshot
 
@@ -106,7 +120,7 @@ class Snapshot(NamedTuple):
     history: Sequence[float] | Floats = ()
     #: of the runs that led there, see `Verdict.before`
     error: float = 0.0
-    #: of the end of a run: it goes on from there by the same method to the last bit, see linkwork.simulate
+    #: of a run: from its end it goes on by the same method to the last bit, see linkwork.simulate
     resume: Resume | None = None
     #: events that came at its time: the label, and y = (q, v) (13n,) before it
     happened: Sequence[tuple[str, Floats]] = ()
@@ -133,7 +147,7 @@ class Snapshot(NamedTuple):
 
             start = lw.Snapshot.of(0.0, lw.System(model).initial_state()).resumable(None, work=0.0)
         """
-        if checkpoint is None or checkpoint.t > self.t:
+        if checkpoint is None or (checkpoint.state and checkpoint.t > self.t):
             return self
         return self._replace(resume=Resume(checkpoint, work, self.digest))
 

@@ -150,6 +150,10 @@ def _head(checkpoint: Checkpoint, run: str) -> bytes:
     head: dict[str, Any] = {"run": run, "method": checkpoint.method, "t": float(checkpoint.t).hex()}
     if checkpoint.changed or checkpoint.returned:
         head |= {"changed": checkpoint.changed[:MOST_CHANGED], "returned": checkpoint.returned}
+    if checkpoint.unlike or checkpoint.remember:
+        unlike = [[begin.hex(), end.hex()] for begin, end in checkpoint.unlike]
+        read, remember = checkpoint.read[:MOST_CHANGED], checkpoint.remember[:MOST_CHANGED]
+        head |= {"unlike": unlike, "read": read, "remember": remember}
     return json.dumps(head).encode() + b"\n"
 
 
@@ -161,7 +165,10 @@ def _unpacked(content: memoryview, run: str) -> Checkpoint | None:
         return None
     changed = tuple((name, then, now) for name, then, now in found.get("changed", ()))
     state = bytes(content[len(head) + 1 :])
-    return Checkpoint(found["method"], float.fromhex(found["t"]), state, changed, found.get("returned", ""))
+    unlike = tuple((float.fromhex(begin), float.fromhex(end)) for begin, end in found.get("unlike", ()))
+    read, remember = tuple((name, now) for name, now in found.get("read", ())), found.get("remember", ())
+    return Checkpoint(found["method"], float.fromhex(found["t"]), state, changed, found.get("returned", ""),
+                      unlike, read, tuple(remember))  # fmt: skip
 
 
 def _digest(content: bytes | memoryview) -> int:

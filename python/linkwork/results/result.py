@@ -297,10 +297,10 @@ class Result:
             if it.t == t
         ]
         found = Snapshot(t, *state, self.history[frame].copy(), self._error_at(frame), happened=came)
-        last = int(frame) % count == count - 1
-        if not last:
-            return found
-        return found.resumable(self._settled(), float(self._field("work", frame)))
+        checkpoint = self._settled()
+        if checkpoint is not None and int(frame) % count < count - 1:
+            checkpoint = checkpoint.of_memory
+        return found.resumable(checkpoint, float(self._field("work", frame)))
 
     def _settled(self) -> Checkpoint | None:
         """What a run begins with that goes on from the last frame to the last bit."""

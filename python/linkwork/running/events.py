@@ -21,8 +21,8 @@ from linkwork.modeling.model import Model
 __all__ = ["Event", "State", "Watched", "compile_events"]
 
 
-#: Makes a context.
-Changing = Callable[[], AbstractContextManager[object]]
+#: Makes a context, of the time [s].
+Changing = Callable[[float], AbstractContextManager[object]]
 
 
 class _Part:
@@ -168,7 +168,7 @@ class Event:
         def change(t: float, y: Floats) -> tuple[ArrayLike, bool]:
             changed = np.array(y)
             assert self.change is not None
-            with changing():
+            with changing(t):
                 ends = self.change(t, State(model, changed))
             if not isinstance(ends, bool | np.bool_ | None):
                 raise OptionError(

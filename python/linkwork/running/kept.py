@@ -29,9 +29,9 @@ from typing import Any
 import numpy as np
 
 from linkwork.fingerprints import is_users
-from linkwork.running.places import Named, Place, is_from_c, place_of
+from linkwork.running.places import ALL, Named, Place, is_from_c, place_of
 
-__all__ = ["CONSTANT", "Kept", "Parts", "is_opaque", "names_in"]
+__all__ = ["CONSTANT", "Kept", "Part", "Parts", "is_opaque", "names_in"]
 
 #: Nothing in them can be written to that functions compute with, nor do they hold anything that can be.
 CONSTANT = (
@@ -68,7 +68,8 @@ _CODE = (types.FunctionType, types.BuiltinFunctionType, types.ModuleType, type)
 _BY_TEXT = {"globals", "getattr", "setattr", "delattr", "vars", "__dict__"}
 
 #: Of places what was written to: the key of one, and a part of it.
-Parts = set[tuple[Hashable, Hashable]]
+Part = tuple[Hashable, Hashable]
+Parts = set[Part]
 
 
 class Kept(AbstractContextManager["Kept"]):
@@ -120,6 +121,17 @@ class Kept(AbstractContextManager["Kept"]):
             with contextlib.suppress(Exception):
                 found.update((key, part) for part in place.changed())
         return found
+
+    def changed_contents(self) -> Parts:
+        """The same, of others than dictionaries as a whole: for `content`."""
+        whole = {key for key, it in self._places.items() if not isinstance(it._then, dict)}
+        return {(key, ALL if key in whole else part) for key, part in self.changed()}
+
+    def content(self, of: Part) -> Any:
+        """What was there."""
+        key, part = of
+        then = self._places[key]._then
+        return then if part == ALL else then.get(part)
 
     def again(self) -> Kept:
         """The same places, as they are now."""

@@ -33,6 +33,8 @@ _FROM_C: Any = ctypes._SimpleCData.__mro__[1]
 class Place(Protocol):
     """Something that can be written to, as it was."""
 
+    _then: Any  # what was in it
+
     @property
     def size(self) -> int:
         """Entries and elements."""

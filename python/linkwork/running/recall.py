@@ -133,6 +133,7 @@ def call_again(
         differ[name] = _told(name, worst, sizes)
         by_itself = max(it.apart_by_itself(sizes) for it in of_it) > 1
         if by_itself or not others or not Kept([calls.function]).shares(reached):
+            calls.remembers = True
             remember.append(name)
     example = differ[remember[0] if remember else next(iter(differ))] if differ else ""
     return Recall(tuple(differ), tuple(dict.fromkeys(remember)), example)

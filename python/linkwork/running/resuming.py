@@ -70,13 +70,20 @@ class Identity:
 
     def checkpoint(self, t: float, state: bytes) -> Checkpoint:
         """With what functions read and return now, where others may have changed that."""
-        found = self.read() if self._changes else {}
+        found, written = self.read() if self._changes else {}, self._written
         changed = tuple((it, then, found[it]) for it, then in self._first.items() if found[it] != then)
         key = self._key(self._model.hash()) + self.suffix if changed else self.key
-        if not (found or (self._written is not None and self._written.changed)):
-            return Checkpoint(key, t, state, changed, "")
-        note_left(self._model._calls, None if self._written is None else self._written.began)
-        return Checkpoint(key, t, state, changed, text_of(self._model._calls))
+        if not (found or (written is not None and written.changed)):
+            return Checkpoint(key, t, state, changed)
+        note_left(self._model._calls, None if written is None else written.began)
+        checkpoint = Checkpoint(key, t, state, changed, text_of(self._model._calls))
+        remember = tuple(f"'{name}'" for name, calls in self._model._calls if calls.remembers)
+        if written is None or not (unlike := written.changes.unlike_the_end):
+            return checkpoint._replace(remember=remember)
+        readers = [*((f"'{name}'", calls.function) for name, calls in self._model._calls),
+                   *((f"event '{it.label}'", it.event.function) for it in self._events)]  # fmt: skip
+        read = {name: found[name] for name, function in readers if written.changes.read_by(function)}
+        return checkpoint._replace(unlike=unlike, read=tuple(read.items()), remember=remember)
 
     def differing(self, checkpoint: Checkpoint) -> list[str]:
         """Functions that are the same, and return something else than then. LinkworkWarning: nobody knows."""
@@ -85,6 +92,13 @@ class Identity:
         found = differing(self._model._calls, checkpoint.returned)
         warn_of_unknown("start: ", found.unknown)
         return [f"'{name}'" for name in found.names]
+
+    def left_at_the_end(self, checkpoint: Checkpoint) -> list[str]:
+        """Functions that read what they read at the end of that run, and not always in it."""
+        now = self.read() if checkpoint.read else {}
+        found = [name for name, end in checkpoint.read if now.get(name) == end]
+        differ = self.differing(checkpoint) if checkpoint.remember else []
+        return list(dict.fromkeys([*found, *(it for it in checkpoint.remember if it not in differ)]))
 
     def goes_on_from(self, checkpoint: Checkpoint) -> None:
         """What was changed in the runs before counts as changed."""
@@ -139,6 +153,15 @@ def warn_of_unknown(start: str, names: Sequence[str]) -> None:
         )
 
 
+def warn_of_later_changes(t: float, names: Sequence[str]) -> None:
+    """LinkworkWarning: these functions read what was changed after t [s] in the run that this is of."""
+    if names:
+        warn(
+            f"start: {', '.join(names[:3])}: reads what it or events have changed after t = {t:.6g} s, as it "
+            "was at the end of that run: set it as it was at that time, or the motion is another one"
+        )
+
+
 def _digest(parts: object) -> str:
     return hashlib.blake2b(json.dumps(parts, sort_keys=True).encode(), digest_size=16).hexdigest()
 
@@ -146,15 +169,20 @@ def _digest(parts: object) -> str:
 def of(start: Snapshot | None, identity: Identity, t_end: float) -> Resume | None:
     """What a run can go on from; None: it begins anew at the start.
 
-    LinkworkWarning: its functions do not read what they read at the end of the run that it goes on from.
+    It does where functions read something else at the start than at the checkpoint: steps from there on would
+    be taken by that. LinkworkWarning: functions do not read what they read at the start.
     """
-    if start is None:
+    if start is None or (start.resume is None and start.t == 0.0):
         identity.warn_of_what_runs_left()
         return None
     resume = start.resume
     if not isinstance(resume, Resume) or not start.t < t_end:
         return None
-    if other := _others(resume.checkpoint, identity):
+    checkpoint = resume.checkpoint
+    if not checkpoint.state and (checkpoint.remember or checkpoint.is_unlike(start.t, start.t)):
+        warn_of_later_changes(start.t, identity.left_at_the_end(checkpoint))
+        return None
+    if other := _others(checkpoint, identity):
         warn(
             f"start: {', '.join(other[:3])}: reads something else than at the end of the run that this one "
             "goes on from, where it, events or steps have changed that: set it as it was there, or the "
@@ -162,13 +190,14 @@ def of(start: Snapshot | None, identity: Identity, t_end: float) -> Resume | Non
         )
         return None
     try:
-        fits = resume.checkpoint.method in (identity.key, identity.key + ASSEMBLED)
+        fits = bool(checkpoint.state) and not checkpoint.is_unlike(checkpoint.t, start.t)
+        fits = fits and checkpoint.method in (identity.key, identity.key + ASSEMBLED)
         fits = fits and resume.state == start.digest
     except (TypeError, ValueError):  # it is no state, which is told elsewhere
         return None
     if not fits:
         return None
-    identity.goes_on_from(resume.checkpoint)
+    identity.goes_on_from(checkpoint)
     return resume
 
 

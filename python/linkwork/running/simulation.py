@@ -149,7 +149,7 @@ def simulate(
         given = {"t_end": t_end, "step": step, "integrator": integrator, "rtol": rtol, "atol": atol,
                  "record_every": record_every, "times": times, "breaks": breaks, "assemble": assemble,
                  "on_inaccurate": on_inaccurate, "verify": verify, **options}  # fmt: skip
-        written = Written(calls.function for _, calls in model._calls)
+        written = Written((calls.function for _, calls in model._calls), _readers(events))
         watched = compile_events(events, model, written.by_others)
         prepared = _prepared(model, plan, given, options, watched, start, written, in_file=output is not None)
         _check_output(output, overwrite)
@@ -387,6 +387,11 @@ def _carried_out(
     checks.warn_of_contradiction(result.statistics)
     warn_of_what_frames_show(result)
     return result, estimator
+
+
+def _readers(events: object) -> list[Any]:
+    """Functions of events, but for those that only log."""
+    return [it for it in functions_of(events).values() if not callbacks.only_logs(it)]
 
 
 def _check_choices(on_inaccurate: object, **switches: object) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from linkwork.running.changes import Changes
 from linkwork.running.kept import Kept, Parts
 
 __all__ = ["Written"]
@@ -15,20 +16,28 @@ MOST = 10_000_000
 
 
 class Written:
-    """Made before anything calls the functions. `began` is what they reach as it was then."""
+    """Made before anything calls the functions.
 
-    def __init__(self, functions: Iterable[Any]) -> None:
+    began    what they reach, as it was then
+    changes  of what they and functions of events read, by events
+    """
+
+    def __init__(self, functions: Iterable[Any], events: Iterable[Any] = ()) -> None:
+        """`events`: functions of events that read, too."""
+        functions = list(functions)
         self.began = self._since = Kept(functions)
+        self.changes = Changes([*functions, *events])
         self._parts: Parts = set()
         self._left = MOST
         self._follows = bool(self.began.size)
 
     @contextmanager
-    def by_others(self) -> Iterator[None]:
-        """While an event changes what they read."""
+    def by_others(self, t: float) -> Iterator[None]:
+        """While an event changes what they read, at t [s]."""
         self._note()
         try:
-            yield
+            with self.changes.at(t):
+                yield
         finally:
             if self._follows:
                 self._since = self._since.again()
