@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 __all__ = [
     "AccuracyError", "BusyError", "Fault", "Faults", "FileError", "LinkworkError", "LinkworkWarning",
     "ModelError", "ModelFileError", "NotConvergedError", "NotFiniteError", "OptionError",
-    "SingularSystemError", "StepSizeError", "ViolationError", "cause", "nearest", "unwritable", "warn",
+    "SingularSystemError", "StepSizeError", "ViolationError", "carry", "cause", "nearest", "unwritable", "warn",
 ]  # fmt: skip
 
 
@@ -217,6 +217,24 @@ def about(field: str, subject: str = "") -> Iterator[None]:
     except LinkworkError as error:
         error.field, error.subject = field, error.subject or subject
         raise
+
+
+#: Of what an error carries: of a run that was carried out within another one, it is that one's in the end.
+_CARRIED = "_linkwork_carried"
+
+
+def carry(error: BaseException, **found: Any) -> bool:
+    """What there is of a run, as attributes of the error that ended it; False: it is one of the user's own, and
+    has other ones of these names, or takes none."""
+    own = not isinstance(error, LinkworkError | KeyboardInterrupt) and not hasattr(error, _CARRIED)
+    if own and any(hasattr(error, name) for name in found):
+        return False
+    try:
+        for name, value in {**found, _CARRIED: True}.items():
+            setattr(error, name, value)
+    except Exception:  # whatever an error of the user's raises
+        return False
+    return True
 
 
 def unwritable(what: str, path: str | os.PathLike[str], error: Exception) -> FileError:

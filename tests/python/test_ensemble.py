@@ -337,6 +337,19 @@ def test_an_error_in_a_function_of_one_member_ends_no_other(
         assert bits(found.member(k)) == bits(good.member(k)) and k not in found.alone
 
 
+def test_an_interruption_keeps_the_members_that_are_done() -> None:
+    models = [mechanisms.chain(2), mechanisms.chain(3), raising(KeyboardInterrupt), mechanisms.chain(3)]
+    how: dict[str, Any] = {"step": 1e-2, "integrator": "ab2"}  # one after the other
+    with pytest.raises(KeyboardInterrupt, match="interrupted: 2 of 4 members are done") as caught:
+        lw.simulate_many(models, None, 0.1, progress=False, **how)
+    found: Any = caught.value.result  # type: ignore[attr-defined]
+    assert found.status.tolist() == ["finished", "finished", "skipped", "skipped"]
+    alone = lw.simulate(models[1], 0.1, deterministic=True, **how)
+    assert np.array_equal(found.member(1).q, alone.q) and "2 skipped" in repr(found)
+    with pytest.raises(lw.OptionError, match="member 3: .*interrupted"):
+        found.member(3)
+
+
 @STEPS
 def test_an_interruption_in_a_function_ends_all(steps: dict[str, float]) -> None:
     models = [*(mechanisms.chain(3) for _ in range(3)), raising(KeyboardInterrupt)]

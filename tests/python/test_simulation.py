@@ -277,7 +277,43 @@ def test_an_error_in_an_own_integrator_reaches_the_user() -> None:
 
     with pytest.raises(ZeroDivisionError, match="mine") as caught:
         lw.simulate(lw.mechanisms.pendulum(), 0.01, 1e-3, broken)
-    assert caught.value.__notes__ == ["linkwork: in the step after t = 0 s"]
+    assert caught.value.__notes__ == ["linkwork: in the step after t = 0 s; its `result` has 1 frame"]
+
+
+@pytest.mark.parametrize("in_file", [True, False])
+def test_an_error_of_a_users_own_law_has_the_frames_up_to_there_and_the_state_to_go_on_from(
+    in_file: bool, tmp_path: Path
+) -> None:
+    model, broken = lw.mechanisms.pendulum(), [True]
+
+    def law(t: float, q: Floats, v: Floats) -> list[float]:
+        if broken[0] and t > 0.1005:
+            raise OSError("no answer")
+        return [-v[0], 0, 0, 0, 0, 0]
+
+    model.user_force(law, "bob", name="remote")
+    with pytest.raises(OSError, match="no answer") as caught:
+        lw.simulate(model, 0.2, step=1e-3, output=tmp_path / "run.h5" if in_file else None)
+    error: Any = caught.value
+    assert error.__notes__[0].endswith("its `result` has 101 frames")
+    assert not error.result.finished and error.state.t == error.result.t[-1] == pytest.approx(0.1)
+    broken[0] = False
+    whole, rest = lw.simulate(model, 0.2, step=1e-3), lw.simulate(model, 0.2, step=1e-3, start=error.state)
+    assert np.abs(rest.q[-1] - whole.q[-1]).max() < 1e-12
+
+
+def test_an_error_of_a_users_own_that_has_a_result_keeps_it() -> None:
+    class Refused(Exception):
+        result = "mine"
+
+    def law(t: float, q: Floats, v: Floats) -> list[float]:
+        raise Refused
+
+    model = lw.mechanisms.pendulum()
+    model.user_force(law, "bob", name="remote")
+    with pytest.raises(Refused) as caught:
+        lw.simulate(model, 0.2, step=1e-3)
+    assert caught.value.result == "mine"
 
 
 def test_the_derivative_fits_solve_ivp() -> None:

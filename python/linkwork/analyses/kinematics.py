@@ -17,7 +17,7 @@ from linkwork.analyses.tangent import to_inertial_axes
 from linkwork.arguments import array, one_of
 from linkwork.arrays import Floats
 from linkwork.equations.system import System
-from linkwork.errors import LinkworkError, OptionError, SingularSystemError, warn
+from linkwork.errors import LinkworkError, OptionError, SingularSystemError, carry, warn
 from linkwork.modeling.model import Model
 from linkwork.motion.header import Header
 from linkwork.motion.records import Snapshot
@@ -90,12 +90,13 @@ def _motion(model: Model, t: Floats, on_singular: Literal["pass", "warn", "stop"
                 frames.add(continuation)
                 fast.resume()
             k += taken or 1
-    except LinkworkError as error:
-        error.result = frames.result(continuation, began, failed=True) if frames.begun else None
+    except Exception as error:
+        found = frames.result(continuation, began, failed=True) if frames.begun else None
         at = continuation.at
-        error.state = Snapshot(at.t, at.q.reshape(-1, 7), at.v.reshape(-1, 6), at.history)
-        if error.result is not None:
-            warn_of_what_frames_show(error.result)
+        state = Snapshot(at.t, at.q.reshape(-1, 7), at.v.reshape(-1, 6), at.history)
+        carry(error, result=found, state=state)
+        if found is not None:
+            warn_of_what_frames_show(found)
         raise
     result = frames.result(continuation, began)
     _check_work(result)

@@ -18,7 +18,7 @@ from linkwork.arguments import whole
 from linkwork.arrays import Floats
 from linkwork.comparison.workers import processor_count
 from linkwork.ensemble.outcome import DIMENSIONS, OWN, TRAJECTORIES, EnsembleResult, whole_number
-from linkwork.errors import LinkworkError, LinkworkWarning, OptionError, warn
+from linkwork.errors import LinkworkError, LinkworkWarning, OptionError, carry, warn
 from linkwork.modeling.model import Model, check_model
 from linkwork.options import TABLE, check_name, check_number, check_option
 from linkwork.options import names as option_names
@@ -168,7 +168,8 @@ class Ensemble:
         neighbors, `threads` and the processor are. One that fails is kept as failed, and disturbs no other.
 
         OptionError: an option or output that does not exist or cannot be, before the first member.
-        LinkworkWarning: members are more than 1 % off, or functions remember calls. Ctrl-C ends it.
+        LinkworkWarning: members are more than 1 % off, or functions remember calls. Ctrl-C ends it: the
+        `result` of the KeyboardInterrupt has the members that are done, others have the status "skipped".
         """  # Long: its arguments are fifteen lines.
         started = time.perf_counter()
         check_number("t_end", t_end, positive=True, unit="s")
@@ -194,19 +195,26 @@ class Ensemble:
         else:
             _check_memory(len(self), method, example)
         members = _Kept(len(self), asked, wanted_times)
-        with counting(progress, len(self)) as report:
-            for first in range(0, len(self), AT_ONCE * count):
-                report(first, f"{first} of {len(self)} members")
-                numbers = range(first, min(first + AT_ONCE * count, len(self)))
-                models = [self._members.model_or_error(k) for k in numbers]
-                for number, member in zip(numbers, run_members(models, method), strict=True):
-                    members.keep(number, member)
-        about = {**platform_facts(), "t_end": float(t_end), "step": step, "threads": count,
-                 "seconds": time.perf_counter() - started}  # fmt: skip
-        found = members.outcome(self, about)
+        about = {**platform_facts(), "t_end": float(t_end), "step": step, "threads": count}
+        try:
+            self._carry_out(method, members, progress)
+        except KeyboardInterrupt as stop:
+            about["seconds"] = time.perf_counter() - started
+            raise members.interrupted(stop, self, about) from stop
+        found = members.outcome(self, {**about, "seconds": time.perf_counter() - started})
         if warns:
             members.warn_of_inaccurate(found)
         return found
+
+    def _carry_out(self, method: Method, to: _Kept, progress: ShowOption) -> None:
+        at_once = AT_ONCE * method.threads
+        with counting(progress, len(self)) as report:
+            for first in range(0, len(self), at_once):
+                report(first, f"{first} of {len(self)} members")
+                numbers = range(first, min(first + at_once, len(self)))
+                models = [self._members.model_or_error(k) for k in numbers]
+                for number, member in zip(numbers, run_members(models, method), strict=True):
+                    to.keep(number, member)
 
 
 # --- members ---
@@ -404,6 +412,15 @@ class _Kept:
             over_time=frozenset(it.label for it in asked if it.over_time),
             results=self._results,
         )
+
+    def interrupted(
+        self, stop: KeyboardInterrupt, ensemble: Ensemble, about: Mapping[str, Any]
+    ) -> KeyboardInterrupt:
+        """It says what is done, and has that as its `result`."""
+        done = f"interrupted: {self._found.done} of {len(ensemble)} members are done"
+        error = type(stop)(f"{done}; the error's `result` has them")
+        carry(error, result=self.outcome(ensemble, about))
+        return error
 
     def warn_of_inaccurate(self, found: EnsembleResult) -> None:
         """LinkworkWarning: members are more than 1 % off, or nobody knows how much."""

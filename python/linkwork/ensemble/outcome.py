@@ -48,7 +48,7 @@ class EnsembleResult(ReadOnly):
     """n members, of which k frames or the outputs that were asked for are kept.
 
     parameters    by name: values (n, ...)
-    status        (n,) "finished" or "failed"
+    status        (n,) "finished" or "failed", of an ensemble that was interrupted "skipped", too
     errors        by member: type, code, message of what failed, and `reached`, the simulated time [s]
     alone         by member: why it was simulated by itself and not in a lane
     remarks       by member: warnings
@@ -86,7 +86,7 @@ class EnsembleResult(ReadOnly):
 
     def __repr__(self) -> str:
         counts = Counter(self.status.tolist())
-        parts = [f"{counts[name]} {name}" for name in ("finished", "failed") if counts[name]]
+        parts = [f"{counts[name]} {name}" for name in ("finished", "failed", "skipped") if counts[name]]
         parts.append(f"{self.manifest['lanes']} in lanes")
         why = Counter(text.split(" (at t = ")[0] for text in self.alone.values()).most_common(LISTED)
         failed = Counter(str(it["message"]) for it in self.errors.values()).most_common(LISTED)
@@ -124,7 +124,9 @@ class EnsembleResult(ReadOnly):
         """
         k = whole_number(number, len(self))
         if k not in self.results:
-            why = self.errors.get(k, {}).get("message", "outputs were kept instead of motions")
+            skipped = self.status[k] == "skipped"
+            usual = "the ensemble was interrupted" if skipped else "outputs were kept instead of motions"
+            why = self.errors.get(k, {}).get("message", usual)
             raise OptionError(f"member {number}: has no motion: {why}", code="member")
         return self.results[k]
 

@@ -17,7 +17,7 @@ from linkwork import _core, memory
 from linkwork.arguments import array
 from linkwork.arrays import Floats
 from linkwork.equations.system import System
-from linkwork.errors import FileError, LinkworkError, OptionError, warn
+from linkwork.errors import FileError, LinkworkError, OptionError, carry, counted, warn
 from linkwork.integrators import Integrator
 from linkwork.modeling.model import Model
 from linkwork.motion.header import Header, frame_shapes, record_reactions
@@ -262,16 +262,17 @@ def _abandon(
             to.write(run.take_frames(at_the_end=True))
     finally:
         result = to.abandon(error)
-        if isinstance(error, KeyboardInterrupt):
-            error.result = result  # type: ignore[attr-defined]
-        if isinstance(error, LinkworkError):
+        if isinstance(error, Exception):
             state = Snapshot.of(run.t, run.last_state, run.history)
-            error.state, error.result = state.resumable(checkpoints.of_state(), run.work), result
+            carries = carry(error, result=result, state=state.resumable(checkpoints.of_state(), run.work))
+            if not isinstance(error, LinkworkError):  # of the user's own function
+                there = f"; its `result` has {counted(len(result), 'frame')}" if carries and result else ""
+                error.add_note(f"linkwork: in the step after t = {run.t:.6g} s{there}")
             if result is not None:
                 result._statistics.update(run.statistics(), failed=True)
                 warn_of_what_frames_show(result)
-        elif isinstance(error, Exception):  # of the user's own function
-            error.add_note(f"linkwork: in the step after t = {run.t:.6g} s")
+        else:
+            carry(error, result=result)
 
 
 def warn_of_singular_poses(statistics: Mapping[str, Any], warned: int) -> int:

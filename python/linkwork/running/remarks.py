@@ -10,6 +10,7 @@ from contextvars import ContextVar
 from typing import Any
 
 from linkwork.errors import LinkworkError
+from linkwork.results.result import Result
 
 __all__ = ["facts_of", "message_of", "remarked"]
 
@@ -25,12 +26,12 @@ def facts_of(error: BaseException) -> dict[str, Any]:
         "message": message_of(error),
         "reached": None,
     }
+    reached, result = None, getattr(error, "result", None)
     if isinstance(error, LinkworkError):
-        found["code"] = error.code
-        reached = error.time
-        if reached is None and error.result is not None and len(error.result):
-            reached = float(error.result.t[-1])
-        found["reached"] = None if reached is None else float(reached)
+        found["code"], reached = error.code, error.time
+    if reached is None and isinstance(result, Result) and len(result):
+        reached = float(result.t[-1])
+    found["reached"] = None if reached is None else float(reached)
     return found
 
 
