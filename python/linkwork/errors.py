@@ -24,7 +24,8 @@ if TYPE_CHECKING:
 __all__ = [
     "AccuracyError", "BusyError", "Fault", "Faults", "FileError", "LinkworkError", "LinkworkWarning",
     "ModelError", "ModelFileError", "NotConvergedError", "NotFiniteError", "OptionError",
-    "SingularSystemError", "StepSizeError", "ViolationError", "carry", "cause", "nearest", "unwritable", "warn",
+    "SingularSystemError", "StepSizeError", "ViolationError", "carry", "cause", "nearest", "unwritable",
+    "warn",
 ]  # fmt: skip
 
 
@@ -224,8 +225,8 @@ _CARRIED = "_linkwork_carried"
 
 
 def carry(error: BaseException, **found: Any) -> bool:
-    """What there is of a run, as attributes of the error that ended it; False: it is one of the user's own, and
-    has other ones of these names, or takes none."""
+    """What there is of a run, as attributes of the error that ended it; False: one of the user's own has
+    other ones of these names, or takes none."""
     own = not isinstance(error, LinkworkError | KeyboardInterrupt) and not hasattr(error, _CARRIED)
     if own and any(hasattr(error, name) for name in found):
         return False

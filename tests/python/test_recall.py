@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import collections
+import contextlib
 import ctypes
 import datetime
 import functools
@@ -32,9 +33,9 @@ def quick(model: lw.Model, t_end: float, **how: Any) -> lw.Result:
     return lw.simulate(model, t_end, **{"progress": False, "on_inaccurate": "pass", **how})
 
 
-def _held_by(law: Any) -> lw.Model:
+def _held_by(law: Any, position: Any = (0.3, 0, 0)) -> lw.Model:
     model = lw.Model()
-    bar = model.body("bar", mass=1.0, inertia=(0.003, 0.03, 0.03), position=(0.3, 0, 0))
+    bar = model.body("bar", mass=1.0, inertia=(0.003, 0.03, 0.03), position=position)
     model.revolute("ground", bar, at=(0, 0, 0), axis=(0, 1, 0), name="hinge")
     model.joint_force("hinge", law, name="controller")
     return model
@@ -455,6 +456,35 @@ def test_kinematics_says_that_a_law_remembers() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error", lw.LinkworkWarning)
         lw.inverse_dynamics(driven(lambda t, angle, rate: -3.0 * angle), np.linspace(0, 0.5, 41))
+
+
+def test_equilibrium_and_linearize_say_that_a_law_remembers() -> None:
+    """-30 N m/rad by an angle that a filter in the law follows: of 16.57 rad/s 57.5 are found."""
+
+    def filtered() -> Any:
+        known = [0.0]
+
+        def law(t: float, angle: float, rate: float) -> float:
+            known[0] += 0.03 * (angle - known[0])
+            return -30.0 * known[0] - 3.0 * rate
+
+        return law
+
+    def plain(t: float, angle: float, rate: float) -> float:
+        return -30.0 * angle - 3.0 * rate
+
+    down = (0, 0, -0.3)
+    with pytest.warns(lw.LinkworkWarning, match="linearize: 'controller': remembers calls"):
+        lw.linearize(_held_by(filtered(), down))
+    with (
+        pytest.warns(lw.LinkworkWarning, match="equilibrium: 'controller': remembers calls"),
+        contextlib.suppress(lw.NotConvergedError),
+    ):
+        lw.equilibrium(_held_by(filtered()))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", lw.LinkworkWarning)
+        found = lw.linearize(lw.equilibrium(_held_by(plain, down)).model)
+    assert found.frequencies[0] == pytest.approx(np.sqrt((30.0 + 0.3 * 9.80665) / 0.12), rel=1e-4)
 
 
 def test_a_sweep_gives_back_what_is_held_beside_a_lock_and_says_nothing() -> None:

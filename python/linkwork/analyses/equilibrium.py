@@ -29,6 +29,7 @@ from linkwork.errors import (
 )
 from linkwork.modeling.model import Model
 from linkwork.motion.records import Reaction, Snapshot
+from linkwork.running.estimation import told_of_memory
 
 __all__ = ["Equilibrium", "equilibrium"]
 
@@ -148,13 +149,14 @@ def equilibrium(model: Model, *, stable: bool = True) -> Equilibrium:
     NotConvergedError: no equilibrium, with the body that is driven most, or that goes round and round, as by
     a motor against friction, which does not hold at rest; the error's `state` is the pose that was reached.
     SingularSystemError: a singular pose, as of a parallelogram that rests folded flat: there stiffness tells
-    nothing; `state` as well. LinkworkWarning: nearly so. OptionError: `stable` is no truth value.
+    nothing; `state` as well. OptionError: `stable` is no truth value. LinkworkWarning: it is nearly singular;
+    functions of the model remember calls, so that it may rest elsewhere.
     """
     if not isinstance(stable, bool):
         raise OptionError(f"stable {stable!r:.80} is not True or False", code="stable")
-    search = _Search(Equations(model), stable)
-    q = search.find()
-    return search.described(q)
+    with told_of_memory(model, "equilibrium"):
+        search = _Search(Equations(model), stable)
+        return search.described(search.find())
 
 
 #: q, and the r and lambda of `_Search._balance` there.

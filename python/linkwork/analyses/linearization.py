@@ -29,6 +29,7 @@ from linkwork.modeling.model import Model
 from linkwork.modeling.tables import Table
 from linkwork.motion.records import Snapshot
 from linkwork.running import checks
+from linkwork.running.estimation import told_of_memory
 
 __all__ = ["Linearization", "linearize"]
 
@@ -190,12 +191,18 @@ def linearize(
     ModelError: the state is not in balance, or accelerates, is singular, has coefficients that change with
     time, or a massless motion. OptionError: modes or near. NotConvergedError: the iteration of a large model.
     LinkworkWarning: modes that are not sure, as the digits of numbers are too few for stiffness and damping,
-    or for a pose that is nearly singular.
+    or for a pose that is nearly singular; functions of the model remember calls, so that what they return
+    next to the state is no stiffness or damping.
     """
     if modes is not None and (not isinstance(modes, int) or modes < 1):
         raise OptionError(f"modes {modes!r} is not a positive whole number", code="modes")
     if not is_number(near) or near < 0:
         raise OptionError(f"near {near!r} rad/s must be a finite number, zero or positive", code="near")
+    with told_of_memory(model, "linearize"):
+        return _linearized(model, start, modes, near)
+
+
+def _linearized(model: Model, start: Snapshot | None, modes: int | None, near: float) -> Linearization:
     eq = _equations(model, start)
     at = _at_rest(eq, _begun(eq, start))
     coefficients = _coefficients(eq, at)

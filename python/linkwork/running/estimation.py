@@ -29,6 +29,7 @@ from linkwork.accuracy.verification import Finer, joined, state_error
 from linkwork.arrays import Floats
 from linkwork.equations.system import System
 from linkwork.errors import AccuracyError, LinkworkError, warn
+from linkwork.functions.calls import Calls
 from linkwork.integrators import METHODS, EmbeddedPair, Integrator
 from linkwork.modeling.model import Model
 from linkwork.motion.records import Snapshot
@@ -341,14 +342,22 @@ def told_of_memory(model: Model, what: str) -> Iterator[None]:
     functions, written = model._calls, Written(calls.function for _, calls in model._calls)
     for _, calls in functions:
         calls.forget()
-    yield
+    try:
+        yield
+    except LinkworkError:
+        _tell_of_memory(functions, written, what)
+        raise
+    _tell_of_memory(functions, written, what)
+
+
+def _tell_of_memory(functions: Sequence[tuple[str, Calls]], written: Written, what: str) -> None:
     with Kept(calls.function for _, calls in functions):
         found = recall.call_again(functions, began=written.began, own=written.parts(Kept([])))
     if found.remember:
         listed = ", ".join(f"'{name}'" for name in found.remember[:3])
         warn(
-            f"{what}: {listed}: remembers calls ({found.example}), so that what it returns depends on the "
-            "times that are asked for, and on what was called before"
+            f"{what}: {listed}: remembers calls ({found.example}), so that what it returns depends on what "
+            "was called before, and on where it was asked for that"
         )
 
 
