@@ -14,6 +14,7 @@ from linkwork.arrays import Floats, Number, VectorLike
 from linkwork.errors import ModelError, about, nearest
 from linkwork.functions import Sum, TimeFunction, TimeFunctionLike, as_time_function
 from linkwork.functions.calls import Calls
+from linkwork.functions.compiled_law import CompiledLaw
 from linkwork.modeling.bodies import Bodies
 from linkwork.modeling.coordinates import JointCoordinate, coordinate_of, coordinates_of
 from linkwork.modeling.elements import KINDS, Elements, Role, kind_info, placed, with_parameters
@@ -524,10 +525,18 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
 
     @property
     def _calls(self) -> Sequence[tuple[str, Calls]]:
-        """The functions of Python that the model calls, each with what it is for."""
+        """The functions of the user's own that may remember, each with what it is for."""
         of_forces = [(it.name, it.calls) for it in self._user_forces if it.calls is not None]
+        for _, calls in of_forces:
+            if isinstance(calls.function, CompiledLaw):
+                calls.function.bodies = self.body_count
         others = dict([*self._signals, *self._characteristics])
         return (*of_forces, *((name, calls) for name, it in others.items() for calls in it.calls))
+
+    @property
+    def _reaching(self) -> Mapping[str, Any]:
+        """What reaches all that functions of the user's own read, by name."""
+        return dict([*((it.name, it.reaching) for it in self._user_forces), *self._signals])
 
     @property
     def drivers(self) -> Sequence[tuple[str, TimeFunction]]:

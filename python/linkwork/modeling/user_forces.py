@@ -17,6 +17,7 @@ from linkwork.errors import ModelError
 from linkwork.fingerprints import called_from_ctypes, law
 from linkwork.functions import TimeFunction, as_time_function
 from linkwork.functions.calls import Calls
+from linkwork.functions.compiled_law import CompiledLaw
 from linkwork.modeling.coordinates import coordinate_of
 from linkwork.modeling.handles import BodiesLike, Body, BodyLike, Joint
 
@@ -33,13 +34,17 @@ class UserForce:
     law: Any  #: whose code counts
     place: str  #: bodies, or joint and coordinate, by number
     record: Mapping[str, Any]  #: kind (the method of Model that adds it) and arguments; bodies, joint by name
-    calls: Calls | None = None  #: of its law; None: it is no function of Python
-
+    calls: Calls | None = None  #: of its law; None: nobody can look at what it remembers
     data: Any = None  #: what a compiled law is given, whose content counts
 
     def fingerprint(self) -> str:
         """Equal for equal laws at equal places, whatever their names."""
         return " ".join([law(self.law), self.place, *([] if self.data is None else [law(self.data)])])
+
+    @property
+    def reaching(self) -> Any:
+        """What reaches all that its law reads."""
+        return self.law if self.calls is None else self.calls.function
 
     @property
     def name(self) -> str:
@@ -202,7 +207,9 @@ class UserForceMethods:
         model._core.add_breaks(times)
         place = _HERE if isinstance(function, int) else ""
         known = (_HERE, at) if isinstance(data, int | np.integer) else data
-        model._user_forces.append(own := UserForce(function, place, record, data=known if at else None))
+        law = CompiledLaw(function, address, data, at)
+        calls = Calls(law) if law.may_remember else None
+        model._user_forces.append(own := UserForce(function, place, record, calls, known if at else None))
         own.fingerprint()  # compiled as it is now
 
 

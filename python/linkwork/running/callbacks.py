@@ -38,7 +38,7 @@ _OPAQUE = (types.ModuleType, type, types.BuiltinFunctionType)
 
 def of_model(model: Model) -> dict[str, Any]:
     """The functions that the model calls, by the name of what they belong to."""
-    return dict([*model.user_forces, *model.signals])
+    return dict(model._reaching)
 
 
 def contents(functions: Mapping[str, Any]) -> dict[str, bytes]:

@@ -37,6 +37,7 @@ from linkwork.options import Options
 from linkwork.results.last_state import LastState
 from linkwork.results.result import Result
 from linkwork.running import callbacks, pulses, recall
+from linkwork.running.compiled_laws import CompiledLaws
 from linkwork.running.kept import Kept
 from linkwork.running.schedule import Adaptive, Fixed
 from linkwork.running.time_scale import size
@@ -111,6 +112,7 @@ class ErrorEstimator:
         self._functions = system.model._calls
         for _, calls in self._functions:
             calls.forget()
+        self._compiled_laws = CompiledLaws(self._functions)
         self._recall = recall.NOTHING
         self._own = {} if isinstance(method, Integrator) else {"integrator": method}
         self._own_contents = callbacks.contents(self._own)
@@ -123,6 +125,8 @@ class ErrorEstimator:
     def look(self, frames: Mapping[str, Floats]) -> None:
         """At frames as they come. AccuracyError: the run is inaccurate, and is to stop."""
         self._energies.add(frames)
+        if not isinstance(self._run, _core.LaneRun):  # those that remember run alone
+            self._compiled_laws.look(frames)
         if not self._stops or isinstance(self._run, _core.LaneRun):
             return
         if self._run.finished or self._run.steps_done < self._next_look:
