@@ -15,7 +15,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork.studies import sweeping
-from linkwork.studies.agreement import Sent
+from linkwork.studies.agreement import Here, Sent
 
 RUN: dict[str, Any] = {"t_end": 0.1, "step": 1e-2, "progress": False}
 
@@ -122,5 +122,62 @@ def test_workers_are_asked_once_a_study(monkeypatch: pytest.MonkeyPatch) -> None
     asked: list[object] = []
     monkeypatch.setattr(Sent, "_refusal", lambda sent: asked.append(sent))
     runner: Any = len
-    sent: Any = Sent(runner, {}, home=("elsewhere", 1))
+    sent: Any = Sent(runner, Here(), home=("elsewhere", 1))
     assert [sent([]), sent([])] == [0, 0] and len(asked) == 1
+
+
+CONTROLLER = """
+import linkwork as lw
+import numpy as np
+
+class Controller:
+    def __init__(self):
+        self.held = [0.0]
+
+    def sample(self, t, state):
+        self.held[0] = 1.0 - state.body("b").velocity[0]
+
+    def law(self, t, q, v):
+        return [self.held[0], 0, 0, 0, 0, 0]
+
+CONTROLLER = Controller()
+
+def sample(t, state):
+    CONTROLLER.sample(t, state)
+
+def clock(t, state):
+    return np.sin(20 * np.pi * t + 0.1)
+
+def built(mass):
+    model = lw.Model(gravity=(0, 0, 0))
+    body = model.body("b", mass=mass, inertia=(0.02, 0.03, 0.04))
+    model.user_force(CONTROLLER.law, body, name="controller")
+    return model
+"""
+
+
+@pytest.fixture
+def controller(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[ModuleType]:
+    monkeypatch.syspath_prepend(tmp_path)
+    (tmp_path / "sampling_controller.py").write_text(CONTROLLER)
+    yield importlib.import_module("sampling_controller")
+    del sys.modules["sampling_controller"]
+
+
+def test_samples_that_would_go_into_a_copy_of_the_controller_are_refused(controller: ModuleType) -> None:
+    """A function of the module goes by name, and a model takes its controller along with the event's."""
+    masses, final = [1.0, 2.0], "body('b').velocity.x.final"
+    how: dict[str, Any] = {"t_end": 0.3, "rtol": 1e-8, "step": 0.02, "progress": False}
+    bound = lw.Event(controller.clock, "clock", change=controller.CONTROLLER.sample)
+    by_name = lw.Event(controller.clock, "clock", change=controller.sample)
+    here = lw.sweep(controller.built, {"mass": masses}, final, events=bound, processes=1, **how)
+    assert np.abs(here.outputs[final]).min() > 0.05
+    with concurrent.futures.ProcessPoolExecutor(1, multiprocessing.get_context("fork")) as pool:
+        with pytest.raises(lw.LinkworkError, match="change of event clock, 1 has a copy of what") as caught:
+            lw.sweep(controller.built, {"mass": masses}, final, events=bound, executor=pool, **how)
+        assert caught.value.code == "executor"
+        named = lw.sweep(controller.built, {"mass": masses}, final, events=by_name, executor=pool, **how)
+        model, of_body = controller.built(1.0), {"b.mass": masses}
+        whole = lw.sweep(model, of_body, final, events=bound, executor=pool, **how)
+    assert named.outputs[final] == pytest.approx(here.outputs[final], rel=1e-12)
+    assert whole.outputs[final] == pytest.approx(here.outputs[final], rel=1e-12)

@@ -19,7 +19,7 @@ FRAMES, MOST = 3, 10_000_000
 
 
 class CompiledLaws:
-    """Made before the run. What is kept is returned by what they remembered then: at the last look, or now."""
+    """Made before the run. Calls that are kept are by what they remembered at the last look, or do now."""
 
     def __init__(self, functions: Sequence[tuple[str, Calls]]) -> None:
         self._calls = [calls for _, calls in functions if isinstance(calls.function, CompiledLaw)]

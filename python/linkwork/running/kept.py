@@ -160,6 +160,13 @@ class Kept(AbstractContextManager["Kept"]):
     def reaches(self, key: Hashable) -> bool:
         return key in self._places
 
+    def has(self, it: Any) -> bool:
+        """Whether it is an object that was looked into."""
+        return id(it) in self._seen
+
+    def has_kind(self, kind: type) -> bool:
+        return any(type(it) is kind for it in self._seen.values())
+
     @property
     def writable(self) -> bool:
         """Whether there are containers, or variables that they assign to."""

@@ -15,7 +15,7 @@ from typing import Any
 from linkwork.comparison.workers import Lost, in_processes
 from linkwork.errors import LinkworkError
 from linkwork.running.remarks import message_of
-from linkwork.studies.agreement import Refusal, Sent
+from linkwork.studies.agreement import Here, Refusal, Sent
 from linkwork.studies.cases import Answer, Case, Runner
 from linkwork.studies.executors import adapted, workers_of
 from linkwork.studies.lanes import AT_ONCE, PACK
@@ -49,7 +49,7 @@ Pool = Callable[[Sequence[Chunk]], Iterator[Found]]
 def run_cases(
     runner: Runner, cases: Sequence[Case], executor: Any, processes: int | None,
     beat: Callable[[], object] = lambda: None, case_seconds: float | None = None, total: int = 0,
-    here: Mapping[str, str] | None = None,
+    here: Here | None = None,
 ) -> Generator[Found, None, None]:  # fmt: skip
     """(cases, what became of them) as they come. What takes longer than `case_seconds`, alone, is lost.
     `total`: cases of the whole study, of which these may be a shard. `here`: what an executor's processes are
@@ -63,7 +63,7 @@ def run_cases(
     together = AT_ONCE if runner.lanes else 1
     pool = (
         _local(runner, processes, beat, case_seconds, together) if local
-        else _on(adapted(executor), workers, beat, Sent(runner, here or {}))
+        else _on(adapted(executor), workers, beat, Sent(runner, here or Here()))
     )  # fmt: skip
     lost: list[Chunk] = []
     rest, mean = cases, 0.0

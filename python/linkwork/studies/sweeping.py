@@ -37,7 +37,7 @@ from linkwork.running.manifest import platform_facts
 from linkwork.running.progress import ShowOption, counting
 from linkwork.running.simulation import check_run, simulate
 from linkwork.studies import outputs as wanted
-from linkwork.studies.agreement import contents
+from linkwork.studies.agreement import Here, contents, joined
 from linkwork.studies.cases import Answer, Case, Runner, check_times, machine
 from linkwork.studies.chunks import run_cases
 from linkwork.studies.collected import Collected, Todo
@@ -148,8 +148,9 @@ def sweep(
     asked = wanted.outputs_of(outputs)
     own = dict.fromkeys(OWN, "a column that every study has")
     check_names(own, list(drawn.columns), [it.label for it in asked])
-    here = {} if executor is None else contents(source, asked, options)  # as yet nothing was called
+    digests_here = {} if executor is None else contents(source, asked, options)  # as yet nothing was called
     number, example = _example(model, source, drawn)
+    here = Here(digests_here, [] if executor is None else joined(example, options))
     wanted_times, run_options = check_times(times, float(t_end), options, asked, example)
     checks.warn_of_opposed_axes(example, example.compiled().q0)
     first = example if number == 0 else None
@@ -428,7 +429,7 @@ class _Workers(NamedTuple):
     processes: int | None
     case_seconds: float | None
     total: int
-    here: Mapping[str, str]
+    here: Here
 
 
 @dataclass(frozen=True)
