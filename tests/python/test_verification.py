@@ -271,7 +271,7 @@ def test_a_verified_result_is_saved_over_its_own_file(tmp_path: Path) -> None:
     np.testing.assert_array_equal(found.error_of("q"), error)
 
 
-def test_events_that_count_are_not_run_twice() -> None:
+def test_events_that_count_begin_anew_in_the_second_run() -> None:
     passed: list[float] = []
 
     def third(t: float, state: lw.State) -> bool:
@@ -279,10 +279,47 @@ def test_events_that_count_are_not_run_twice() -> None:
         return len(passed) == 3
 
     bottom = lw.Event(lambda t, state: state.body("bob").position[0], "bottom", change=third)
-    with pytest.warns(lw.LinkworkWarning, match="no second run was made, as 'change of event bottom"):
-        result = quick(lw.mechanisms.pendulum(), 10.0, rtol=1e-9, events=bottom, verify=True)
-    assert len(passed) == len(result.events) == 3
-    assert not result.verified
+    result = quick(lw.mechanisms.pendulum(), 10.0, rtol=1e-9, events=bottom, verify=True)
+    assert passed == [it.t for it in result.events] and len(passed) == 3
+    assert result.verified and result.finished
+
+
+def test_an_error_is_known_where_the_largest_step_limits_steps_and_not_the_tolerances() -> None:
+    model = mechanisms.pendulum()
+    exact = quick(model, 0.5, rtol=1e-12, on_inaccurate="pass")
+    for step in (0.05, 0.02):
+        result = quick(model, 0.5, rtol=1e-2, step=step, record_every=1, verify=True)
+        error, told = np.abs(result.q[-1] - exact.q[-1]).max(), np.abs(result.error_of("q")[-1]).max()
+        assert error < 1.5 * told < 5 * error, step
+
+
+class _Sampled:
+    """A controller that an event samples every 0.05 s."""
+
+    def __init__(self) -> None:
+        self.held = 0.0
+        self.clock = lw.Event(lambda t, state: np.sin(20 * np.pi * t + 0.1), "clock", change=self.sample)
+
+    def sample(self, t: float, state: lw.State) -> None:
+        self.held = -3.0 * state.body("bob").position[0] - 2.0 * state.body("bob").velocity[0]
+
+    def model(self) -> lw.Model:
+        model = mechanisms.pendulum()
+        model.user_force(lambda t, q, v: [self.held, 0, 0, 0, 0, 0], "bob", name="controller")
+        return model
+
+
+def test_a_sampled_controller_is_run_twice_and_left_with_what_the_first_run_held() -> None:
+    sampled, exact, once = _Sampled(), _Sampled(), _Sampled()
+    how: dict[str, Any] = {"step": 0.02, "record_every": 1}
+    result = quick(sampled.model(), 0.5, rtol=1e-4, events=sampled.clock, verify=True, **how)
+    truth = quick(exact.model(), 0.5, rtol=1e-11, events=exact.clock, **how)
+    quick(once.model(), 0.5, rtol=1e-4, events=once.clock, **how)
+    assert result.verified and sampled.held == once.held != exact.held
+    error = np.abs(result.q[-1] - truth.q[-1]).max()
+    assert error < 2 * np.abs(result.error_of("q")[-1]).max() < 20 * error
+    with pytest.warns(lw.LinkworkWarning, match="'controller': reads what events have changed in a run"):
+        quick(sampled.model(), 0.5, rtol=1e-4, events=sampled.clock, **how)
 
 
 def test_a_second_run_that_fails_loses_nothing() -> None:

@@ -39,6 +39,7 @@ from linkwork.results.result import Result
 from linkwork.running import callbacks, pulses, recall
 from linkwork.running.compiled_laws import CompiledLaws
 from linkwork.running.kept import Kept
+from linkwork.running.returned import note_left
 from linkwork.running.schedule import Adaptive, Fixed
 from linkwork.running.time_scale import size
 from linkwork.running.written import Written
@@ -155,20 +156,33 @@ class ErrorEstimator:
         return self._of(self._system, statistics, steps=steps, report=report)
 
     def verify(
-        self, result: Result, output: str | os.PathLike[str] | None, run: Callable[[dict[str, Any]], Result]
+        self,
+        result: Result,
+        output: str | os.PathLike[str] | None,
+        run: Callable[[dict[str, Any]], Result],
+        began: Kept,
+        changed: Sequence[str],
     ) -> None:
         """Adds a finer run, made by `run` with such arguments, to the result and its file.
 
+        began    what functions of the user's remembered then: the finer run begins with that, and leaves them
+                 with what they remember now
+        changed  functions of events that remember something else now
+
         LinkworkWarning: there is none, as a function of the user's remembers calls, or it failed.
         """
-        stateful = [*self._recall.differ, *callbacks.changed(self._own_contents, self._own)]
+        stateful = [*self._recall.remember, *callbacks.changed(self._own_contents, self._own)]
+        if not began.whole:
+            stateful = [*self._recall.differ, *stateful, *changed]
         if stateful:
             return warn(no_second_run(stateful[0]))
         try:
-            with self._as_it_was():
+            with self._as_it_was(), began.as_then():
                 found = self._second_run(result, run)
         except LinkworkError as error:
             return warn(f"verify: the second run failed, so that nothing is known by it: {error}")
+        if self._written is not None and self._recall.differ:
+            note_left(self._functions, self._written.began)  # by this run, not by the second one
         gain = 10.0
         if isinstance(self._plan, Fixed):
             # The speed at which a contact begins is known to the first order.

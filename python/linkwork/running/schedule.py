@@ -144,8 +144,9 @@ class Adaptive:
         return None if self.record_every else len(self.times) + 1
 
     def finer(self, times: NDArray[np.float64], onsets: bool = False) -> dict[str, Any]:
-        """Arguments of a run with a tenth of the tolerances and frames at these times."""
-        largest = self.largest_step if math.isfinite(self.largest_step) else None
+        """Arguments of a run with a tenth of the tolerances and frames at these times. Half the largest step:
+        where that limits steps, and not the tolerances, a run with the same one would have the same error."""
+        largest = self.largest_step / 2 if math.isfinite(self.largest_step) else None
         rtol = max(self.rtol / 10, LEAST_RTOL)
         return {"rtol": rtol, "atol": self.atol / 10, "step": largest, "times": np.unique(times)}
 

@@ -17,7 +17,7 @@ from linkwork import _core, integrators
 from linkwork.arguments import check_new
 from linkwork.equations.assembly import Assembly
 from linkwork.equations.system import System
-from linkwork.errors import OptionError, unwritable, warn
+from linkwork.errors import OptionError, unwritable
 from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.modeling.model import Model
 from linkwork.motion.header import Header
@@ -37,6 +37,8 @@ from linkwork.running import (
 )
 from linkwork.running.events import Event, Watched, compile_events, functions_of
 from linkwork.running.interrupts import Interrupts
+from linkwork.running.kept import Kept
+from linkwork.running.leaving_no_memory import called
 from linkwork.running.manifest import manifest
 from linkwork.running.progress import ProgressOption, check_progress, preparing, reporting, sharing
 from linkwork.running.recording import PythonStep
@@ -114,7 +116,7 @@ def simulate(
                   False: the run starts from them as they are, with a warning
     on_inaccurate what an estimated error of more than 1 % means to the run. "pass", "warn" or "stop", see
                   `Result.verdict`; "stop" looks after it ever doubled the number of its steps, too
-    verify        a second run at half the step, or a tenth of the tolerances: `Result.error_of` then tells
+    verify        a second run at half the step, and a tenth of the tolerances: `Result.error_of` then tells
                   the error of whatever was recorded, and plots have error bands
     options       by name; what is left out, or None, has its default
 
@@ -149,24 +151,24 @@ def simulate(
         given = {"t_end": t_end, "step": step, "integrator": integrator, "rtol": rtol, "atol": atol,
                  "record_every": record_every, "times": times, "breaks": breaks, "assemble": assemble,
                  "on_inaccurate": on_inaccurate, "verify": verify, **options}  # fmt: skip
+        events = list(events) if isinstance(events, Iterable) else events
         written = Written((calls.function for _, calls in model._calls), _readers(events))
+        began = Kept(called(model, {"events": events, "integrator": integrator}).values()) if verify else None
         watched = compile_events(events, model, written.by_others)
         prepared = _prepared(model, plan, given, options, watched, start, written, in_file=output is not None)
         _check_output(output, overwrite)
         prepared = _looked_ahead(prepared, output)
-    called = functions_of(events) if verify else {}
-    contents = callbacks.contents(called)
+    of_events = functions_of(events) if verify else {}
+    contents = callbacks.contents(of_events)
     with Interrupts() as interrupts, path:
         result, estimator = _carried_out(prepared, output, progress, started, interrupts)
-    if verify and not (remembers := callbacks.changed(contents, called)):
+    if began is not None:
         again: dict[str, Any] = {"t_end": t_end, "integrator": prepared.method, "events": events,
                                  "breaks": breaks, "start": start, "assemble": assemble}  # fmt: skip
         estimator.verify(result, output, lambda finer: simulate(
             model, **{**again, **finer}, progress=progress, on_inaccurate="pass",
             **estimation.strict(options),
-        ))  # fmt: skip
-    elif verify:
-        warn(estimation.no_second_run(remembers[0]))
+        ), began, callbacks.changed(contents, of_events))  # fmt: skip
     estimation.apply_policy(result, on_inaccurate)
     return result
 

@@ -111,9 +111,9 @@ class Sent:
         if refusal.apart:
             names = ", ".join(refusal.apart)
             return LinkworkError(
-                f"executor: in the worker, {refusal.where}, {names} has a copy of what functions of the model "
-                "read, so that one changes what the other never sees: let both be functions of a module, which "
-                "go by name, or give a model in place of the function that builds it",
+                f"executor: in the worker, {refusal.where}, {names} has a copy of what laws of the model "
+                "read, so that it changes what they never see: let both be functions of a module, which go "
+                "by name, or give a model in place of the function that builds it",
                 code="executor",
             )
         name = "linkwork" if "linkwork" in refusal.others else "Python"

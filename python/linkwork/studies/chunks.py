@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import concurrent.futures as futures
 import math
-from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from typing import Any
 
 from linkwork.comparison.workers import Lost, in_processes
