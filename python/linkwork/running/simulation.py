@@ -391,8 +391,11 @@ def _carried_out(
     return result, estimator
 
 
-def _readers(events: object) -> list[Any]:
-    """Functions of events, but for those that only log."""
+def _readers(events: object) -> list[Any] | None:
+    """Functions of events, but for those that only log; None: no event changes anything."""
+    listed = events if isinstance(events, list) else [events]
+    if all(getattr(it, "change", None) is None for it in listed):
+        return None
     return [it for it in functions_of(events).values() if not callbacks.only_logs(it)]
 
 

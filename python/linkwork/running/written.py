@@ -22,11 +22,11 @@ class Written:
     changes  of what they and functions of events read, by events
     """
 
-    def __init__(self, functions: Iterable[Any], events: Iterable[Any] = ()) -> None:
-        """`events`: functions of events that read, too."""
+    def __init__(self, functions: Iterable[Any], events: Iterable[Any] | None = None) -> None:
+        """`events`: functions of events that read, too; None: there are none that change something."""
         functions = list(functions)
         self.began = self._since = Kept(functions)
-        self.changes = Changes([*functions, *events])
+        self.changes = Changes([] if events is None else [*functions, *events])
         self._parts: Parts = set()
         self._left = MOST
         self._follows = bool(self.began.size)
