@@ -32,6 +32,7 @@ from linkwork.running.simulation import check_run, simulate
 from linkwork.studies import outputs as wanted
 from linkwork.studies.cases import Run, check_times, in_one, kept
 from linkwork.studies.collected import Collected
+from linkwork.studies.lanes import PACK
 from linkwork.studies.sampling import Cases, cases_of
 from linkwork.studies.study import array_of
 from linkwork.studies.sweeping import check_names, probe
@@ -40,7 +41,7 @@ from linkwork.studies.variants import Built, Source, source_of
 __all__ = ["Ensemble", "simulate_many"]
 
 #: Members that are made and simulated at a time, for each thread: some packs of the widest registers.
-AT_ONCE = 32
+AT_ONCE = 4 * PACK
 
 #: Arguments of `simulate` that an ensemble has in another way, or cannot have.
 OTHERS = {
@@ -197,7 +198,8 @@ class Ensemble:
         members = _Kept(len(self), asked, wanted_times)
         about = {**platform_facts(), "t_end": float(t_end), "step": step, "threads": count}
         try:
-            self._carry_out(method, members, progress)
+            # ctrl-C loses those under way, of which functions of Python take long
+            self._carry_out(method, members, progress, PACK if example._calls else AT_ONCE)
         except KeyboardInterrupt as stop:
             about["seconds"] = time.perf_counter() - started
             raise members.interrupted(stop, self, about) from stop
@@ -206,8 +208,8 @@ class Ensemble:
             members.warn_of_inaccurate(found)
         return found
 
-    def _carry_out(self, method: Method, to: _Kept, progress: ShowOption) -> None:
-        at_once = AT_ONCE * method.threads
+    def _carry_out(self, method: Method, to: _Kept, progress: ShowOption, at_once: int) -> None:
+        at_once *= method.threads
         with counting(progress, len(self)) as report:
             for first in range(0, len(self), at_once):
                 report(first, f"{first} of {len(self)} members")

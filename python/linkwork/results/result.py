@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import functools
 import hashlib
 import math
 import os
@@ -297,15 +298,20 @@ class Result:
             if it.t == t
         ]
         found = Snapshot(t, *state, self.history[frame].copy(), self._error_at(frame), happened=came)
-        checkpoint = self._settled()
-        if checkpoint is not None and int(frame) % count < count - 1:
-            checkpoint = checkpoint.of_memory
+        last = int(frame) % count == count - 1
+        checkpoint = self._settled() if last else self._remembered
         return found.resumable(checkpoint, float(self._field("work", frame)))
 
     def _settled(self) -> Checkpoint | None:
         """What a run begins with that goes on from the last frame to the last bit."""
         found = self._checkpoint
         return found if found is None or isinstance(found, Checkpoint) else found()
+
+    @functools.cached_property
+    def _remembered(self) -> Checkpoint | None:
+        """What a run begins with that goes on from another frame."""
+        found = self._settled()
+        return None if found is None else found.of_memory
 
     def _error_at(self, frame: int) -> float:
         """The part of the accumulated error that a run has made up to a frame."""
