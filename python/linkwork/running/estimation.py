@@ -31,7 +31,7 @@ from linkwork.equations.system import System
 from linkwork.errors import AccuracyError, LinkworkError, warn
 from linkwork.functions.calls import Calls
 from linkwork.integrators import METHODS, EmbeddedPair, Integrator
-from linkwork.modeling.model import Model
+from linkwork.modeling.model import Model, check_model
 from linkwork.motion.records import Snapshot
 from linkwork.options import Options
 from linkwork.results.last_state import LastState
@@ -356,7 +356,9 @@ def of_memory(names: Sequence[str], seen: str = "") -> str:
 
 @contextmanager
 def told_of_memory(model: Model, what: str) -> Iterator[None]:
-    """Around an analysis. LinkworkWarning: functions of the model that it calls remember calls."""
+    """Around an analysis. LinkworkWarning: functions of the model that it calls remember calls. ModelError: it
+    is no model."""
+    check_model(model)
     functions, written = model._calls, Written(calls.function for _, calls in model._calls)
     for _, calls in functions:
         calls.forget()
