@@ -356,8 +356,10 @@ def of_memory(names: Sequence[str], seen: str = "") -> str:
 
 @contextmanager
 def told_of_memory(model: Model, what: str) -> Iterator[None]:
-    """Around an analysis. LinkworkWarning: functions of the model that it calls remember calls. ModelError: it
-    is no model."""
+    """Around an analysis. LinkworkWarning: functions of the model that it calls remember calls.
+
+    ModelError: it is no model.
+    """
     check_model(model)
     functions, written = model._calls, Written(calls.function for _, calls in model._calls)
     for _, calls in functions:
