@@ -31,13 +31,18 @@ class Call(NamedTuple):
 class Calls:
     """A function that is called by `ask`, and calls of it: rows of them, evenly over all since `forget`."""
 
-    def __init__(self, function: Callable[..., Any]) -> None:
-        self.function = function
+    def __init__(
+        self, function: Callable[..., Any], given: Callable[..., tuple[Any, ...]] | None = None
+    ) -> None:
+        """`given`: makes what the function is given of what is asked with; None: it is the same."""
+        self.function, self._given = function, given
         self.forget()
 
     def forget(self) -> None:
         self.differs: bool | None = None  #: whether they return something else later; None: nobody has looked
-        self.remembers = False  #: whether that is by the calls before
+        self.remembers = False  #: whether that may be by the calls before
+        self.by_itself = False  #: whether the calls before make that difference
+        self.hidden = False  #: whether they do so although all is as it was that can be put back
         self._rows: list[list[Call]] = []
         self._left = 0  # calls until the next that is kept
         self._apart = 0  # calls between rows
@@ -45,21 +50,25 @@ class Calls:
     def ask(self, *given: Any) -> Any:
         if self._left:
             self._left -= 1
-            return self.function(*given)
+            return self._call(given)
         kept = copied(given)  # the function may write into what it gets
-        returned = self.function(*given)
+        returned = self._call(given)
         self._keep(kept, returned)
         return returned
+
+    def _call(self, given: tuple[Any, ...]) -> Any:
+        return self.function(*(given if self._given is None else self._given(*given)))
 
     def again(self, call: Call) -> Floats | None:
         """What it returns now for the same arguments; None: it fails."""
         try:
-            return np.array(self.function(*copied(call.given)), dtype=float)
+            return np.array(self._call(copied(call.given)), dtype=float)
         except Exception:  # of the user's
             return None
 
     @property
     def first(self) -> list[Call]:
+        """All until there are enough in a row."""
         return self._rows[0] if self._rows else []
 
     def some(self, most: int) -> list[Call]:

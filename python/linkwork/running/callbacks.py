@@ -14,8 +14,8 @@ import functools
 import hashlib
 import pickle
 import types
-from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -117,16 +117,17 @@ _STORES = ("STORE_DEREF", "STORE_GLOBAL", "STORE_ATTR")
 _LOADS = ("LOAD_DEREF", "LOAD_GLOBAL", "LOAD_ATTR", "LOAD_METHOD")
 
 
-def _is_log(function: Any) -> bool:
-    """Whether a function never reads what it writes, as times at which it was called, or only counts."""
-    found = _functions(function)
-    kept = [it for each in found for it in each.__defaults__ or () if isinstance(it, list | dict | set)]
-    return bool(found) and not kept and all(_only_adds(it.__code__) for it in found)
-
-
-def only_logs(function: Any) -> bool:
-    """Whether a function writes, and never reads what it writes."""
-    return _is_log(function) and any(_writes(it.__code__) for it in _functions(function))
+def only_logs(function: Any, among: Iterable[Any]) -> bool:
+    """Whether a function writes, and nobody `among` those that are called reads what it writes: when it was
+    called, or how often."""
+    own = _functions(function)
+    kept = [it for each in own for it in each.__defaults__ or () if isinstance(it, list | dict | set)]
+    used = [_used(it.__code__) for it in own]
+    if kept or not any(_writes(it.__code__) for it in own) or any(it.elsewhere for it in used):
+        return False
+    written = set[str]().union(*(it.written for it in used))
+    readers = {id(it): it for one in [function, *among] for it in _functions(one)}
+    return all(written.isdisjoint(_used(it.__code__).read) for it in readers.values())
 
 
 def _writes(code: types.CodeType) -> bool:
@@ -155,15 +156,23 @@ def _functions(function: Any) -> list[types.FunctionType]:
     return [it for it in found if isinstance(it, types.FunctionType)]
 
 
-def _only_adds(code: types.CodeType) -> bool:
-    """What it writes, other than its own variables, it reads only to add one more."""
+class _Used(NamedTuple):
+    """Names of what a function writes other than its own variables, and of what it reads, but only to add one
+    more. elsewhere: it writes to what has no name here."""
+
+    written: frozenset[str]
+    read: frozenset[str]
+    elsewhere: bool
+
+
+@functools.cache
+def _used(code: types.CodeType) -> _Used:
     steps = [it for it in dis.get_instructions(code) if it.opname not in ("CACHE", "SWAP", "COPY")]
-    inner = [it for it in code.co_consts if isinstance(it, types.CodeType)]
+    inner = [_used(it) for it in code.co_consts if isinstance(it, types.CodeType)]
     written = {it.argval for it in steps if it.opname in _STORES}
-    read: list[str] = []
+    read, elsewhere = set[str](), False
     for it, *then in zip(steps, *(steps[k:] + steps[-1:] * k for k in (1, 2, 3)), strict=True):
-        if then[1].opname == "STORE_SUBSCR" and it.opname != "LOAD_FAST":
-            return False
+        elsewhere = elsewhere or (then[1].opname == "STORE_SUBSCR" and it.opname != "LOAD_FAST")
         if it.opname not in _LOADS:
             continue
         if then[0].opname in ("LOAD_ATTR", "LOAD_METHOD") and then[0].argval in _ADDS:
@@ -171,8 +180,12 @@ def _only_adds(code: types.CodeType) -> bool:
         elif not (
             then[1].opname == "BINARY_OP" and then[2].opname in _STORES and then[2].argval == it.argval
         ):
-            read.append(it.argval)
-    return written.isdisjoint(read) and all(map(_only_adds, inner))
+            read.add(it.argval)
+    return _Used(
+        frozenset(written).union(*(it.written for it in inner)),
+        frozenset(read).union(*(it.read for it in inner)),
+        elsewhere or any(it.elsewhere for it in inner),
+    )
 
 
 def _chance(it: Any) -> bool:

@@ -96,9 +96,11 @@ class ErrorEstimator:
         stops: bool = False,
         others: Sequence[Any] = (),
         written: Written | None = None,
+        watching: Sequence[tuple[str, Calls]] = (),
     ) -> None:
         """`breaks` [s] of the run; `stops`: it, as soon as it is known to be inaccurate; `others`: functions
-        that may change what those of the model read, as those of events; `written`: what these write."""
+        that may change what those of the model read, as those of events; `written`: what these write;
+        `watching`: functions of events. All calls are those of the run."""
         self._run, self._method, self._system = run, method, system
         self._stops, self._next_look = stops, FIRST_LOOK
         stabilization: Any = system.compiled().options.stabilization
@@ -110,9 +112,7 @@ class ErrorEstimator:
         self._energies = Energies(
             _at_rest(system.model, plan.t_end - (start.t if start is not None else 0.0))
         )
-        self._functions = system.model._calls
-        for _, calls in self._functions:
-            calls.forget()
+        self._functions, self._watching = system.model._calls, watching
         self._compiled_laws = CompiledLaws(self._functions)
         self._recall = recall.NOTHING
         self._own = {} if isinstance(method, Integrator) else {"integrator": method}
@@ -236,19 +236,18 @@ class ErrorEstimator:
             names = ", ".join(f"'{name}'" for name in self._recall.differ[:3])
             why = f"no step was taken again, as {names} may remember the calls before"
             found = self._by_balance(why, statistics)
-            return replace(found, memory=self._recall.remember, recalled=self._recall.example)
-        with self._as_it_was():
-            return self._by_steps(system, statistics, steps=steps, report=report)
+        else:
+            with self._as_it_was():
+                found = self._by_steps(system, statistics, steps=steps, report=report)
+        return replace(found, memory=self._recall.remember, recalled=self._recall.example)
 
     def _called_again(self) -> recall.Recall:
-        if self._written is None:
-            return recall.call_again(self._functions, self._others)
-        own = self._written.parts(Kept(self._own.values()))
-        return recall.call_again(self._functions, self._others, self._written.began, own)
+        own = None if self._written is None else self._written.parts(Kept(self._own.values()))
+        return recall.call_again(self._functions, self._others, self._written, own, self._watching)
 
     def _as_it_was(self) -> Kept:
         """A context that leaves what functions of the user's write to as it is now."""
-        return Kept(calls.function for _, calls in self._functions)
+        return Kept(calls.function for _, calls in [*self._functions, *self._watching])
 
     def _by_steps(
         self,
@@ -361,9 +360,7 @@ def told_of_memory(model: Model, what: str) -> Iterator[None]:
     ModelError: it is no model.
     """
     check_model(model)
-    functions, written = model._calls, Written(calls.function for _, calls in model._calls)
-    for _, calls in functions:
-        calls.forget()
+    functions, written = model._calls, Written(model._calls)
     try:
         yield
     except LinkworkError:
@@ -374,7 +371,7 @@ def told_of_memory(model: Model, what: str) -> Iterator[None]:
 
 def _tell_of_memory(functions: Sequence[tuple[str, Calls]], written: Written, what: str) -> None:
     with Kept(calls.function for _, calls in functions):
-        found = recall.call_again(functions, began=written.began, own=written.parts(Kept([])))
+        found = recall.call_again(functions, written=written, own=written.parts(Kept([])))
     if found.remember:
         listed = ", ".join(f"'{name}'" for name in found.remember[:3])
         warn(

@@ -15,10 +15,11 @@ from linkwork.arguments import UNREADABLE, array, is_number, is_text
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError
 from linkwork.fingerprints import law
+from linkwork.functions.calls import Calls
 from linkwork.modeling.handles import Body
 from linkwork.modeling.model import Model
 
-__all__ = ["Event", "State", "Watched", "compile_events"]
+__all__ = ["Event", "State", "Watched", "calls_of", "compile_events", "functions_of"]
 
 
 #: Makes a context, of the time [s].
@@ -146,12 +147,15 @@ class Event:
                 f"{who}: tolerance {self.tolerance!r:.80} must be zero or positive [s]", code="event"
             )
 
-    def compiled(self, model: Model, changing: Changing = nullcontext) -> _core.Event:
+    def compiled(
+        self, model: Model, changing: Changing = nullcontext, calls: Calls | None = None
+    ) -> _core.Event:
         """The same event of a run of `model` in the compiled module.
 
             lw.Event(lambda t, state: state.body("rod").position[2], name="floor").compiled(model)
 
         changing  a context in which `change` is called
+        calls     those of its function, as `calls` gives them, where they are looked at later
 
         OptionError: what is no function, or no direction, tolerance, or answer to whether it is terminal.
         """
@@ -162,8 +166,10 @@ class Event:
                     f"event '{self.label}': {what} {given!r} is no function of (t, state)", code="event"
                 )
 
+        asked = calls or self.calls(model)
+
         def function(t: float, y: Floats) -> float:
-            return self._number(t, self.function(t, State(model, y)))
+            return self._number(t, asked.ask(t, y))
 
         def change(t: float, y: Floats) -> tuple[ArrayLike, bool]:
             changed = np.array(y)
@@ -187,6 +193,10 @@ class Event:
             None if self.change is None else change,
             self.tolerance,
         )
+
+    def calls(self, model: Model) -> Calls:
+        """Of its function, each with t [s] and y (13n,) in a run of `model`."""
+        return Calls(self.function, lambda t, y: (t, State(model, y)))
 
     def _number(self, t: float, value: object) -> float:
         """What its function returned. OptionError: no number, or whether it has passed zero."""
@@ -222,6 +232,7 @@ class Watched(NamedTuple):
     label: str
     compiled: _core.Event
     event: Event
+    calls: Calls  #: of its function
 
     def laws(self) -> tuple[str, str]:
         """Of its function and its change, with what they read now: see linkwork.fingerprints.law."""
@@ -245,4 +256,13 @@ def compile_events(events: object, model: Model, changing: Changing = nullcontex
     for event in listed:
         if not isinstance(event, Event):
             raise OptionError(f"events: {event!r} is no linkwork.Event", code="event")
-    return [Watched(event.label, event.compiled(model, changing), event) for event in listed]
+    found = []
+    for event in listed:
+        calls = event.calls(model)
+        found.append(Watched(event.label, event.compiled(model, changing, calls), event, calls))
+    return found
+
+
+def calls_of(watched: Iterable[Watched]) -> list[tuple[str, Calls]]:
+    """Of the functions of events, each with what it is."""
+    return [(f"event {it.label}", it.calls) for it in watched]

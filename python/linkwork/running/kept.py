@@ -15,6 +15,7 @@ import io
 import logging
 import os
 import pathlib
+import random
 import re
 import sys
 import threading
@@ -22,27 +23,28 @@ import types
 import uuid
 import weakref
 from collections import deque
-from collections.abc import Callable, Hashable, Iterable, Iterator
+from collections.abc import Callable, Hashable, Iterable, Iterator, Set
 from contextlib import AbstractContextManager
 from typing import Any
 
 import numpy as np
 
 from linkwork.fingerprints import is_users
-from linkwork.running.places import ALL, Named, Place, is_from_c, place_of
+from linkwork.running.places import ALL, Named, Place, in_cache, is_from_c, is_same, place_of
 
 __all__ = ["CONSTANT", "Kept", "Part", "Parts", "is_opaque", "names_in"]
 
-#: Nothing in them can be written to that functions compute with, nor do they hold anything that can be.
+#: Nothing in them can be written to that functions compute with, nor do they hold anything that can be, but
+#: for attributes that a class of the user's adds.
 CONSTANT = (
-    type(None), bool, int, float, complex, str, bytes, np.generic, np.dtype, range, slice, datetime.date,
-    datetime.time, datetime.timedelta, datetime.tzinfo, decimal.Decimal, decimal.Context, fractions.Fraction,
-    re.Pattern, re.Match, uuid.UUID, pathlib.PurePath, enum.Enum, type(threading.Lock()),
-    type(threading.RLock()), threading.Thread, threading.Condition, threading.Event, threading.Semaphore,
-    threading.Barrier, logging.Logger, logging.Handler, io.TextIOWrapper, io.FileIO, io.BufferedWriter,
-    types.CodeType, types.GenericAlias, types.WrapperDescriptorType, types.MethodDescriptorType,
-    types.GetSetDescriptorType, types.MemberDescriptorType, types.ClassMethodDescriptorType,
-    types.EllipsisType, types.NotImplementedType,
+    type(None), bool, int, float, complex, str, bytes, np.number, np.bool_, np.character, np.datetime64,
+    np.dtype, range, slice, datetime.date, datetime.time, datetime.timedelta, datetime.tzinfo,
+    decimal.Decimal, decimal.Context, fractions.Fraction, re.Pattern, re.Match, uuid.UUID, pathlib.PurePath,
+    enum.Enum, type(threading.Lock()), type(threading.RLock()), threading.Thread, threading.Condition,
+    threading.Semaphore, threading.Barrier, logging.Logger, logging.Handler, io.TextIOWrapper, io.FileIO,
+    io.BufferedWriter, types.CodeType, types.GenericAlias, types.WrapperDescriptorType,
+    types.MethodDescriptorType, types.GetSetDescriptorType, types.MemberDescriptorType,
+    types.ClassMethodDescriptorType, types.EllipsisType, types.NotImplementedType,
 )  # fmt: skip
 
 #: Of these an object without attributes holds what can be written to in arrays and other objects.
@@ -62,7 +64,8 @@ _COMPILED = ("ctypes", "_ctypes", "_cffi_backend", "numba")
 _LOCKS = ("_multiprocessing", "_thread")
 _WRAPPERS = (types.MethodType, staticmethod, classmethod, functools.partial, property)
 _PROXIES = (weakref.ProxyType, weakref.CallableProxyType)
-_CODE = (types.FunctionType, types.BuiltinFunctionType, types.ModuleType, type)
+_CACHE = type(functools.lru_cache(len))
+_CODE = (types.FunctionType, types.BuiltinFunctionType, *_WRAPPERS, type)
 
 #: With these a function reads or writes what its texts name.
 _BY_TEXT = {"globals", "getattr", "setattr", "delattr", "vars", "__dict__"}
@@ -84,6 +87,8 @@ class Kept(AbstractContextManager["Kept"]):
         self.lost = False
         self._assigns = False
         self._places: dict[Hashable, Place] = {}  # by what it is that is written to
+        self._code: set[Hashable] = set()  # of these what holds functions and classes
+        self._caches: dict[Hashable, tuple[Any, list[Any]]] = {}  # of functools, with what was in them
         self._seen: dict[int, Any] = {}  # alive, or another could have the same id
         self._todo = list(functions)
         while self._todo and len(self._seen) < MOST:
@@ -108,6 +113,8 @@ class Kept(AbstractContextManager["Kept"]):
         chosen: dict[Hashable, set[Hashable]] = {}
         for key, part in only or ():
             chosen.setdefault(key, set()).add(part)
+        for key in self._outdated() if only is None else chosen.keys() & self._caches.keys():
+            self._caches[key][0].cache_clear()
         for key in self._places if only is None else chosen.keys() & self._places.keys():
             try:
                 self._places[key].put_back(chosen.get(key))
@@ -116,6 +123,10 @@ class Kept(AbstractContextManager["Kept"]):
 
     def changed(self) -> Parts:
         """Where something else is now."""
+        found = self._written()
+        return found | {(key, ALL) for key in self._outdated(found)}
+
+    def _written(self) -> Parts:
         found: Parts = set()
         for key, place in self._places.items():
             with contextlib.suppress(Exception):
@@ -125,7 +136,7 @@ class Kept(AbstractContextManager["Kept"]):
     def changed_contents(self) -> Parts:
         """The same, of others than dictionaries as a whole: for `content`."""
         whole = {key for key, it in self._places.items() if not isinstance(it._then, dict)}
-        return {(key, ALL if key in whole else part) for key, part in self.changed()}
+        return {(key, ALL if key in whole else part) for key, part in self._written()}
 
     def content(self, of: Part) -> Any:
         """What was there."""
@@ -133,9 +144,21 @@ class Kept(AbstractContextManager["Kept"]):
         then = self._places[key]._then
         return then if part == ALL else then.get(part)
 
+    def _outdated(self, written: Parts | None = None) -> list[Hashable]:
+        """Caches of functools that have been filled by functions of what was written to meanwhile.
+
+        What was in them nobody can put back. So they are emptied; others would give the same once more.
+        """
+        filled = [key for key, (it, then) in self._caches.items() if not is_same(in_cache(it), then)]
+        if not filled:
+            return []
+        keys = {key for key, _ in (self._written() if written is None else written)}
+        return [key for key in filled if not keys.isdisjoint(_read_by_cached(self._caches[key][0]))]
+
     def again(self) -> Kept:
         """The same places, as they are now."""
         found = copy.copy(self)
+        found._caches = {key: (it, in_cache(it)) for key, (it, _) in self._caches.items()}
         found._places = {}
         for key, place in self._places.items():
             with contextlib.suppress(Exception):
@@ -168,13 +191,19 @@ class Kept(AbstractContextManager["Kept"]):
         return any(type(it) is kind for it in self._seen.values())
 
     @property
+    def keys(self) -> Set[Hashable]:
+        """Of all places, for as long as what is written to is there."""
+        return self._places.keys()
+
+    @property
     def writable(self) -> bool:
         """Whether there are containers, or variables that they assign to."""
         return self._assigns or any(isinstance(key, int) for key in self._places)
 
     def shares(self, other: Kept) -> bool:
         """Whether both reach something that can be written to, or might."""
-        return not (self.whole and other.whole) or not self._places.keys().isdisjoint(other._places)
+        of_both = self._places.keys() & other._places.keys()
+        return not (self.whole and other.whole) or bool(of_both - self._code)
 
     def _unknown(self, it: Any) -> None:
         kind = type(it)
@@ -185,8 +214,10 @@ class Kept(AbstractContextManager["Kept"]):
         kind = type(it)
         if kind in _PROXIES:
             return self._proxy(it)
-        if isinstance(it, CONSTANT) or id(it) in self._seen:
+        if id(it) in self._seen:
             return
+        if isinstance(it, CONSTANT):
+            return self._attributes(it) if is_users(kind.__module__) else None
         found = place_of(it)
         if found is None and is_opaque(it):
             if hasattr(kind, "_numba_type_") or kind.__module__.startswith("numba.typed"):  # holds numbers
@@ -201,6 +232,12 @@ class Kept(AbstractContextManager["Kept"]):
             self._todo.append(it.__self__)
         elif isinstance(it, _WRAPPERS):
             self._todo += _wrapped(it)
+        elif isinstance(it, weakref.ref):
+            self._todo.append(it())
+        elif isinstance(it, _CACHE):
+            self._caches[id(it)] = it, in_cache(it)
+            self._attributes(it)
+            self._todo += _worth_a_look(in_cache(it))
         elif found is not None:
             place, inside = found
             if place is not None:
@@ -236,10 +273,16 @@ class Kept(AbstractContextManager["Kept"]):
 
     def _module(self, value: Any, names: frozenset[str]) -> None:
         """What a function reads there, by names that it uses."""
+        if getattr(value, "__module__", "") == "numpy.random":  # a function that is imported from there
+            self._todo.append(np.random.mtrand._rand)
         if not isinstance(value, types.ModuleType) or id(value) in self._seen:
             return
         if value is os and names & {"environ", "getenv"}:
             self._todo.append(os.environ)
+        if value is random:
+            self._todo.append(random.seed.__self__)  # type: ignore[attr-defined]
+        if value is np.random or (value is np and "random" in names):
+            self._todo.append(np.random.mtrand._rand)
         if not is_users(value.__name__):
             return
         self._seen[id(value)] = value
@@ -254,29 +297,37 @@ class Kept(AbstractContextManager["Kept"]):
         for name, value in vars(it).items():
             if name.startswith("__") and name != "__call__":
                 continue
-            if isinstance(value, (types.FunctionType, types.MemberDescriptorType, *_WRAPPERS)):
-                self._todo.append(value)
-            else:
+            if not isinstance(value, types.MemberDescriptorType):
                 self._attribute(it, name, value)
         self._todo += [*it.__bases__, type(it)]
 
     def _object(self, it: Any) -> None:
         kind = type(it)
-        slots = [name for base in kind.__mro__ for name in _slots(base) if hasattr(it, name)]
-        for name in slots:
-            value = getattr(it, name)
-            self._attribute(it, name, value)
-        if hasattr(it, "__dict__"):
-            self._todo.append(vars(it))
-        elif not any("__slots__" in vars(base) for base in kind.__mro__) and id(it) not in self._places:
+        self._attributes(it)
+        if id(it) not in self._places:
             # Bare containers are the object's own, which counts on what is in them: writing there may crash.
             self._todo += [
                 inner for inner in gc.get_referents(it) if inner is not kind and type(inner) not in _BARE
             ]
-            if kind.__module__.partition(".")[0] not in (*_HOLDERS, *_LOCKS):
+            has_own = hasattr(it, "__dict__") or any("__slots__" in vars(base) for base in kind.__mro__)
+            if (
+                not has_own
+                and kind is not object
+                and kind.__module__.partition(".")[0] not in (*_HOLDERS, *_LOCKS)
+            ):
                 self._unknown(it)
         if is_users(kind.__module__):
             self._todo.append(kind)
+
+    def _attributes(self, it: Any) -> None:
+        kind = type(it)
+        self._seen[id(it)] = it
+        for name in [name for base in kind.__mro__ for name in _slots(base) if hasattr(it, name)]:
+            self._attribute(it, name, getattr(it, name))
+        if hasattr(it, "__dict__"):
+            self._todo.append(vars(it))
+            if is_users(kind.__module__):
+                self._attribute(it, "__class__", kind)
 
     def _attribute(self, of: Any, name: str, value: Any) -> None:
         self._seen[id(of)] = of
@@ -293,8 +344,11 @@ class Kept(AbstractContextManager["Kept"]):
 
     def _named(self, key: Hashable, value: Any, get: Callable[[], Any], put: Callable[[Any], object]) -> None:
         self._todo.append(value)
-        if not isinstance(value, _CODE):
-            self._places[key] = Named(get, put)
+        if isinstance(value, types.ModuleType):
+            return
+        self._places[key] = Named(get, put)
+        if isinstance(value, _CODE):
+            self._code.add(key)
 
 
 #: What long logs are full of, in tuples, too.
@@ -330,6 +384,11 @@ def _wrapped(it: Any) -> list[Any]:
     if isinstance(it, functools.partial):
         return [it.func, *it.args, it.keywords]
     return [it.__func__, getattr(it, "__self__", None)]
+
+
+def _read_by_cached(it: Any) -> Set[Hashable]:
+    """What a cached function reaches, by itself or in arguments that it was called with."""
+    return Kept([it.__wrapped__, *_worth_a_look(in_cache(it))]).keys
 
 
 def _slots(kind: type) -> list[str]:

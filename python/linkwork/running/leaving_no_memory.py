@@ -13,37 +13,47 @@ from contextlib import contextmanager
 from typing import Any
 
 from linkwork.errors import warn
+from linkwork.functions.calls import Calls
 from linkwork.integrators import Integrator
 from linkwork.modeling.model import Model
 from linkwork.running import callbacks
 from linkwork.running.events import functions_of
 from linkwork.running.kept import Kept
+from linkwork.running.returned import look_for_hidden
 
-__all__ = ["Memory", "called", "leaving_no_memory", "memory_of", "warn_of_lasting"]
+__all__ = ["Memory", "called", "function_of", "leaving_no_memory", "memory_of", "warn_of_lasting"]
 
 #: Threads share what functions reach: of those that could change something one runs at a time.
 _ONE_AT_A_TIME = threading.RLock()
 
 
 def called(model: Model, arguments: Mapping[str, Any]) -> dict[str, Any]:
-    """The functions of the user's that a run with these arguments of `simulate` calls, by name."""
+    """What a run with these arguments of `simulate` calls of the user's, by name: `Calls` of its laws, else
+    functions."""
     method = arguments.get("integrator")
     own = {"integrator": method} if callable(method) and not isinstance(method, Integrator) else {}
-    return {**callbacks.of_model(model), **functions_of(arguments.get("events", ())), **own}
+    laws: dict[str, Any] = {}
+    for name, calls in model._calls:
+        laws[name if name not in laws else f"{name} ({len(laws)})"] = calls
+    return {**callbacks.of_model(model), **laws, **functions_of(arguments.get("events", ())), **own}
 
 
 class Memory:
-    """All that functions reach and could change, as it is now."""
+    """All that functions reach and could change, as it is now; calls from now on are looked at."""
 
     def __init__(self, functions: Mapping[str, Any]) -> None:
-        self._functions = functions
-        self._before = callbacks.contents(functions)
-        self._kept = Kept(functions.values())
+        self._calls = [(name, it) for name, it in functions.items() if isinstance(it, Calls)]
+        for _, calls in self._calls:
+            calls.forget()
+        self._functions = {name: function_of(it) for name, it in functions.items()}
+        self._before = callbacks.contents(self._functions)
+        self._kept = Kept(self._functions.values())
 
     @property
     def hidden(self) -> list[str]:
         """The functions that reach what cannot be looked into."""
-        return [name for name, it in self._before.items() if it == callbacks.UNKNOWN]
+        unread = [name for name, it in self._before.items() if it == callbacks.UNKNOWN]
+        return [name for name in unread if not Kept([self._functions[name]]).whole]
 
     @property
     def is_empty(self) -> bool:
@@ -51,10 +61,27 @@ class Memory:
 
     def is_changed(self, *, logs: bool) -> bool:
         """Whether functions reach something else now, as far as it can be looked into. But for `logs` where
-        they only write it: that changes no motion, and is there for whoever looks at it in the end."""
-        changed = callbacks.changed(self._before, self._functions)
-        known = [self._functions[name] for name in changed if name not in self.hidden]
-        return any(logs or not callbacks.only_logs(it) for it in known)
+        they only write it: that changes no motion, and is there for whoever looks at it in the end. Where
+        calls return something else than in the run it is no log, whatever it looks like."""
+        changed, keys = self._changed(), {key for key, _ in self._kept.changed()}
+        if keys:
+            changed += [name for name, it in self._functions.items() if not keys.isdisjoint(Kept([it]).keys)]
+        known = [self._functions[name] for name in dict.fromkeys(changed)]
+        counts = logs or any(calls.differs for _, calls in self._calls)
+        return any(counts or not callbacks.only_logs(it, self._functions.values()) for it in known)
+
+    def _changed(self) -> list[str]:
+        """By content, of functions of which that can be read."""
+        read = {name: it for name, it in self._before.items() if it != callbacks.UNKNOWN}
+        return callbacks.changed(read, {name: self._functions[name] for name in read})
+
+    def makes_a_difference(self) -> bool:
+        """Whether functions return something else than in calls before, also where all is given back."""
+        if not any(calls.differs or calls.differs is None for _, calls in self._calls):
+            return False
+        with self._kept.as_then():
+            look_for_hidden(self._calls)
+        return any(calls.differs or calls.hidden for _, calls in self._calls)
 
     def put_back(self) -> None:
         """Makes it what it was, logs too."""
@@ -62,10 +89,16 @@ class Memory:
 
     def give_back(self, *, logs: bool) -> list[str]:
         """Makes it what it was, if it is changed; the functions of which that is not known."""
+        hidden = [*self.hidden, *(name for name, calls in self._calls if calls.hidden)]
         if not self.is_changed(logs=logs):
-            return self.hidden
+            return hidden
         self._kept.put_back()
-        return callbacks.changed(self._before, self._functions)
+        return [*self._changed(), *hidden]
+
+
+def function_of(it: Any) -> Any:
+    """Of what `called` gives."""
+    return it.function if isinstance(it, Calls) else it
 
 
 @contextmanager
@@ -92,7 +125,7 @@ def leaving_no_memory(functions: Mapping[str, Any], *, logs: bool) -> Iterator[N
 def warn_of_lasting(names: Sequence[str]) -> None:
     """LinkworkWarning: these functions may go on with what other runs left."""
     if names:
-        listed = ", ".join(f"'{name}'" for name in names[:3])
+        listed = ", ".join(f"'{name}'" for name in dict.fromkeys(names[:3]))
         warn(
             f"{listed}: what it remembers cannot be given back after a run, so that runs may depend on those "
             "before them: keep it in lists, dicts, arrays or attributes"

@@ -24,6 +24,7 @@ from linkwork.running.interrupts import Interrupts
 from linkwork.running.leaving_no_memory import (
     Memory,
     called,
+    function_of,
     leaving_no_memory,
     memory_of,
     warn_of_lasting,
@@ -198,7 +199,7 @@ def _functions_of_all(models: Mapping[int, Model], method: Method) -> dict[str, 
     found: dict[str, Any] = {}
     for place, model in models.items():
         for name, function in method.functions(model).items():
-            if found.setdefault(name, function) is not function:
+            if function_of(found.setdefault(name, function)) is not function_of(function):
                 found[f"{name} of member {place}"] = function
     return found
 
@@ -211,8 +212,8 @@ def _of_lanes(models: Mapping[int, Model], method: Method, memory: Memory) -> di
     if method.adaptive and not memory.is_empty and _changes_by_itself(models, method, memory):
         return dict[int, Member | _Left](remember)
     found = _side_by_side(models, method) if method.adaptive else _at_fixed_steps(models, method)
-    if memory.is_changed(logs=method.looked_at):
-        memory.give_back(logs=method.looked_at)
+    if memory.is_changed(logs=method.looked_at) or memory.makes_a_difference():
+        warn_of_lasting(memory.give_back(logs=method.looked_at))
         return dict[int, Member | _Left](remember)
     warn_of_lasting(memory.hidden)
     return found

@@ -6,9 +6,11 @@ import array
 import contextvars
 import ctypes
 import functools
+import gc
 import operator
 import pickle
 import random
+import threading
 import types
 from collections import OrderedDict, deque
 from collections.abc import Callable, Collection, Hashable, Iterable
@@ -16,7 +18,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-__all__ = ["ALL", "LARGE", "Named", "Place", "is_from_c", "place_of"]
+__all__ = ["ALL", "LARGE", "Named", "Place", "in_cache", "is_from_c", "is_same", "place_of"]
 
 #: A part of a place: all of it. Others are keys and numbers of elements.
 ALL = ("all of it",)
@@ -99,7 +101,7 @@ class _Entries:
                 kind.__delitem__(it, key)
 
     def _is_same(self) -> bool:
-        return _same(dict.keys(self._it), self._then.keys()) and _same(
+        return is_same(dict.keys(self._it), self._then.keys()) and is_same(
             dict.values(self._it), self._then.values()
         )
 
@@ -124,7 +126,7 @@ class _Row:
         it, then = self._it, self._then
         kind: Any = list if isinstance(it, list) else deque
         if parts is None or ALL in parts or len(it) != len(then):
-            if not _same(_Row(it)._then, then):
+            if not is_same(_Row(it)._then, then):
                 kind.clear(it)
                 kind.extend(it, then)
             return
@@ -216,7 +218,9 @@ def place_of(it: Any) -> tuple[Place | None, Iterable[Any]] | None:
     if isinstance(it, np.random.Generator):
         return None, [it.bit_generator]
     found = _whole(it)
-    return None if found is None else (found, list(it) if isinstance(it, set) else [])
+    if found is None:
+        return None
+    return found, list(it) if isinstance(it, set) else _kept_by_c(it) if is_from_c(it) else []
 
 
 def _whole(it: Any) -> _Whole | None:
@@ -232,6 +236,10 @@ def _whole(it: Any) -> _Whole | None:
         return _Whole(it.get_state, it.set_state)
     if isinstance(it, np.random.BitGenerator):
         return _Whole(lambda: it.state, lambda then: setattr(it, "state", then))
+    if isinstance(it, threading.Event):
+        return _Whole(it.is_set, lambda then: it.set() if then else it.clear())
+    if isinstance(it, np.void):
+        return _Whole(it.copy, functools.partial(_copy_fields, it))
     if isinstance(it, contextvars.ContextVar):
         return _Whole(lambda: it.get(_NONE), lambda then: None if then == _NONE else it.set(then))
     if is_from_c(it):
@@ -248,6 +256,28 @@ def _refill(it: set[Any], content: set[Any]) -> None:
     it.update(content)
 
 
+def _copy_fields(it: Any, then: Any) -> None:
+    for name in it.dtype.names or ():
+        it[name] = then[name]
+
+
+def _kept_by_c(it: Any) -> list[Any]:
+    """What a pointer or a structure keeps alive, as what it points to; nobody knows of addresses."""
+    objects = it._objects
+    held = list(objects.values()) if isinstance(objects, dict) else [objects]
+    return [*held, *vars(it).values()] if hasattr(it, "__dict__") else held
+
+
+def in_cache(it: Any) -> list[Any]:
+    """Arguments and results that a cache of functools holds."""
+    found = []
+    for inner in gc.get_referents(it):
+        if type(inner) is dict and inner is not vars(it):
+            found += [*inner.keys(), *inner.values()]
+    links = [part for part in found if type(part).__name__ == "_lru_list_elem"]
+    return [*found, *(part for link in links for part in gc.get_referents(link))] if links else found
+
+
 def is_from_c(it: Any) -> bool:
     """A number, an array or a structure of ctypes."""
     return isinstance(it, _FROM_C) and not isinstance(it, ctypes._CFuncPtr)  # type: ignore[attr-defined]
@@ -257,6 +287,6 @@ def is_from_c(it: Any) -> bool:
 _NONE = ("nothing",)
 
 
-def _same(now: Collection[Any], then: Collection[Any]) -> bool:
+def is_same(now: Collection[Any], then: Collection[Any]) -> bool:
     """The very same objects, in this order."""
     return len(now) == len(then) and all(map(operator.is_, now, then))

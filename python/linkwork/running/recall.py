@@ -21,6 +21,7 @@ import numpy as np
 from linkwork.arrays import Floats
 from linkwork.functions.calls import Call, Calls
 from linkwork.running.kept import Kept, Parts
+from linkwork.running.written import Written
 
 __all__ = ["NOTHING", "Recall", "call_again"]
 
@@ -85,6 +86,8 @@ class _Sizes:
             return 0.0 if first is second else np.inf
         if first.shape != second.shape:
             return np.inf
+        if first.tobytes() == second.tobytes():  # as a rule
+            return 0.0
         largest = float(np.max(self._of_usual(_vectors(first - second)), initial=0.0))
         return largest if np.isfinite(largest) else np.inf
 
@@ -115,31 +118,37 @@ def _vectors(value: Floats) -> Floats:
 def call_again(
     functions: Sequence[tuple[str, Calls]],
     others: Sequence[Any] = (),
-    began: Kept | None = None,
+    written: Written | None = None,
     own: Parts | None = None,
+    beside: Sequence[tuple[str, Calls]] = (),
 ) -> Recall:
-    """What they return now, and where they reach what was there as the run `began` in `own` parts, which
-    they have written. `others`: functions that may rightly change what these read, such as events'."""
-    seen, reached = _calls(functions, began, own), Kept(others)
+    """What they return now, and where they have not written in the run what they have.
+
+    written  what was written in it, `own` parts of that by themselves
+    others   functions that may rightly change what these read, as those with which events change something
+    beside   functions that steps which are taken again do not call, as those of events
+    """
+    seen, reached = _calls([*functions, *beside], written, own), Kept(others)
     differ: dict[str, str] = {}
-    remember = []
-    for k, (name, calls) in enumerate(functions):
+    remember: dict[str, str] = {}
+    for k, (name, calls) in enumerate([*functions, *beside]):
         of_it = [it for it in seen if it.function == k]
         sizes = _Sizes(of_it)
         apart, worst = max(((it.apart(sizes), it) for it in of_it), key=_first, default=(0.0, None))
         calls.differs = apart > 1
         if worst is None or not calls.differs:
             continue
-        differ[name] = _told(name, worst, sizes)
-        by_itself = max(it.apart_by_itself(sizes) for it in of_it) > 1
-        if by_itself or not others or not Kept([calls.function]).shares(reached):
+        told = _told(name, worst, sizes)
+        if k < len(functions):
+            differ[name] = told
+        calls.by_itself = max(it.apart_by_itself(sizes) for it in of_it) > 1
+        if calls.by_itself or not others or not Kept([calls.function]).shares(reached):
             calls.remembers = True
-            remember.append(name)
-    example = differ[remember[0] if remember else next(iter(differ))] if differ else ""
-    return Recall(tuple(differ), tuple(dict.fromkeys(remember)), example)
+            remember[name] = told
+    return Recall(tuple(differ), tuple(remember), next(iter([*remember.values(), *differ.values()]), ""))
 
 
-def _calls(functions: Sequence[tuple[str, Calls]], began: Kept | None, own: Parts | None) -> list[_Seen]:
+def _calls(functions: Sequence[tuple[str, Calls]], written: Written | None, own: Parts | None) -> list[_Seen]:
     of_each = MOST // max(1, len(functions))
     kept = [(k, call) for k, (_, calls) in enumerate(functions) for call in calls.some(of_each)]
     kept.sort(key=lambda it: it[1].number)
@@ -152,11 +161,11 @@ def _calls(functions: Sequence[tuple[str, Calls]], began: Kept | None, own: Part
     forwards, backwards = range(len(kept)), range(len(kept) - 1, -1, -1)
     backward, forward = again(backwards), again(forwards)
     anew = forward, forward
-    if began is not None and own:
+    if written is not None and own:
         now.put_back()
-        with began.as_then(own):
+        with written.undone(own) as undo:
             backward_anew = again(backwards)
-            began.put_back(own)
+            undo()
             anew = backward_anew, again(forwards)
     return [_Seen(k, call, *later) for (k, call), *later in zip(kept, backward, forward, *anew, strict=True)]
 

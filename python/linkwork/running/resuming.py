@@ -17,7 +17,7 @@ from linkwork.modeling.model import Model
 from linkwork.motion.records import Checkpoint, Resume, Snapshot
 from linkwork.options import without_threads
 from linkwork.running import callbacks
-from linkwork.running.events import Watched
+from linkwork.running.events import Watched, calls_of
 from linkwork.running.returned import differing, left_by_a_run, note_left, text_of
 from linkwork.running.written import Written
 
@@ -51,6 +51,7 @@ class Identity:
     ) -> None:
         """`written`: by functions of the model."""
         self._model, self._method, self._events, self._written = model, method, events, written
+        self._calls = [*model._calls, *calls_of(events)]
         self._others = {
             "format": FORMAT,
             "choices": {name: str(value) for name, value in sorted(without_threads(choices).items())},
@@ -73,10 +74,11 @@ class Identity:
         found, written = self.read() if self._changes else {}, self._written
         changed = tuple((it, then, found[it]) for it, then in self._first.items() if found[it] != then)
         key = self._key(self._model.hash()) + self.suffix if changed else self.key
-        if not (found or (written is not None and written.changed)):
+        differ = any(calls.differs for _, calls in self._calls)
+        if not (found or differ or (written is not None and written.changed)):
             return Checkpoint(key, t, state, changed)
-        note_left(self._model._calls, None if written is None else written.began)
-        checkpoint = Checkpoint(key, t, state, changed, text_of(self._model._calls))
+        note_left(self._calls, None if written is None else written.began)
+        checkpoint = Checkpoint(key, t, state, changed, text_of(self._calls))
         remember = tuple(f"'{name}'" for name, calls in self._model._calls if calls.remembers)
         if written is None or not (unlike := written.changes.unlike_the_end):
             return checkpoint._replace(remember=remember)
@@ -89,7 +91,7 @@ class Identity:
         """Functions that are the same, and return something else than then. LinkworkWarning: nobody knows."""
         if checkpoint.method not in (self.key, self.key + ASSEMBLED):
             return []
-        found = differing(self._model._calls, checkpoint.returned)
+        found = differing(self._calls, checkpoint.returned)
         warn_of_unknown("start: ", found.unknown)
         return [f"'{name}'" for name in found.names]
 
@@ -123,7 +125,7 @@ class Identity:
 
     def warn_of_what_runs_left(self) -> None:
         """LinkworkWarning: functions read what they or an event have changed in a run before."""
-        found = left_by_a_run(self._model._calls)
+        found = left_by_a_run(self._calls)
         warn_of_unknown("", found.unknown)
         if found.names:
             names = ", ".join(f"'{name}'" for name in found.names[:3])

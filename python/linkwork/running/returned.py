@@ -7,18 +7,19 @@ from __future__ import annotations
 
 import functools
 import json
-from collections.abc import Sequence
+import math
+from collections.abc import Hashable, Sequence, Set
 from types import CodeType, FunctionType, MethodType
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from linkwork.arrays import Floats
-from linkwork.functions.calls import Call, Calls
+from linkwork.functions.calls import ROW, Call, Calls
 from linkwork.running.kept import Kept
 from linkwork.running.recall import TOLERANCE
 
-__all__ = ["Differing", "differing", "left_by_a_run", "note_left", "text_of"]
+__all__ = ["Differing", "differing", "left_by_a_run", "look_for_hidden", "note_left", "text_of"]
 
 Functions = Sequence[tuple[str, Calls]]
 
@@ -38,9 +39,13 @@ class _Left(NamedTuple):
 
 UNKNOWN = _Left([], [])
 
-#: By code and name what the last run left that has left something.
-_left: dict[tuple[CodeType, str], _Left] = {}
-LEFT = 1000
+#: Of a function that nobody could look into although all that it reaches is known.
+HIDDEN = _Left([], [])
+
+#: By code what runs left that have left something: the last one of each name and of what it reaches, of which
+#: there may be several with the same code. So many of each code.
+_left: dict[CodeType, dict[tuple[str, Set[Hashable]], _Left]] = {}
+LEFT = 100
 
 
 class Differing(NamedTuple):
@@ -93,24 +98,44 @@ def differing(functions: Functions, text: str) -> Differing:
 
 
 def note_left(functions: Functions, began: Kept | None) -> None:
-    """At the end of a run that `began` with what they reach, for `left_by_a_run`."""
+    """At the end of a run that `began` with what they reach, for `left_by_a_run`.
+
+    Where a function returns something else than in its first calls although all that it reaches is given
+    back, it remembers in a place that nobody knows: what it returned then is what the run began with.
+    """
     with _kept(functions) as kept:
         unknown = unknown_of(functions, kept)
         known = [(name, calls) for name, calls in functions if name not in unknown]
         asked = [[*calls.first, *calls.some(CALLS)] for _, calls in known]
         end = _answers(known, asked, kept)
         then: list[list[Floats | None]] = [[call.returned for call in of] for of in asked]
+        written = set[Hashable]()
         if began is not None:
             kept.put_back()
+            written = {key for key, _ in began.changed()}
             with began.as_then():
-                then = _answers(known, asked, began)
+                look_for_hidden(functions)
+                answers = _answers(known, asked, began)
+            then = [of[: len(calls.first)] if calls.hidden else it
+                    for (_, calls), of, it in zip(known, then, answers, strict=True)]  # fmt: skip
     for (name, calls), *of_it in zip(known, asked, end, then, strict=True):
-        apart = [(call, now) for call, now, at_first in zip(*of_it, strict=True) if not _same(now, at_first)]
-        if apart:
-            _note(calls, name, _Left([it for it, _ in apart], [now for _, now in apart]))
+        apart = [(call, now) for call, now, at_first in zip(*of_it, strict=False) if not _same(now, at_first)]
+        if calls.hidden and calls.by_itself:
+            _note(calls, name, set(), HIDDEN)
+        elif apart:
+            _note(calls, name, written, _Left([it for it, _ in apart], [now for _, now in apart]))
     for name, calls in functions:
         if name in unknown and calls.differs:
-            _note(calls, name, UNKNOWN)
+            _note(calls, name, written, UNKNOWN)
+
+
+def look_for_hidden(functions: Functions) -> None:
+    """Makes the first calls of all of them once more, in their order; their memory is as it was then."""
+    enough = [calls.first[-1].number for _, calls in functions if len(calls.first) >= ROW]
+    last = min(enough, default=math.inf)  # after it calls are left out
+    first = [(call, calls) for _, calls in functions for call in calls.first if call.number <= last]
+    for call, calls in sorted(first, key=lambda it: it[0].number):
+        calls.hidden = not _same(calls.again(call), call.returned) or calls.hidden
 
 
 def _answers(functions: Functions, asked: list[list[Call]], memory: Kept) -> list[list[Floats | None]]:
@@ -124,25 +149,36 @@ def _answers(functions: Functions, asked: list[list[Call]], memory: Kept) -> lis
     return found
 
 
-def _note(calls: Calls, name: str, left: _Left) -> None:
-    if (code := _code(calls.function)) is not None:
-        _left.pop((code, name), None)
-        _left[code, name] = left
-    while len(_left) > LEFT:
-        del _left[next(iter(_left))]
+def _note(calls: Calls, name: str, written: Set[Hashable], left: _Left) -> None:
+    if (code := _code(calls.function)) is None:
+        return
+    reached = frozenset(Kept([calls.function]).keys)
+    of_code = _left.setdefault(code, {})
+    key = name, (reached & written) or reached
+    of_code.pop(key, None)
+    of_code[key] = left
+    if len(of_code) > LEFT:
+        del of_code[next(iter(of_code))]
 
 
 def left_by_a_run(functions: Functions) -> Differing:
-    """Those that return what the last run left, and not what that began with."""
-    known = [(name, calls, _code(calls.function)) for name, calls in functions]
-    left = [(name, calls, _left[code, name]) for name, calls, code in known if code and (code, name) in _left]
-    asked = [it for it in left if it[2] is not UNKNOWN]
+    """Those that return what the last run left of those that reach the same, and not what that began with."""
+    left = [(name, calls, it) for name, calls in functions for it in _left_of(calls)]
+    asked = [it for it in left if it[2].calls]
     functions = [(name, calls) for name, calls, _ in asked]
     with _kept(functions) as kept:
         answers = _answers(functions, [it.calls for *_, it in asked], kept)
     found = [name for (name, _, it), now in zip(asked, answers, strict=True) if all(map(_same, now, it.end))]
-    hidden = [(name, calls) for name, calls, it in left if it is UNKNOWN]
-    return Differing(found, unknown_of(hidden, _kept(hidden)))
+    unread = [(name, calls) for name, calls, it in left if it is UNKNOWN]
+    unknown = [*unknown_of(unread, _kept(unread)), *(name for name, _, it in left if it is HIDDEN)]
+    return Differing(list(dict.fromkeys(found)), list(dict.fromkeys(unknown)))
+
+
+def _left_of(calls: Calls) -> list[_Left]:
+    """What was noted of its code and something that it reaches."""
+    of_code = _left.get(code, {}) if (code := _code(calls.function)) is not None else {}
+    reached = Kept([calls.function]).keys if of_code else set()
+    return [left for (_, places), left in of_code.items() if not (places and places.isdisjoint(reached))]
 
 
 def unknown_of(functions: Functions, kept: Kept) -> list[str]:

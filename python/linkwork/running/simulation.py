@@ -35,7 +35,7 @@ from linkwork.running import (
     resuming,
     schedule,
 )
-from linkwork.running.events import Event, Watched, compile_events, functions_of
+from linkwork.running.events import Event, Watched, calls_of, compile_events, functions_of
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.kept import Kept
 from linkwork.running.leaving_no_memory import called
@@ -152,9 +152,9 @@ def simulate(
                  "record_every": record_every, "times": times, "breaks": breaks, "assemble": assemble,
                  "on_inaccurate": on_inaccurate, "verify": verify, **options}  # fmt: skip
         events = list(events) if isinstance(events, Iterable) else events
-        written = Written((calls.function for _, calls in model._calls), _readers(events))
+        watched = compile_events(events, model, lambda t: written.by_others(t))
+        written = Written([*model._calls, *calls_of(watched)], _readers(model, events))
         began = Kept(called(model, {"events": events, "integrator": integrator}).values()) if verify else None
-        watched = compile_events(events, model, written.by_others)
         prepared = _prepared(model, plan, given, options, watched, start, written, in_file=output is not None)
         _check_output(output, overwrite)
         prepared = _looked_ahead(prepared, output)
@@ -339,6 +339,7 @@ def estimator_of(it: Prepared) -> estimation.ErrorEstimator:
     return estimation.ErrorEstimator(
         it.run, it.method, it.system, it.options, it.start, it.plan, breaks=it.breaks,
         stops=it.given["on_inaccurate"] == "stop", others=changes, written=it.written,
+        watching=calls_of(it.watched),
     )  # fmt: skip
 
 
@@ -391,12 +392,14 @@ def _carried_out(
     return result, estimator
 
 
-def _readers(events: object) -> list[Any] | None:
+def _readers(model: Model, events: object) -> list[Any] | None:
     """Functions of events, but for those that only log; None: no event changes anything."""
     listed = events if isinstance(events, list) else [events]
     if all(getattr(it, "change", None) is None for it in listed):
         return None
-    return [it for it in functions_of(events).values() if not callbacks.only_logs(it)]
+    functions = list(functions_of(events).values())
+    among = [*(calls.function for _, calls in model._calls), *functions]
+    return [it for it in functions if not callbacks.only_logs(it, among)]
 
 
 def _check_choices(on_inaccurate: object, **switches: object) -> None:

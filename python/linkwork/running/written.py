@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from linkwork.functions.calls import Calls
 from linkwork.running.changes import Changes
 from linkwork.running.kept import Kept, Parts
+from linkwork.running.places import ALL
 
 __all__ = ["Written"]
 
@@ -22,25 +24,30 @@ class Written:
     changes  of what they and functions of events read, by events
     """
 
-    def __init__(self, functions: Iterable[Any], events: Iterable[Any] | None = None) -> None:
-        """`events`: functions of events that read, too; None: there are none that change something."""
+    def __init__(self, functions: Iterable[tuple[str, Calls]], events: Iterable[Any] | None = None) -> None:
+        """Calls from now on are those of the run. `events`: functions of events that read, too; None: no event
+        changes anything."""
         functions = list(functions)
-        self.began = self._since = Kept(functions)
-        self.changes = Changes([] if events is None else [*functions, *events])
+        for _, calls in functions:
+            calls.forget()
+        its_own = [calls.function for _, calls in functions]
+        self.began = self._since = self._left_by_others = Kept(its_own)
+        self.changes = Changes([] if events is None else [*its_own, *events])
         self._parts: Parts = set()
+        self._by_others: Parts = set()
         self._left = MOST
         self._follows = bool(self.began.size)
 
     @contextmanager
     def by_others(self, t: float) -> Iterator[None]:
         """While an event changes what they read, at t [s]."""
-        self._note()
+        self._parts |= self._news()
         try:
             with self.changes.at(t):
                 yield
         finally:
-            if self._follows:
-                self._since = self._since.again()
+            self._by_others |= self._news()
+            self._left_by_others = self._since
 
     @property
     def changed(self) -> bool:
@@ -49,11 +56,36 @@ class Written:
 
     def parts(self, others: Kept) -> Parts:
         """What they have written so far, but for where others write, of whom it is not known when."""
-        self._note()
+        self._parts |= self._news()
         return {it for it in self._parts if not others.reaches(it[0])}
 
-    def _note(self) -> None:
-        if self._follows:
-            self._parts |= self._since.changed()
-            self._left -= self._since.size
-            self._follows = self._left > 0
+    @contextmanager
+    def undone(self, parts: Parts) -> Iterator[Callable[[], None]]:
+        """A context in which they have not written these; what it gives undoes that once more.
+
+        What events have written, too, is then as the last of them left it: a value that it has dropped, and a
+        function computes anew, belongs to what the event has changed beside it. All else is as the run began.
+        """
+        of_both = {it for it in parts if it in self._by_others or (it[0], ALL) in self._by_others}
+        now = self.began.again()
+
+        def undo() -> None:
+            self.began.put_back(parts - of_both)
+            self._left_by_others.put_back(of_both)
+
+        try:
+            undo()
+            yield undo
+        finally:
+            now.put_back()
+
+    def _news(self) -> Parts:
+        """What has changed since the last look."""
+        if not self._follows:
+            return set()
+        found = self._since.changed()
+        if found:
+            self._since = self._since.again()
+        self._left -= self._since.size
+        self._follows = self._left > 0
+        return found
