@@ -7,6 +7,7 @@ import enum
 import functools
 import random
 import threading
+import warnings
 import weakref
 from collections.abc import Callable
 from typing import Any
@@ -289,6 +290,21 @@ def test_of_two_controllers_with_the_same_law_each_is_told_of_what_its_own_run_l
         run(second, "brake")
 
 
+def test_a_filter_is_told_of_what_it_kept_though_it_is_called_before_the_first_step() -> None:
+    kept = [0.0]
+
+    def law(t: float, angle: float, rate: float) -> float:
+        kept[0] += 0.03 * (angle - kept[0])
+        return -6.0 * kept[0]
+
+    with pytest.warns(lw.LinkworkWarning, match="'controller': remembers calls"):
+        lw.simulate(_held_by(law), 0.3, step=1e-3, progress=False)
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        lw.simulate(_held_by(law), 0.3, step=1e-3, progress=False)
+    assert any("remembers what it has kept in a run before" in str(it.message) for it in told)
+
+
 def _sampling_by_cache() -> Any:
     """The first call in each 0.02 s counts."""
     last = [0.0]
@@ -314,20 +330,19 @@ def test_a_cache_is_memory_where_what_it_was_filled_from_changes() -> None:
     assert _reached(lw.simulate(moving, 0.3, **how)) == _reached(lw.simulate(fresh, 0.3, **how))
 
 
-def test_a_cache_of_what_does_not_change_is_filled_once() -> None:
-    filled = []
-    table = np.linspace(0.0, 3.0, 7)
+def test_a_cache_of_what_does_not_change_is_not_emptied() -> None:
+    stiffness, log = np.linspace(0.0, 3.0, 7), [0.0]
 
     @functools.cache
-    def gain() -> float:
-        filled.append(1)
-        return float(table[-1])
+    def table() -> Any:
+        return 2.0 * stiffness
 
-    log = []
-    model = _held_by(lambda t, angle, rate: log.append(t) or -gain() * angle)
+    model = _held_by(lambda t, angle, rate: log.append(t) or -float(table()[-1]) * angle)
+    lw.simulate(model, 0.1, step=1e-3, progress=False)
+    made = table()
     lw.simulate(model, 0.1, step=1e-3, progress=False)
     lw.simulate_many(model, {"bar.mass": [1.0, 2.0]}, 0.1, step=1e-3, progress=False)
-    assert len(filled) == 1
+    assert table() is made
 
 
 @pytest.mark.parametrize("draw", [lambda: random.gauss(0, 1), lambda: np.random.normal()])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Mapping, Sequence
+from contextlib import nullcontext
 from typing import Any
 
 import numpy as np
@@ -125,7 +126,8 @@ class Identity:
 
     def warn_of_what_runs_left(self) -> None:
         """LinkworkWarning: functions read what they or an event have changed in a run before."""
-        found = left_by_a_run(self._calls)
+        with self._written.began.as_then() if self._written else nullcontext():  # before the first call
+            found = left_by_a_run(self._calls)
         warn_of_unknown("", found.unknown)
         if found.names:
             names = ", ".join(f"'{name}'" for name in found.names[:3])
