@@ -17,6 +17,7 @@ import pytest
 import scipy.interpolate
 import scipy.spatial
 from linkwork.fingerprints import digest
+from linkwork.fingerprints.writing import Writer
 
 MINE = """
 import dataclasses
@@ -478,3 +479,80 @@ def test_a_class_is_the_same_after_an_object_of_it_was_pickled() -> None:
     copy.copy(Held())  # which, as pickling does, notes the names of slots at the class
     assert "__slotnames__" in vars(Held)
     assert digest(Held) == before
+
+
+ROWS = np.array([[1.0, 2.0], [3.0, 4.0]])
+
+
+@pytest.mark.parametrize(("one", "other", "read"), [
+    (np.array([100], np.int8), np.array([100]), lambda it: (it * np.int8(2))[0]),  # which holds no 200
+    (np.float32(0.5), np.float64(0.5), lambda it: it / 3.0),
+    (np.array(0.5), 0.5, lambda it: isinstance(it, float)),
+    ((0, 1), [0, 1], lambda it: ROWS[it].sum()),  # one entry, two rows
+    ([1.0, 2.0], np.array([1.0, 2.0]), lambda it: len(2 * it)),
+    (np.asmatrix(ROWS), ROWS, lambda it: (it * it)[0, 0]),
+    (np.asfortranarray(ROWS), ROWS, lambda it: it.ravel("K")[1]),
+    (np.ma.array([1.0, 2.0], mask=[0, 1]), np.ma.array([1.0, 2.0], mask=[0, 0]), lambda it: it.sum()),
+    (np.ones(2), np.ones((2, 1)), lambda it: (it + it.T).size),
+    (np.array([1, 2], object), np.array([1, 2]), lambda it: isinstance(it[0], int)),
+    (np.ones(2, "f4, i1"), np.ones(2, "f8, i8"), lambda it: it["f1"][0] * np.int8(127) + it["f1"][0]),
+    ([3] * 1000, [3.0] * 1000, lambda it: it[0] ** 40 % 10),
+    ([3] * 999 + [3.0], [3.0] + [3] * 999, lambda it: it[0] ** 40 % 10),
+    ([3] * 1000, (3,) * 1000, lambda it: ROWS.take(0) + (it == [3] * 1000)),
+])  # fmt: skip
+@pytest.mark.filterwarnings("ignore:overflow:RuntimeWarning", "ignore::PendingDeprecationWarning")
+def test_functions_count_by_the_types_of_what_they_read(one: Any, other: Any, read: Any) -> None:
+    """By which they do something else."""
+
+    def hashed(value: Any) -> str:
+        model = rod(1.0)
+        model.joint_force("pin", lambda t, angle, rate: float(read(value)))
+        return model.hash()
+
+    assert float(read(one)) != float(read(other))
+    assert hashed(one) == hashed(copy.deepcopy(one)) != hashed(other)
+    assert digest(lambda x, it=one: x) != digest(lambda x, it=other: x)
+
+
+def test_columns_of_a_data_frame_count_by_their_types() -> None:
+    pandas = pytest.importorskip("pandas")
+    small, wide = (pandas.DataFrame({"n": np.array([100], kind), "x": [0.5]}) for kind in (np.int8, int))
+    assert digest(small) == digest(small.copy()) != digest(wide)
+
+
+def test_models_count_by_the_numbers_that_they_are_given_whatever_holds_them() -> None:
+    def hashed(rows: Any, one: Any) -> str:
+        model = lw.Model(gravity=rows([0, 0, -10]))
+        model.body("rod", mass=one, inertia=rows([1, 1, 1]), position=rows([1, 0, 0]))
+        model.revolute("ground", "rod", at=rows([0, 0, 0]), axis=rows([0, 1, 0]), name="pin")
+        model.joint_force("pin", lw.functions.table(rows([0, 1, 2, 3]), rows([0, 1, 0, 1])))
+        return model.hash()
+
+    assert (
+        len({hashed(*it) for it in ((list, 1), (tuple, 1.0), (np.array, np.float32(1)), (np.array, 1))}) == 1
+    )
+
+
+@pytest.mark.parametrize("make", [
+    list, tuple, np.array, lambda rows: np.array(rows).reshape(100, 100).T,
+    lambda rows: [int(it) for it in rows], lambda rows: [7, *rows],
+])  # fmt: skip
+def test_long_tables_are_read_by_their_bytes_to_the_last_bit(
+    make: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    numbers = [float(k) for k in range(10_000)]
+    written: list[Any] = []
+    usual = Writer.text
+    monkeypatch.setattr(Writer, "text", lambda self, it: (written.append(it), usual(self, it))[1])
+    first = digest(make(numbers))
+    assert len(written) < 100 and digest(make([*numbers])) == first
+    assert len({first, *(digest(make([*numbers[:k], 9e9, *numbers[k + 1 :]])) for k in (0, 5000, 9999))}) == 4
+
+
+def test_what_is_no_number_in_a_table_is_the_same_in_whatever_bits() -> None:
+    one, other = (np.array([0.5, np.copysign(np.nan, sign)]) for sign in (1, -1))
+    assert one.tobytes() != other.tobytes()
+    assert digest(one) == digest(other)
+    assert digest(one.tolist() * 100) == digest(other.tolist() * 100) != digest([0.5, 0.5] * 100)
+    assert digest(np.array([0.0])) != digest(np.array([-0.0]))
+    assert digest([2**63] * 100) != digest([2**63 + 1] * 100)  # of which there are no 64 bits

@@ -124,8 +124,10 @@ def attributes(value: Any) -> list[tuple[str, Any]]:
 
 def bare(value: Any) -> Any:
     """The data alone, of an object of a class that is made from one of data."""
-    if isinstance(value, np.generic | np.ndarray):
-        return value.tolist()
+    if isinstance(value, np.generic):
+        return np.asarray(value)
+    if isinstance(value, np.ndarray):
+        return value.view(next(it for it in type(value).__mro__ if it.__module__.split(".")[0] == "numpy"))
     return next(it for it in type(value).__mro__ if it in DATA)(value)
 
 

@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 
 from linkwork.errors import LinkworkError, OptionError
-from linkwork.fingerprints import codes
+from linkwork.fingerprints import codes, numbers
 from linkwork.fingerprints.memory import Calls, first_look
 from linkwork.fingerprints.origins import is_users, is_users_class, made_from
 from linkwork.fingerprints.reading import (
@@ -41,7 +41,7 @@ from linkwork.fingerprints.reading import (
     wrapped,
 )
 
-__all__ = ["Writer", "canonical", "digest", "digests", "plain", "shortened", "text_of", "together"]
+__all__ = ["Writer", "canonical", "digest", "digests", "shortened", "text_of", "together"]
 
 #: Where an object is in memory, which says nothing about it.
 ADDRESS = re.compile(r" at 0x[0-9a-fA-F]+")
@@ -59,6 +59,9 @@ _SHARED = contextvars.ContextVar("shared", default=None)
 DEEPEST = 200_000
 
 _BARE = frozenset(DATA)
+
+#: Written by their texts alone.
+_SHORT = frozenset((float, int, bool, bytes, str, type(None), type(Ellipsis)))
 
 #: Numbers, arrays and structures of ctypes.
 _FROM_C: type = ctypes._SimpleCData.__mro__[1]
@@ -85,11 +88,11 @@ def shortened(text: str) -> str:
 
 def digests(head: str, columns: Mapping[str, Sequence[Any]]) -> list[str]:
     """digest(head, {name: value}) of each row of columns of equal length."""
-    names = sorted(columns, key=lambda name: f"list({name!r},")
+    names = sorted(columns, key=lambda name: f"tuple({name!r},")
     if not all(type(value) is float for values in columns.values() for value in values):
         rows = zip(*columns.values(), strict=True)
         return [digest(head, dict(zip(columns, row, strict=True))) for row in rows]
-    start, inner = f"list({head!r},", [f"list({name!r}," for name in names]
+    start, inner = f"tuple({head!r},", [f"tuple({name!r}," for name in names]
     texts = (
         "dict(" + ",".join(f"{text}{it.hex()})" for text, it in zip(inner, row, strict=True)) + ")"
         for row in zip(*(columns[name] for name in names), strict=True)
@@ -98,9 +101,10 @@ def digests(head: str, columns: Mapping[str, Sequence[Any]]) -> list[str]:
 
 
 def canonical(value: Any) -> str:
-    """A text with every bit of the value. Functions count by their code, defaults, closures, and by the data,
-    functions and classes that they read of their own module and others that are not installed; objects by
-    their attributes, and by their classes where these are not installed, or by their `__fingerprint__`."""
+    """A text with every bit of the value and its type: with a list for a tuple, or an array, functions may do
+    something else. Functions count by their code, defaults, closures, and by the data, functions and
+    classes that they read of their own module and others that are not installed; objects by their attributes,
+    and by their classes where these are not installed, or by their `__fingerprint__`."""
     return text_of(value, Writer)
 
 
@@ -167,14 +171,14 @@ class Writer:
             return self._tables[id(value)][1]
         given = value
         if not (_is_of_a_class(value) or isinstance(value, Enum)):
-            if isinstance(value, np.generic | np.ndarray):
-                value = _told(value)
-            if isinstance(value, float):
-                return float(value).hex()
-            if value is None or isinstance(value, bool | bytes | str) or value is Ellipsis:
-                return shortened(repr(value))
-            if isinstance(value, int):
-                return repr(int(value)) if abs(value) < 2**64 else hex(value)
+            if isinstance(value, np.ndarray):
+                value = numbers.of_array(value)
+            elif isinstance(value, np.generic):
+                value = numbers.of_scalar(value)
+                if isinstance(value, str):
+                    return shortened(value)
+            elif (told := _short(value)) is not None:
+                return shortened(told if type(value) in _SHORT else f"{type(value).__qualname__} {told}")
         if id(value) in self._known or id(value) in self._inside:
             self._others += 1
             return self._known[id(value)][1] if id(value) in self._known else "itself"
@@ -193,13 +197,13 @@ class Writer:
         parts = [self.text(part) for part in self.parts(value)]
         if isinstance(value, Set | Mapping):
             parts.sort()
-        kind = "list" if isinstance(value, list | tuple) else type(value).__name__
+        kind = type(value).__name__
         return f"{kind}({','.join(parts)})" if parts else ADDRESS.sub("", f"{kind} {value!r}")
 
     def parts(self, value: Any) -> list[Any]:
         """What it is made of; none where its own text says that."""
         if type(value) is list or type(value) is tuple:  # what most others are
-            return list(value)
+            return numbers.of_list(value) or list(value)
         if _is_of_a_class(value):
             return [type(value), bare(value), *self._held(value)]
         if isinstance(value, FunctionType):
@@ -263,6 +267,17 @@ def _is_of_a_class(value: Any) -> bool:
     return is_users_class(kind) or (kind.__module__.split(".")[0] != "numpy" and bool(attributes(value)))
 
 
+def _short(value: Any) -> str | None:
+    """Of data without parts; None: it has some."""
+    if isinstance(value, float):
+        return float(value).hex()
+    if value is None or isinstance(value, bool | bytes | str) or value is Ellipsis:
+        return repr(value)
+    if isinstance(value, int):
+        return repr(int(value)) if abs(value) < 2**64 else hex(value)
+    return None
+
+
 def _parts_of_c(value: Any) -> list[Any]:
     """Of a value of C. Pointers say what they were made from; of others nobody knows where they point to."""
     if isinstance(value, ctypes.c_char_p | ctypes.c_wchar_p):
@@ -274,20 +289,6 @@ def _parts_of_c(value: Any) -> list[Any]:
 
 def _shown_as(value: Any) -> str:
     return ADDRESS.sub("", repr(value)) if "__repr__" in vars(type(value)) else ""
-
-
-def _told(value: Any) -> Any:
-    """What NumPy holds, as numbers of Python; beside its type where these do not say all of it."""
-    if value.dtype.names:
-        return ["fields", *((name, value[name]) for name in value.dtype.names)]
-    if value.dtype.kind in "mM":  # in some units they are objects of Python, in others counts without unit
-        return [value.dtype.str, value.astype(np.int64)]
-    told = value.tolist()
-    if not isinstance(told, np.generic):
-        return told
-    if not isinstance(told, np.longdouble | np.clongdouble):
-        return [told.dtype.str, repr(told)]
-    return [told.dtype.str, *(np.format_float_scientific(part) for part in (told.real, told.imag))]
 
 
 def _parts(value: Any) -> list[Any]:
@@ -345,7 +346,8 @@ def _parts_of_object(value: Any) -> list[Any]:
         return [kind.__qualname__, value._eval_args, value.ext]
     if hasattr(kind, "__array__"):  # a data frame: columns that were looked at are in its state
         names = [np.asarray(getattr(value, name)) for name in ("columns", "index") if hasattr(value, name)]
-        return [kind.__qualname__, np.asarray(value), *(names or attributes(value))]
+        types = [str(it) for it in np.ravel(np.asarray(getattr(value, "dtypes", []), dtype=object))]
+        return [kind.__qualname__, np.asarray(value), types, *(names or attributes(value))]
     if told := shown(value) or kept_by_pickle(value, kind.__mro__) or attributes(value):
         return [kind.__qualname__, *told]
     with contextlib.suppress(Exception):  # what has no such parts says so in many ways
@@ -353,10 +355,3 @@ def _parts_of_object(value: Any) -> list[Any]:
         if isinstance(reduced, tuple):
             return [kind.__qualname__, *reduced[1:]]
     return []
-
-
-def plain(value: Any) -> Any:
-    """Numbers of Python in lists, as JSON has them; what is no number or array stays."""
-    if isinstance(value, np.generic | np.ndarray):
-        return value.tolist()
-    return [plain(part) for part in value] if isinstance(value, list | tuple) else value

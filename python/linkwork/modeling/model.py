@@ -270,7 +270,8 @@ class Model(ModelBuilder):
         A function of Python counts by its code and what it reads, as defaults, from around it or of its
         module and others that nobody has installed; that of an object by its class and attributes, whoever
         has set them; a compiled one by those of Python that it is made from, or by the file of its library,
-        and by its data. Attributes that calls of it change, as counters, count as they were when the process
+        and by its data. What functions read counts by its type, too: an array of int8 is none of int64, and a
+        list no tuple. Attributes that calls of it change, as counters, count as they were when the process
         first looked at them, in this or a run.
 
             assert lw.mechanisms.chain(2).hash() == lw.mechanisms.chain(2).hash()

@@ -18,7 +18,7 @@ from linkwork.errors import OptionError, warn
 from linkwork.fingerprints import plain
 from linkwork.studies.distributions import is_distribution, quantile, words
 
-__all__ = ["SAMPLERS", "Cases", "cases_of"]
+__all__ = ["SAMPLERS", "Cases", "cases_of", "own_copy"]
 
 #: By name: points in the unit cube. They are scrambled, and need a seed.
 SAMPLERS: Mapping[str, str] = {"sobol": "Sobol", "halton": "Halton", "latin_hypercube": "LatinHypercube"}
@@ -32,7 +32,8 @@ MOST = 10**7
 
 @dataclass(frozen=True)
 class Cases:
-    """Values of the parameters (k,), each a number, a list of numbers, or what a function takes."""
+    """Values of the parameters (k,), each a number, a list of numbers, or what a function takes, as it was
+    given."""
 
     columns: Mapping[str, Sequence[Any]]
     how: str  # they were made
@@ -142,10 +143,19 @@ def _values(name: str, given: Any, *, single: bool) -> list[Any]:
         if not single:
             raise OptionError(f"parameter '{name}': {given!r:.60} is no list of values", code="parameters")
         given = [given]
-    found = [plain(value) for value in given]
+    found = [own_copy(value) for value in given]
     if not found:
         raise OptionError(f"parameter '{name}': has no values, so there is no case", code="parameters")
     return found
+
+
+def own_copy(value: Any) -> Any:
+    """Of the same type, so that nobody else changes it: of lists, mappings and arrays; else it is itself."""
+    if isinstance(value, np.ndarray):
+        return copy.copy(value)  # in the same order
+    if type(value) is dict:
+        return {name: own_copy(part) for name, part in value.items()}
+    return type(value)(map(own_copy, value)) if type(value) in (list, tuple, set) else value
 
 
 def _grid(columns: Mapping[str, list[Any]]) -> Cases:

@@ -22,7 +22,7 @@ from typing import Any
 
 from linkwork import arguments
 from linkwork.errors import FileError, cause, unwritable, warn
-from linkwork.fingerprints import digest
+from linkwork.fingerprints import digest, plain
 from linkwork.studies.cases import Answer, Run
 from linkwork.studies.collected import Collected
 
@@ -58,15 +58,19 @@ class Store:
             raise unwritable("directory", self.directory, error) from error
 
     def example(self) -> Mapping[str, Any]:
-        """Values of a case and the hash of its model, of who began the study; nothing where they are gone, or
-        that case had no model then."""
+        """Key and values of a case and the hash of its model, of who began the study; nothing where they are
+        gone, or that case had no model then."""
         stored = json.loads((self.directory / "study.json").read_text(encoding="utf-8"))
         found = stored.get("example")
-        return found if isinstance(found, dict) and "values" in found and found.get("model") else {}
+        return (
+            found
+            if isinstance(found, dict) and {"key", "values"} <= found.keys() and found.get("model")
+            else {}
+        )
 
     def keep(self, answer: Answer) -> None:
         """FileError: the disk is full, say; what was kept before stays readable."""
-        lines = [json.dumps(vars(run)) for run in answer.runs]
+        lines = [json.dumps({**vars(run), "values": plain(run.values)}) for run in answer.runs]
         body = "\n".join(lines) + "\n"
         head = {"linkwork_cases": VERSION, "cases": len(lines), "digest": zlib.crc32(body.encode()),
                 "machine": dict(answer.machine)}  # fmt: skip

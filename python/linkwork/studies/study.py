@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from linkwork.arguments import check_new, optional_package
 from linkwork.arrays import Floats, ReadOnly
 from linkwork.errors import OptionError, unwritable
+from linkwork.fingerprints import plain
 from linkwork.replacement import replacing
 from linkwork.results.result import Result
 from linkwork.studies.cases import Runner
@@ -344,6 +345,7 @@ def assembled(
 
 def array_of(values: Sequence[Any]) -> NDArray[Any]:
     """(n, ...); what a function takes, and no array can hold, in words."""
+    values = [plain(value) for value in values]
     try:
         found = np.array(values)
     except (ValueError, OverflowError):

@@ -94,7 +94,8 @@ def sweep(
 
     model       a model, whose parameters are named by path: "crank.mass", "crank.inertia[1]",
                 "spring.stiffness", "motor pin.at[2]", "gravity[2]"; in the units of `Model.values`. Or a
-                function build(**parameters) -> Model, where the topology changes
+                function build(**parameters) -> Model, where the topology changes, which gets values as they
+                are given
     parameters  {name: values}: a grid, full factorial. A list of mappings, a table of pandas, an array with
                 named fields: a case a row. With a sampler {name: (low, high)}, or distributions of
                 scipy.stats: norm(1.0, 0.01), Normal(mu=1.0, sigma=0.01), rv_histogram(...)
@@ -165,8 +166,9 @@ def sweep(
     identity = _identity(runner, drawn)
     head = digest(identity, _version())
     keys = digests(head, drawn.columns)
-    about = _about(runner, drawn, first, seed)
-    store = _store(directory, source, drawn, identity, about, gather)
+    about = _about(runner, drawn, keys[0], first, seed)
+    store = None if directory is None else _store(directory, drawn, identity, about, gather)
+    _check_example(source, store, drawn, keys, head)
     known = Collected(keys)
     machines = [] if store is None else store.find(known)
     if retry:
@@ -245,8 +247,9 @@ def _check_kept(cases: Cases) -> None:
         for value in values:
             if type(value) in (float, int, str, bool):
                 continue
+            kept = plain(value)
             try:
-                same = canonical(json.loads(json.dumps(value))) == canonical(plain(value))
+                same = canonical(json.loads(json.dumps(kept))) == canonical(kept)
             except (TypeError, ValueError):
                 same = False
             if not same:
@@ -364,7 +367,7 @@ def _identity(runner: Runner, cases: Cases) -> dict[str, Any]:
         "outputs": digest(wanted.identity(runner.outputs)),
         "times": digest(runner.times),
         "options": {
-            name: digest(value) if name == "times" else canonical(value)  # of about a thousand frames
+            name: digest(value) if name == "times" else canonical(plain(value))  # of about a thousand frames
             for name, value in sorted(without_threads(runner.options).items())
         },
     }  # fmt: skip
@@ -379,38 +382,43 @@ def _hash_of(source: Source, values: Mapping[str, Any], built: Model | None = No
 
 
 def _store(
-    directory: Any, source: Source, cases: Cases, identity: Mapping[str, Any], about: Mapping[str, Any],
-    gather: bool,
-) -> Store | None:  # fmt: skip
+    directory: Any, cases: Cases, identity: Mapping[str, Any], about: Mapping[str, Any], gather: bool
+) -> Store:
     """OptionError: a value that it cannot hold. FileError: it is of another study."""
-    if directory is None:
-        return None
     _check_kept(cases)
-    store = Store(directory, identity, about, new=not gather)
-    if isinstance(source, Built):
-        _check_example(source, store)
-    return store
+    return Store(directory, identity, about, new=not gather)
 
 
-def _check_example(source: Built, store: Store) -> None:
-    """FileError: what a function builds is not what it was, though its code is: it uses something else."""
-    example = store.example()
-    if example and _hash_of(source, example["values"]) != example["model"]:
+def _check_example(source: Source, store: Store | None, cases: Cases, keys: Sequence[str], head: str) -> None:
+    """FileError: what a function builds is not what it was, though its code is: it uses something else.
+
+    Values of which a file does not say all, such as tuples, are those of the case here that is the same.
+    """
+    if store is None or not isinstance(source, Built) or not (example := store.example()):
+        return
+    key, kept = example["key"], example["values"]
+    if digest(head, kept) == key:
+        values = kept
+    elif key in keys:
+        values = cases.case(keys.index(key))
+    else:
+        return
+    if _hash_of(source, values) != example["model"]:
         raise FileError(
             f"directory '{store.directory}': the function {source.name} built another model of "
-            f"{example['values']} then: what it uses has changed, or is random; give another directory, and "
+            f"{kept} then: what it uses has changed, or is random; give another directory, and "
             "what changes as parameters",
             code="other_study",
         )
 
 
-def _about(runner: Runner, cases: Cases, first: Model | None, seed: int | None) -> dict[str, Any]:
-    """For the manifest; `first` is the model of the first case, if it has one."""
+def _about(runner: Runner, cases: Cases, key: str, first: Model | None, seed: int | None) -> dict[str, Any]:
+    """For the manifest; `key` is that of the first case, `first` its model, if it has one."""
     import scipy
 
-    facts = platform_facts()
+    facts, values = platform_facts(), cases.case(0)
     return {
-        "example": {"values": cases.case(0), "model": _hash_of(runner.source, cases.case(0), first)},
+        "example": {"key": key, "values": plain(values), "model": _hash_of(runner.source, values, first)},
         "sampler": cases.how, "cases": len(cases), "seed": seed, "drawn": dict(cases.drawn),
         "lanes": runner.lanes, "outputs": [it.label for it in runner.outputs],
         **facts, "versions": {**facts["versions"], "scipy": scipy.__version__}, "machine": machine(),

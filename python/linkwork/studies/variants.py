@@ -28,6 +28,7 @@ from linkwork.modeling.files import whole_record
 from linkwork.modeling.files.schema import BodyRecord, element_type, form_of
 from linkwork.modeling.model import Model, check_model
 from linkwork.modeling.user_forces import UserForce
+from linkwork.studies.sampling import own_copy
 
 __all__ = ["Built", "Changed", "Source", "source_of"]
 
@@ -99,7 +100,7 @@ class Built:
         check_takes(self.build, names, self.name)
 
     def model(self, case: Mapping[str, Any]) -> Model:
-        made = self.build(**case)
+        made = self.build(**{name: own_copy(value) for name, value in case.items()})
         if not isinstance(made, Model):
             raise ModelError(f"function {self.name}: gives {made!r:.80}, no model", code="not_a_model")
         return made
@@ -253,8 +254,8 @@ class Changed:
         return {name: self.addresses[name].unit for name in names}
 
     def identity(self) -> str:
-        functions = [*self.held.values(), *((it.law, it.data, it.record) for it in self.own)]
-        return digest("changed", canonical(self.record), *([functions] if functions else []))
+        functions = [*self.held.values(), *((it.law, it.data, plain(it.record)) for it in self.own)]
+        return digest("changed", canonical(plain(self.record)), *([functions] if functions else []))
 
 
 def _with_weights(model: Model, record: Record, bodies: Sequence[int]) -> Model:
