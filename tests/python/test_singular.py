@@ -231,10 +231,30 @@ def test_a_run_that_is_to_stop_at_singular_poses_stops_there_naming_time_and_joi
 
 
 def test_a_run_that_is_to_warn_of_singular_poses_warns_and_goes_on() -> None:
-    with pytest.warns(lw.LinkworkWarning, match="singular pose at t = .*'pin 0'"):
+    with pytest.warns(lw.LinkworkWarning, match="singular pose at t = .*('pin 0'|of the same)"):
         warned = lw.simulate(mechanisms.four_bar(1), 3.0, 1e-3, progress=False, on_singular="warn")
     passed = lw.simulate(mechanisms.four_bar(1), 3.0, 1e-3, progress=False)
     assert np.array_equal(warned.q, passed.q)
+
+
+@pytest.mark.parametrize(("t_end", "told"), [(4.0, 4), (20.0, 10)])
+def test_each_singular_pose_is_told_by_a_run_and_by_a_lane(t_end: float, told: int) -> None:
+    """Of very many the first ten, and then how many more there were."""
+    run: dict[str, Any] = {"t_end": t_end, "rtol": 1e-6, "on_singular": "warn", "progress": False}
+    model = mechanisms.four_bar()
+    with pytest.warns(lw.LinkworkWarning) as caught:
+        alone = lw.simulate(model, deterministic=True, **run)
+    texts = [str(it.message) for it in caught if "singular pose" in str(it.message)]
+    poses = alone.singular_poses
+    assert len(poses) > 3
+    expected = [f"singular pose at t = {it.t:.6g} s" for it in poses[:told]]
+    more = len(poses) - told
+    expected += [f"singular poses: {more} more up to t = {poses[-1].t:.6g} s"] if more > 0 else []
+    assert all(text.startswith(it) for text, it in zip(texts, expected, strict=True))
+    assert all(f"'{name}'" in texts[0] for name in poses[0].joints)
+    study = lw.sweep(model, {"gravity[1]": [-9.81]}, "final", processes=1, **run)
+    assert study.manifest["lanes"]
+    assert [it for it in study.remarks[0].split("; ") if "singular pose" in it] == texts
 
 
 @pytest.mark.parametrize("name", ["chain", "net", "binary_tree", "bricard", "spatial_slider_crank"])

@@ -24,8 +24,10 @@ _TYPES: dict[type, Any] = {bool: bool, float: float, int: np.int64}
 
 
 def of_array(value: np.ndarray[Any, Any]) -> list[Any]:
-    """Class, type of the numbers, shape, order in memory, by which sums are rounded, a digest of the bytes; of
-    what has no bytes of its own, such as objects, what it holds."""
+    """Class, type of the numbers, shape, order in memory, by which sums are rounded, digest of the bytes.
+
+    Of what has no bytes of its own, such as objects, what it holds.
+    """
     if isinstance(value, np.ma.MaskedArray):
         return [type(value).__name__, value.data, np.ma.getmaskarray(value)]
     flags, dtype = value.flags, value.dtype

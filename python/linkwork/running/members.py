@@ -384,6 +384,7 @@ def _singular_poses(it: _Ready) -> dict[str, Any]:
     if poses and compiled.options.on_singular == "warn":
         with remarked() as remarks:
             recording.warn_of_singular_poses(compiled.statistics(), 0)
+            recording.warn_of_more_singular_poses(compiled.statistics())
         it.remarks.extend(remarks)
     return {"singular_poses": poses, "row_changes": changes}
 

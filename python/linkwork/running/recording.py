@@ -52,6 +52,9 @@ PythonStep = Callable[[System, float, Floats, float], ArrayLike]
 PIECE_SECONDS, PIECE_FRAMES, PIECE_BYTES = 0.1, 500, 2**26
 
 
+#: Singular poses that a run warns of each by itself.
+TOLD = 10
+
 #: Of frames in memory, between two looks at how much is left.
 LOOK_BYTES = 2**28
 
@@ -239,6 +242,8 @@ def record(
         if warns:
             warned = warn_of_singular_poses(run.statistics(), warned)
         before = time.perf_counter()
+    if warns:
+        warn_of_more_singular_poses(run.statistics())
     return spent
 
 
@@ -276,16 +281,25 @@ def _abandon(
 
 
 def warn_of_singular_poses(statistics: Mapping[str, Any], warned: int) -> int:
-    """How many there have been; LinkworkWarning: more than `warned`."""
-    count: int = statistics["singular_poses"]
-    if count > warned:
-        last = [it for it in statistics["singularity_crossings"] if not it["rows_changed"]][-1]
-        names = ", ".join(f"'{name}'" for name in last["joints"])
-        warn(
-            f"singular pose at t = {last['t']:.6g} s: the equations of {names} depend on each other for a "
-            "moment, where the motion could go on in several ways"
+    """Of how many it has been warned; LinkworkWarning: of each after the first `warned`, up to TOLD."""
+    poses = [it for it in statistics["singularity_crossings"] if not it["rows_changed"]][:TOLD]
+    for place, it in enumerate(poses[warned:], start=warned):
+        names = ", ".join(f"'{name}'" for name in it["joints"])
+        why = (
+            f": the equations of {names} depend on each other for a moment, where the motion could go on in "
+            "several ways"
         )
-    return count
+        same = place and it["joints"] == poses[place - 1]["joints"]
+        warn(f"singular pose at t = {it['t']:.6g} s{', of the same joints' if same else why}")
+    return len(poses)
+
+
+def warn_of_more_singular_poses(statistics: Mapping[str, Any]) -> None:
+    """LinkworkWarning, at the end of a run: it has passed more than it was warned of."""
+    poses = [it["t"] for it in statistics["singularity_crossings"] if not it["rows_changed"]]
+    more = statistics["singular_poses"] - len(poses[:TOLD])
+    if more > 0:
+        warn(f"singular poses: {more} more up to t = {poses[-1]:.6g} s: see Result.singular_poses")
 
 
 def _occurrences(run: _core.Run, labels: Sequence[str]) -> list[Occurrence]:

@@ -31,7 +31,7 @@ __all__ = ["Answer", "Case", "Run", "Runner", "in_one", "kept", "machine"]
 ROUNDED = 1e-12
 
 #: Characters of remarks that are kept of a case.
-REMARKS = 300
+REMARKS = 1000
 
 
 @dataclass(frozen=True)
@@ -101,7 +101,7 @@ class Runner:
         return self.noted(case, found, remarks, time.perf_counter() - started)
 
     def noted(self, case: Case, found: Mapping[str, Any], remarks: Sequence[str], seconds: float) -> Run:
-        return Run(case.key, **found, remarks=in_one(remarks, found)[:REMARKS], seconds=seconds,
+        return Run(case.key, **found, remarks=_cut(in_one(remarks, found)), seconds=seconds,
                    values=dict(case.values))  # fmt: skip
 
     def kept(self, result: Result | LastState) -> dict[str, Any]:
@@ -144,6 +144,10 @@ def _verdict(result: Result | LastState) -> dict[str, Any]:
         return {}
     found = {"level": verdict.level, "error": float(verdict.error), "sentence": verdict.sentence}
     return {**found, "memory": list(verdict.memory)} if verdict.memory else found
+
+
+def _cut(text: str) -> str:
+    return text if len(text) <= REMARKS else f"{text[:REMARKS]} ... ({len(text)} characters)"
 
 
 def in_one(remarks: Sequence[str], found: Mapping[str, Any]) -> str:
