@@ -328,6 +328,42 @@ def test_command_ends_with_one_line_where_the_disk_is_full(tmp_path: Path) -> No
     assert int(count) > 100 and f"the {count} frames so far are kept" in error
 
 
+GO_ON_FROM_A_SMALL_DISK = """
+    import subprocess, sys, numpy as np, linkwork as lw
+    subprocess.run(["mount", "-t", "tmpfs", "-o", "size=1400k", "tmpfs", sys.argv[1]], check=True)
+    run = dict(t_end=60.0, rtol=1e-5, progress=False)
+    model, path = lw.mechanisms.four_bar(), sys.argv[1] + "/run.h5"
+    whole = lw.simulate(model, **run)
+    try:
+        lw.simulate(model, output=path, **run)
+    except lw.FileError as error:
+        begun = lw.Result.load(path)
+        rest = lw.simulate(model, start=begun.snapshot(), **run)
+        same = np.array_equal(rest.q[-1], whole.q[-1])
+        print(len(begun), begun.t[-1] == rest.t[0], rest.manifest["resumed"], same, error, sep="|")
+"""
+
+
+def test_a_run_goes_on_to_the_last_bit_from_what_a_full_disk_has_kept(tmp_path: Path) -> None:
+    count, joined, resumed, same, error = on_a_small_disk(GO_ON_FROM_A_SMALL_DISK, tmp_path)
+    assert int(count) > 100 and "no room: " in error and "not that of the whole" not in error
+    assert (joined, resumed, same) == ("True", "True", "True")
+
+
+FILL_A_LIMITED_FILE = """
+    import sys, linkwork as lw
+    lw.simulate(lw.mechanisms.four_bar(), 200.0, rtol=1e-5, output=sys.argv[1], progress=False)
+"""
+
+
+def test_where_no_run_goes_on_from_what_was_kept_to_the_last_bit_the_error_says_so(tmp_path: Path) -> None:
+    limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (2**20, 2**20))  # noqa: E731
+    run = start(FILL_A_LIMITED_FILE, tmp_path / "run.h5", limit=limit)
+    error = run.communicate(timeout=60)[1].splitlines()[-1]
+    goes_on = Result.load(tmp_path / "run.h5")._checkpoint is not None
+    assert "file too large" in error and goes_on != ("not that of the whole to the last bit" in error)
+
+
 def test_run_that_cannot_fit_is_refused_before_it_starts(tmp_path: Path) -> None:
     with pytest.raises(FileError, match=r"run.h5': no room: .* needed, .* free"):
         ResultWriter(tmp_path / "run.h5", synthetic.header(expected_frames=10**14))

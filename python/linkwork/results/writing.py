@@ -83,6 +83,9 @@ CHUNK_BYTES = (4096, 32 * 2**20)
 #: Room kept for HDF5's own records and the closing attributes [bytes].
 MARGIN_BYTES = 256 * 1024
 
+#: While there is room for so many more pieces of a run, and no others, checkpoints are kept of each.
+LAST_PIECES = 4
+
 MODEL_ARRAYS = (
     "gravity",
     "mass",
@@ -123,7 +126,8 @@ class ResultWriter:
         pause: Callable[[], None] = lambda: None,
     ) -> None:
         """
-        checkpoint  for the last frame that the run gave out: it is left out where that could not be written
+        checkpoint  for the last frame that the run gave out: where that could not be written, that of the
+                    last one which was
         pause       called between the pieces of the head, of large frames, and of what is written after
                     them. What it raises goes through: the frame in which that was is not kept, and `close`
                     in a hurry is to follow
@@ -135,6 +139,8 @@ class ResultWriter:
         self._last_t = -math.inf  # of the frames [s]
         self._failure: FileError | None = None
         self._checkpoint, self._checkpoint_due = checkpoint, 0.0
+        self._last_checkpoint: Checkpoint | None = None  # while there is hardly any room left
+        self._goes_on = False  # whether what was closed has a checkpoint
         self._pause = pause
         self._beside_bytes = 0  # of the last checkpoint that was written beside
         self._large = _frame_bytes(header) > LARGE_BYTES
@@ -176,6 +182,7 @@ class ResultWriter:
         self._blocks.add_frames(values, len(t))
         self._pending.append(t)
         self._last_t = float(t[-1])
+        self._last_checkpoint = self._checkpoint() if self._is_nearly_full(len(t)) else None
         if self._large or time.monotonic() - self._flushed_at > FLUSH_SECONDS:
             self.flush()
 
@@ -266,7 +273,8 @@ class ResultWriter:
         stays = hurried and self._beside_bytes > LARGE_CHECKPOINT_BYTES
         checkpoint = None if stays else self._checkpoint()
         if self._frames and checkpoint is not None and checkpoint.t > self._last_t:
-            stays = True  # the later one is of frames that did not get here
+            checkpoint = self._last_checkpoint  # the later one is of frames that did not get here
+            stays = checkpoint is None
         try:
             self._flush_frames()
         except FileError:
@@ -274,13 +282,19 @@ class ResultWriter:
             raise
         with self._failures():
             try:
-                if checkpoint is not None and not stays and (self._frames or not hurried):
-                    self._write_checkpoint(checkpoint)
+                if stays or not (self._frames or not hurried):
+                    checkpoint = None
+                if checkpoint is not None and self._write_checkpoint(checkpoint):
+                    self._goes_on, checkpoint = True, None
                 self._write_end(statistics)
             finally:
                 self._release()
-            if not stays:
+            if checkpoint is not None and statistics is None:  # there is room beside now, perhaps
+                with suppress(OSError):
+                    checkpoints.write_beside(self._target, checkpoint, self._run)
+            elif not stays:
                 checkpoints.beside(self._target).unlink(missing_ok=True)
+            self._goes_on = self._goes_on or checkpoints.beside(self._target).exists()
 
     def _write_end(self, statistics: Mapping[str, Any] | None) -> None:
         if statistics is not None:
@@ -294,17 +308,18 @@ class ResultWriter:
         self._file.close()
         os.close(self._descriptor)
 
-    def _write_checkpoint(self, checkpoint: Checkpoint) -> None:
-        """Where there is room for it."""
+    def _write_checkpoint(self, checkpoint: Checkpoint) -> bool:
+        """Whether there was room for it."""
         needed = self._file.id.get_filesize() + 2 * len(checkpoint.state) + MARGIN_BYTES
         if needed > self._reserved:
             try:
                 self._check_room(needed - os.fstat(self._descriptor).st_blocks * 512)
                 _allocate(self._descriptor, self._reserved, needed)
             except (FileError, OSError):
-                return
+                return False
             self._reserved = needed
         checkpoints.write(self._file, checkpoint, self._run)
+        return True
 
     def __enter__(self) -> Self:
         return self
@@ -401,8 +416,13 @@ class ResultWriter:
             self._reserve(sizes)
         except FileError as error:
             self._failure = error
+            had_some = self._frames and self._checkpoint() is not None
             self.close()
-            raise
+            if not had_some or self._goes_on:
+                raise
+            told = "a run that starts there is not that of the whole to the last bit"
+            self._failure = FileError(f"{error}; {told}", code=error.code)
+            raise self._failure from error
 
     def _reserve(self, sizes: Iterable[int]) -> None:
         """Make sure of the room for chunks of these sizes [bytes] before HDF5 is touched.
@@ -419,6 +439,13 @@ class ResultWriter:
                 self._check_room(needed - os.fstat(self._descriptor).st_blocks * 512)
                 _allocate(self._descriptor, self._reserved, needed)
                 self._reserved = needed
+
+    def _is_nearly_full(self, frames: int) -> bool:
+        """Whether few more pieces of so many frames have room."""
+        with suppress(OSError):
+            room = LAST_PIECES * frames * _frame_bytes(self._header) + MARGIN_BYTES
+            return shutil.disk_usage(self.path.parent).free < room
+        return False
 
     def _check_mine(self) -> None:
         """FileError: the output was removed, or what has its name by now is another file."""
