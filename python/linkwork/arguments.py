@@ -138,14 +138,17 @@ def one_of(given: Any, known: Iterable[str], what: str, code: str = "unknown_opt
     return given
 
 
-def path(given: Any, what: str) -> Path:
-    """Of a file to be read or written. FileError: it is no path; or neither a file nor a folder is there: a
-    device would be replaced, and a pipe waits for ever."""
+def path(given: Any, what: str, *, folder: bool = False) -> Path:
+    """Of a file to be read or written, or a `folder`. FileError: it is no path, or of a folder instead; or
+    neither a file nor a folder is there: a device would be replaced, and a pipe waits for ever."""
     try:
         found = os.fspath(given)
         if isinstance(found, str) and found and "\0" not in found and _is_encodable(found):
             refuse_dash(found, what)
             _refuse_special(found, what)
+            if not folder and found.endswith((os.sep, os.altsep or os.sep)):
+                why = "ends as the name of a folder: give that of a file"
+                raise FileError(f"{what} '{found}': {why}", code="path")
             return Path(found)
     except TypeError:
         pass
@@ -177,7 +180,7 @@ def folders(given: Any, what: str) -> list[Path]:
     if not is_iterable(several):
         raise OptionError(f"{what} {given!r:.80} is no list of folders", code=what)
     found = []
-    for folder in (path(it, what) for it in several):
+    for folder in (path(it, what, folder=True) for it in several):
         try:
             found.append(folder.resolve())
             there = folder.is_dir()

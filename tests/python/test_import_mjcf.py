@@ -249,8 +249,10 @@ def test_what_is_not_in_the_model_is_listed(tmp_path: Path) -> None:
     rest = (
         '<equality><joint joint1="j" name="lock"/></equality><actuator><motor joint="j" name="m"/></actuator>'
     )
-    topics = {note.topic for note in lw.import_mjcf(written(tmp_path, body, rest)).notes}
-    assert topics == {"limits", "friction", "equality", "actuator", "contact"}
+    notes = lw.import_mjcf(written(tmp_path, body, rest)).notes
+    assert {note.topic for note in notes} == {"limits", "friction", "equality", "actuator", "contact"}
+    text = next(note.message for note in notes if note.topic == "equality")
+    assert text == "that it holds joint 'j' at 0 from its reference is not represented"
 
 
 # --- against MuJoCo, attribute by attribute -----------------------------------------------------------------

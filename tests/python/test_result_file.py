@@ -231,6 +231,17 @@ def test_read_only_file_is_not_replaced(tmp_path: Path) -> None:
     assert (tmp_path / "run.h5").read_bytes() == b"kept"
 
 
+@pytest.mark.parametrize("save", [
+    lambda result, path: lw.simulate(lw.mechanisms.pendulum(), 0.01, 1e-3, output=path, progress=False),
+    lambda result, path: result.save(path), lambda result, path: result.to_csv(path),
+])  # fmt: skip
+def test_a_name_of_a_folder_is_none_of_a_file(save: Any, tmp_path: Path) -> None:
+    result = lw.simulate(lw.mechanisms.pendulum(), 0.01, 1e-3, progress=False)
+    with pytest.raises(FileError, match="/run/.: ends as the name of a folder"):
+        save(result, f"{tmp_path}/run/")
+    assert not list(tmp_path.iterdir())
+
+
 def test_output_that_is_a_link_is_written_through(tmp_path: Path) -> None:
     (tmp_path / "link.h5").symlink_to(tmp_path / "run.h5")
     ResultWriter(tmp_path / "link.h5", synthetic.header()).close()

@@ -494,6 +494,7 @@ class Silent(Exception):
 @pytest.mark.parametrize(("error", "message"), [
     (Silent(), "Silent"), (ValueError("x" * 3000), "x" * 2000 + " ... (3000 characters)"),
     (ValueError("of \udcff\n mine"), "of ? mine"),
+    (MemoryError(), "MemoryError"), (ValueError(" "), "ValueError"),
 ])  # fmt: skip
 def test_whatever_an_error_says_it_fails_one_case_and_goes_to_files(
     error: Exception, message: str, tmp_path: Path
@@ -805,7 +806,9 @@ def test_memory_that_cannot_be_given_back_is_told() -> None:
         ({"parameters": {}}, lw.OptionError, "no case"),
         ({"parameters": [{"rod.mass": 1}, {}]}, lw.OptionError, "case 1 and case 0 differ in 'rod.mass'"),
         ({"parameters": {"rod.mass": (1, 2)}, "sampler": "sobol", "cases": 4}, lw.OptionError, "give a seed"),
-        ({**RANDOM, "parameters": {"rod.mass": (2, 1)}}, lw.OptionError, "low"),
+        ({**RANDOM, "parameters": {"rod.mass": (2, 1)}}, lw.OptionError, r"reversed: give \(1, 2\)"),
+        ({**RANDOM, "parameters": {"rod.mass": (2, 2)}}, lw.OptionError, r"\(2, 2\) are equal"),
+        ({**RANDOM, "parameters": {"rod.mass": (1, 2, 3)}}, lw.OptionError, r"no pair \(low, high\)"),
         ({**RANDOM, "cases": 0}, lw.OptionError, "cases 0"),
         ({**RANDOM, "cases": None}, lw.OptionError, "cases is missing"),
         ({"sampler": "sobel"}, lw.OptionError, "sampler 'sobel'.*'sobol'"),

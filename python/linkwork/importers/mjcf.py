@@ -281,8 +281,7 @@ class _MujocoModel:
             if type_ == kinds.mjEQ_JOINT and self._couple(name, k, out):
                 continue
             if type_ not in (kinds.mjEQ_CONNECT, kinds.mjEQ_WELD):
-                what = kinds(type_).name[5:].lower()
-                out.note("equality", f"equality '{name}'", f"of kind {what} is not represented")
+                out.note("equality", f"equality '{name}'", f"{self._lost(k)} is not represented")
                 continue
             one, other = int(model.eq_obj1id[k]), int(model.eq_obj2id[k])
             if int(model.eq_objtype[k]) == int(self._mj.mjtObj.mjOBJ_SITE):
@@ -310,6 +309,17 @@ class _MujocoModel:
         if self._options.get("couple", True):
             out.note("equality", f"equality '{name}'", "soft in MuJoCo, a rigid coupler here")
         return True
+
+    def _lost(self, k: int) -> str:
+        """What an equality does that stands for no joint and no coupler."""
+        model, kind = self._model, self._mj.mjtEq(int(self._model.eq_type[k]))
+        if kind != self._mj.mjtEq.mjEQ_JOINT:
+            return f"of kind {kind.name[5:].lower()}"
+        one, other = self._name("joint", int(model.eq_obj1id[k])), int(model.eq_obj2id[k])
+        if other < 0:
+            return f"that it holds joint '{one}' at {model.eq_data[k][0]:g} from its reference"
+        leader = self._name("joint", other)
+        return f"that joint '{one}' follows '{leader}' by more than a linear relation of one coordinate each"
 
     def _site(self, site: int) -> Frame:
         return from_quaternion(self._model.site_pos[site], self._model.site_quat[site])

@@ -23,7 +23,7 @@ def facts_of(error: BaseException) -> dict[str, Any]:
     found: dict[str, Any] = {
         "type": type(error).__name__,
         "code": "",
-        "message": message_of(error),
+        "message": message_of(error) or type(error).__name__,
         "reached": None,
     }
     reached, result = None, getattr(error, "result", None)
@@ -36,7 +36,8 @@ def facts_of(error: BaseException) -> dict[str, Any]:
 
 
 def message_of(error: BaseException | str) -> str:
-    """In one line, which every file can hold; the name of its class where it cannot say more."""
+    """In one line, which every file can hold; the name of its class where it cannot be asked. Empty: it has
+    nothing to say."""
     try:
         text = str(error)
     except Exception:

@@ -31,12 +31,14 @@ def quantile(name: str, given: Any) -> Callable[[Floats], Floats]:
     if is_distribution(given):
         return _of_distribution(name, given)
     bounds = given.tolist() if isinstance(given, np.ndarray) else given
-    good = isinstance(bounds, tuple | list) and len(bounds) == 2 and all(map(is_number, bounds))
-    if not good or not bounds[0] < bounds[1]:
+    if not (isinstance(bounds, tuple | list) and len(bounds) == 2 and all(map(is_number, bounds))):
         raise OptionError(
             f"parameter '{name}': {given!r:.60} is no {WANTED}, which a sampler needs", code="parameters"
         )
     low, high = map(float, bounds)
+    if not low < high:
+        what = f"reversed: give ({high:g}, {low:g})" if low > high else "equal: there is nothing between them"
+        raise OptionError(f"parameter '{name}': its bounds ({low:g}, {high:g}) are {what}", code="parameters")
     return lambda u: low + (high - low) * u
 
 

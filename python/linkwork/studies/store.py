@@ -43,7 +43,7 @@ class Store:
     def __init__(
         self, directory: Any, identity: Mapping[str, Any], about: Mapping[str, Any], *, new: bool = True
     ) -> None:
-        self.directory = arguments.path(directory, "directory")
+        self.directory = arguments.path(directory, "directory", folder=True)
         if not new and not (self.directory / "study.json").is_file():
             raise FileError(
                 f"directory '{self.directory}': there is no study to gather; check the path, or run its "
@@ -135,7 +135,7 @@ class Store:
 
 def stored_identity(directory: Any) -> Mapping[str, Any] | None:
     """Of the study that is there; None: there is none that can be read."""
-    path = arguments.path(directory, "directory") / "study.json"
+    path = arguments.path(directory, "directory", folder=True) / "study.json"
     try:
         found: Mapping[str, Any] = json.loads(path.read_text(encoding="utf-8"))["identity"]
     except (OSError, *DAMAGE):
