@@ -15,7 +15,8 @@ from pathlib import Path
 import pytest
 
 MINE = """
-import collections, contextlib, ctypes, decimal, enum, functools, operator, types, typing, weakref
+import builtins, collections, contextlib, contextvars, ctypes, decimal, enum, functools, operator, types
+import typing, weakref
 import numpy as np
 import helpers
 import scipy.interpolate
@@ -247,6 +248,29 @@ for name, call in {
 }.items():
     FUNCTIONS[name] = call
 
+# what a context holds, what is held weakly, and what was put where others look
+
+DEFAULT, GIVEN = contextvars.ContextVar("default", default=@X@), contextvars.ContextVar("given")
+GIVEN.set(@X@)
+WEAK_VALUES, WEAK_KEYS = weakref.WeakValueDictionary(a=CONFIG), weakref.WeakKeyDictionary({Config: @X@})
+WEAK_SET = weakref.WeakSet([CONFIG])
+builtins.PUT_INTO_BUILTINS = np.PUT_INTO_NUMPY = np.linalg.PUT_INTO_PACKAGE = @X@
+np.put_function, np.put_object = helpers.scaled, CONFIG
+
+def around(variable):
+    return lambda: variable.get()
+
+FUNCTIONS["context_around"] = around(contextvars.ContextVar("around", default=@X@))
+for name, call in {
+    "context": lambda: DEFAULT.get(), "given_in_a_context": lambda: GIVEN.get(),
+    "weak_values": lambda: WEAK_VALUES["a"].gain, "weak_keys": lambda: WEAK_KEYS[Config],
+    "weak_set": lambda: next(iter(WEAK_SET)).gain,
+    "builtins": lambda: PUT_INTO_BUILTINS, "numpy": lambda: np.PUT_INTO_NUMPY,
+    "package_of_numpy": lambda: np.linalg.PUT_INTO_PACKAGE,
+    "function_in_numpy": lambda: np.put_function(1.0), "object_in_numpy": lambda: np.put_object.gain,
+}.items():
+    FUNCTIONS[name] = call
+
 # what calls change counts as it was
 
 class Controller:
@@ -273,6 +297,13 @@ def counter(count):
     return function
 
 FUNCTIONS["counter"] = counter(@X@)
+
+CALLS = contextvars.ContextVar("calls", default=0)
+
+@of
+def counts_in_a_context():
+    CALLS.set(CALLS.get() + 1)
+    return @X@
 
 SPACE = types.SimpleNamespace(gain=@X@, calls=0)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import array
 import collections
+import contextvars
 import dis
 import functools
 import itertools
@@ -25,6 +26,7 @@ __all__ = [
 _CONTAINERS = (
     list, dict, set, bytearray, array.array, collections.deque, collections.UserDict, collections.UserList,
     weakref.WeakKeyDictionary, weakref.WeakValueDictionary, weakref.WeakSet, np.ndarray,
+    contextvars.ContextVar,
 )  # fmt: skip
 
 #: Methods by which these change, and where an item is put into them.
@@ -32,6 +34,7 @@ _ITEM = "[]"
 _CHANGING = {
     _ITEM, "append", "appendleft", "extend", "extendleft", "insert", "pop", "popleft", "popitem", "remove",
     "discard", "clear", "update", "setdefault", "add", "sort", "reverse", "rotate", "move_to_end", "fill",
+    "set",
 }  # fmt: skip
 
 #: What happens to a name: it is written anew (None), or a method of what it holds is called.

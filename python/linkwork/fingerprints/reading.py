@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import array
+import builtins
 import collections
 import contextlib
+import contextvars
 import dataclasses
 import datetime
 import functools
@@ -72,6 +74,11 @@ RESTLESS = (
     weakref.WeakKeyDictionary, weakref.WeakValueDictionary, weakref.WeakSet, threading.Thread,
     threading.Event, threading.Condition, threading.Semaphore, threading.Barrier, type(threading.Lock()),
     type(threading.RLock()),
+)  # fmt: skip
+
+#: Variables of these count by what they hold now.
+_HOLDING = (
+    contextvars.ContextVar, weakref.WeakKeyDictionary, weakref.WeakValueDictionary, weakref.WeakSet,
 )  # fmt: skip
 
 #: Methods by which a class says how its objects are pickled.
@@ -172,8 +179,9 @@ def attached(function: FunctionType) -> list[tuple[str, Any]]:
 
 
 def read_by(function: FunctionType) -> list[tuple[str, Any]]:
-    """What counts of its module, and of others that are not installed, by name. What it changes itself, as
-    counters and what it remembers, is not read; of a module that it hands on everything is."""
+    """What counts of its module, of others that are not installed, and of what was put into installed ones,
+    by name. What it changes itself, as counters and what it remembers, is not read; of a module that it hands
+    on everything is."""
     own, known, code = module_of(function), function.__globals__, function.__code__
     if function.__closure__ and not is_users(own):  # what is read is what it is made around
         return []
@@ -181,11 +189,11 @@ def read_by(function: FunctionType) -> list[tuple[str, Any]]:
     found: dict[str, Any] = {}
     modules: list[tuple[str, ModuleType, bool]] = []
     for name in codes.globals_read(code):
-        value = known.get(name)
+        value = known[name] if name in known else vars(builtins).get(name, NotImplemented)
         if isinstance(value, ModuleType):
             modules.append((name, value, name in handed_on))
-        elif name in known and counts(value, own) and not codes.is_changed(name, value, changes):
-            found[name] = value
+        elif _is_read(value, own) and not codes.is_changed(name, value, changes):
+            found[name] = _now(value)
     if codes.globals_read(code) & _READ_ALL - known.keys() and own in sys.modules:
         modules.append(("", sys.modules[own], True))
     for name, value, whole in _imports(function):
@@ -204,18 +212,44 @@ def _of_modules(modules: list[tuple[str, ModuleType, bool]], function: FunctionT
     seen: set[tuple[int, bool]] = set()
     while modules:
         label, module, whole = modules.pop()
-        if (id(module), whole) in seen or not counts(module, own):
+        if (id(module), whole) in seen:
             continue
         seen.add((id(module), whole))
-        if whole:
+        is_known = _is_read if counts(module, own) else _is_put
+        if whole and is_known is _is_read:
             found[label] = module
         for name in used & vars(module).keys():
             value = vars(module)[name]
             if isinstance(value, ModuleType):
                 modules.append((f"{label}.{name}", value, name in handed_on))
-            elif counts(value, own):
-                found[f"{label}.{name}"] = value
+            elif is_known(value, own):
+                found[f"{label}.{name}"] = _now(value)
     return found
+
+
+def _is_read(value: Any, own: str) -> bool:
+    return isinstance(value, _HOLDING) or counts(value, own)
+
+
+def _is_put(value: Any, own: str) -> bool:
+    """Whether somebody may have put it into an installed module: numbers, of which most are its constants,
+    and what is made of the user's functions and classes."""
+    if isinstance(value, FunctionType):
+        return is_users(module_of(value))
+    kind = value if isinstance(value, type) else type(value)
+    is_number = kind in (bool, int, float, complex, np.ndarray) or issubclass(kind, np.generic)
+    return is_number or is_users_class(kind)
+
+
+def _now(value: Any) -> Any:
+    """What it holds, of what is none of its own."""
+    if isinstance(value, contextvars.ContextVar):
+        with contextlib.suppress(LookupError):
+            return ["context", value.get()]
+        return ["context"]
+    if isinstance(value, weakref.WeakSet):
+        return frozenset(value)
+    return dict(value) if isinstance(value, _HOLDING) else value
 
 
 def _imports(function: FunctionType) -> list[tuple[str, Any, bool]]:
@@ -321,7 +355,7 @@ def cells(function: FunctionType) -> tuple[list[tuple[str, Any]], list[tuple[str
     kept: list[tuple[str, Any]] = []
     for name, it in around:
         if not codes.is_changed(name, it, changes):
-            read += [(name, it)] if users or counts(it, "") else []
+            read += [(name, _now(it) if users else it)] if users or counts(it, "") else []
         elif users:
             kept.append((name, it))
     return read, kept
