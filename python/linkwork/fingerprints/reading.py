@@ -249,7 +249,8 @@ def _now(value: Any) -> Any:
         return ["context"]
     if isinstance(value, weakref.WeakSet):
         return frozenset(value)
-    return dict(value) if isinstance(value, _HOLDING) else value
+    is_mapping = isinstance(value, weakref.WeakKeyDictionary | weakref.WeakValueDictionary)
+    return dict(value) if is_mapping else value
 
 
 def _imports(function: FunctionType) -> list[tuple[str, Any, bool]]:
