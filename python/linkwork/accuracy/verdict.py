@@ -379,10 +379,12 @@ def _sentence(
 def _blind(steps: Sequence[StepEstimate], rtol: float, error: float, state: float) -> StepEstimate | None:
     """The step that makes most of the error, where it is off far more than steps that follow rtol may be; the
     longest, where the balance of energy shows what no step does."""
+    if not steps:
+        return None
     if state < MOST * error:
-        return max(steps, key=lambda step: step.h, default=None)
-    worst = max(steps, key=lambda step: step.error, default=None)
-    if worst is None or worst.error < max(BLIND * rtol, MOST * error):
+        return max(steps, key=lambda step: step.h)
+    worst = max(steps, key=lambda step: step.error)
+    if worst.error < max(BLIND * rtol, MOST * error):
         return None
     return worst
 
