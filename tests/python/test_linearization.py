@@ -331,7 +331,7 @@ def test_velocities_that_do_not_follow_a_driver_are_refused() -> None:
     model.translational("hub", "bead", at=(0.5, 0, 0), axis=(1, 0, 0), name="slot")
     model.translational_spring_damper("hub", "bead", at=(0.5, 0, 0), axis=(1, 0, 0), stiffness=20.0)
     model.drive("shaft", velocity=4.0)
-    with pytest.raises(lw.ModelError, match="velocities of the model .* do not satisfy joint"):
+    with pytest.raises(lw.ModelError, match="velocities of the model do not satisfy joint"):
         lw.linearize(model)
 
 

@@ -18,7 +18,7 @@ from linkwork.errors import ModelError, NotConvergedError
 
 __all__ = [
     "by_arnoldi", "by_dense_matrices", "by_lanczos", "constrained_solver", "nearest_to", "one_of_each_pair",
-    "softest_by_lanczos",
+    "of_unit_masses", "softest_by_lanczos",
 ]  # fmt: skip
 
 Indices = NDArray[np.intp]
@@ -97,6 +97,14 @@ def _unit_masses(m: Floats) -> Floats:
             code="massless",
         )
     return np.asarray(unit)
+
+
+def of_unit_masses(M: Sparse, Z: Floats) -> Floats:
+    """Y (6n, f) with Y^T M Y = 1, of the motions Z (6n, f). ModelError: one moves no mass."""
+    m = Z.T @ (M @ Z)
+    unit = _unit_masses((m + m.T) / 2)
+    L = np.linalg.cholesky(unit[:, None] * ((m + m.T) / 2) * unit)
+    return np.asarray(np.linalg.solve(L, (Z * unit).T).T, dtype=float)
 
 
 def _quotients(K: Any, M: Any, x: Floats) -> Floats:

@@ -83,6 +83,11 @@ class Equations:
         """Compiled anew in another process."""
         return Equations, (self.model,)
 
+    @property
+    def called(self) -> str:
+        """In messages: the model 'rig', or the model."""
+        return f"the model '{self.model.name}'" if self.model.name else "the model"
+
     def terms(self, t: float, q: Floats, v: Floats | None = None) -> Terms:
         """At t [s], q (7n,), v (6n,) as the model has it (omega in body axes), at rest without v."""
         from scipy.sparse import csr_array
@@ -110,7 +115,7 @@ class Equations:
     @cached_property
     def _row_choice(self) -> RowChoice:
         first = np.delete(np.arange(self.rank.rows), self.rank.redundant_rows)
-        choice = RowChoice(first, self._component[self._body_of_row], self.scale)
+        choice = RowChoice(first, self.component[self._body_of_row], self.scale)
         choice.of(self.terms(0.0, self.core.q0).D)
         return choice
 
@@ -135,9 +140,9 @@ class Equations:
         pass on from one body to others; or no small part of what is acting."""
         place = max(self.length, float(np.abs(q.reshape(-1, 7)[:, :3]).max()))
         own = self._joined(LAST_DIGITS * place * (abs(K) @ self.scale))
-        largest = np.zeros(self._component.max() + 1)
-        np.maximum.at(largest, self._component, own)
-        rounding = np.minimum(self._apart(largest[self._component]), SMALL_PART * acting)
+        largest = np.zeros(self.component.max() + 1)
+        np.maximum.at(largest, self.component, own)
+        rounding = np.minimum(self._apart(largest[self.component]), SMALL_PART * acting)
         return np.where(np.abs(r) > rounding, r, 0.0)
 
     @cached_property
@@ -147,7 +152,7 @@ class Equations:
         return np.asarray(found["indices"][found["indptr"][:-1]] // 6)
 
     @cached_property
-    def _component(self) -> NDArray[np.intp]:
+    def component(self) -> NDArray[np.intp]:
         """Of each body that which joints connect it with (n,)."""
         from scipy.sparse import csr_array
         from scipy.sparse.csgraph import connected_components

@@ -3,27 +3,25 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork.analyses.constraint_solver import DENSE, balance, check_regular, null_space
+from linkwork.analyses.coefficients import Coefficients, coefficients, refuse_imbalance
+from linkwork.analyses.constraint_solver import DENSE, check_regular, null_space
 from linkwork.analyses.eigenmodes import (
     by_arnoldi,
     by_dense_matrices,
     by_lanczos,
-    constrained_solver,
     nearest_to,
     one_of_each_pair,
 )
 from linkwork.analyses.equations import Equations, Sparse, Terms
-from linkwork.analyses.steadiness import is_nearly_steady
-from linkwork.analyses.stiffness import Stiffness, damping, stiffness_and_parts
-from linkwork.analyses.tangent import displaced, to_inertial_axes
+from linkwork.analyses.steadiness import Steadiness
+from linkwork.analyses.stiffness import Stiffness
+from linkwork.analyses.tangent import displaced
 from linkwork.arguments import is_number
 from linkwork.arrays import Complex, Floats, ReadOnly
-from linkwork.equations.system import System
 from linkwork.errors import ModelError, OptionError, warn
 from linkwork.modeling.model import Model
 from linkwork.modeling.tables import Table
@@ -33,19 +31,6 @@ from linkwork.running.estimation import told_of_memory
 
 __all__ = ["Linearization", "linearize"]
 
-
-class Coefficients(NamedTuple):
-    """At one state."""
-
-    M: Sparse
-    C: Sparse
-    K: Sparse
-    D: Sparse  # independent rows
-    stiffness: Stiffness
-
-
-#: Forces that are not in balance, relative to what acts on their body.
-BALANCE = 1e-6
 
 #: A motion whose stiffness is below this part of the terms that it is the sum of is neutral: that is the
 #: rounding of the differences. Its eigenvalue is rounding up to such a part of the largest, of a double one.
@@ -69,15 +54,8 @@ REST = 1e-9
 #: Asymmetry of the stiffness that counts as none, relative to the largest entries of the bodies: rounding.
 SMALL = 1e-10
 
-#: A turn of this size [rad] must leave the coefficients as they are, but for such a part; those of damping
-#: and stiffness count from this part of the inertia on.
-TURN, STEADY, COUNTS = 1e-3, 1e-5, 1e-9
-
 #: Modes in the table of a notebook.
 MODES_SHOWN = 20
-
-#: Random motions along which coefficients of large models are compared.
-PROBES = 8
 
 #: Modes of models that are too large for dense matrices, where no number is given.
 MODES = 10
@@ -205,27 +183,34 @@ def linearize(
 def _linearized(model: Model, start: Snapshot | None, modes: int | None, near: float) -> Linearization:
     eq = _equations(model, start)
     at = _at_rest(eq, _begun(eq, start))
-    coefficients = _coefficients(eq, at)
-    M, C, K, D, _ = coefficients
-    moving = np.abs(at.v).max(initial=0.0) > 0
-    if moving:
-        _refuse_velocity_rows(eq)
-    small = D.shape[1] <= DENSE
-    if small or moving:
-        Z = null_space(eq, D) if small else _some_motions(eq, D)
-    if moving:
-        _refuse_change(eq, at, coefficients, Z)
-    eigenvalues, shapes = _modes(eq, coefficients, Z if small else None, modes, near)
+    now = _in_balance(eq, at)
+    steadiness = Steadiness(eq, at, now) if np.any(at.v) else None
+    Z = null_space(eq, now.D) if now.D.shape[1] <= DENSE else None
+    if steadiness is not None:
+        steadiness.refuse_change(Z)
+    eigenvalues, shapes = _modes(eq, now, Z, modes, near)
+    if steadiness is not None and Z is None:
+        steadiness.refuse_change(shapes)
     size = np.abs(shapes / eq.scale[:, None]).max(axis=0, initial=0.0)
     shapes = (shapes / np.where(size > 0, size, 1.0)).T.reshape(-1, model.body_count, 6)
-    return Linearization(model, at, M, C, K, D, eigenvalues, shapes, eq)
+    return Linearization(model, at, now.M, now.C, now.K, now.D, eigenvalues, shapes, eq)
+
+
+def _in_balance(eq: Equations, at: Snapshot) -> Coefficients:
+    """ModelError: it is singular, does not follow its drivers, or is not in balance."""
+    q, v = np.ravel(at.q).astype(float), np.ravel(at.v).astype(float)
+    check_regular(eq, at.t, q, "linearize: the pose", ModelError)
+    _check_velocities(eq, eq.terms(at.t, q, v), v, eq.gross_forces(at.t, q, v))
+    now = coefficients(eq, at)
+    refuse_imbalance(eq, at, now)
+    return now
 
 
 def _modes(
-    eq: Equations, coefficients: Coefficients, Z: Floats | None, modes: int | None, near: float
+    eq: Equations, now: Coefficients, Z: Floats | None, modes: int | None, near: float
 ) -> tuple[Complex, Complex]:
     """Eigenvalues and shapes (6n, k), of small models over the motions Z (6n, f)."""
-    M, C, K, D, found = coefficients
+    M, C, K, D, found = now.M, now.C, now.K, now.D, now.stiffness
     symmetric = _symmetric(eq, found)
     if Z is not None:
         s, shapes, off = by_dense_matrices(M, C, K, Z, symmetric)
@@ -290,119 +275,22 @@ def _at_rest(eq: Equations, at: Snapshot) -> Snapshot:
     return at._replace(v=still.reshape(-1, 6)) if came_to_rest else at
 
 
-def _coefficients(eq: Equations, at: Snapshot, *, check: bool = True) -> Coefficients:
-    """ModelError: no balance."""
-    q, v = np.ravel(at.q).astype(float), np.ravel(at.v).astype(float)
-    M = eq.mass(q)
-    if check:
-        check_regular(eq, at.t, q, "linearize: the pose", ModelError)
-    if v.any():
-        v_dot, multipliers = _accelerations(eq, at.t, q, v)
-        unbalanced = M @ to_inertial_axes(q, v_dot)
-    else:  # of drivers only the present value counts
-        unbalanced, multipliers, _ = balance(eq, at.t, q)
-    terms = eq.terms(at.t, q, v)
-    if check:
-        _check_velocities(eq, terms, v, eq.gross_forces(at.t, q, v))
-    found = stiffness_and_parts(eq, at.t, q, v, multipliers)
-    C = damping(eq, at.t, q, v)
-    now = Coefficients(M, C, found.K, terms.D[eq.independent(terms.D)], found)
-    if check and not (v.any() and _is_nearly_steady(eq, v, unbalanced, now)):
-        acting = eq.acting(at.t, q, v, multipliers, now.K)
-        _check_balance(eq, acting, eq.beyond_rounding(unbalanced, q, now.K, acting), moving=bool(v.any()))
-    return now
-
-
-def _is_nearly_steady(eq: Equations, v: Floats, unbalanced: Floats, now: Coefficients) -> bool:
-    """Of large models that is not known."""
-    if now.D.shape[1] > DENSE:
-        return False
-    return is_nearly_steady(eq, v, unbalanced, now.K, now.C, null_space(eq, now.D))
-
-
-def _accelerations(eq: Equations, t: float, q: Floats, v: Floats) -> tuple[Floats, Floats]:
-    return System(eq.model).accelerations(t, q, v, eq.dynamics.history)
-
-
-def _check_balance(eq: Equations, acting: Floats, unbalanced: Floats, *, moving: bool) -> None:
-    """ModelError: forces in the directions that the joints leave, or accelerations."""
-    size = np.abs(unbalanced) / acting
-    if size.max() > BALANCE:
-        body, k = divmod(int(size.argmax()), 6)
-        value = f"{unbalanced.reshape(-1, 6)[body, k]:.3g} {'N' if k < 3 else 'N m'}"
-        name = eq.core.body_name(body)
-        why = (
-            f"is not in balance: body '{name}' is driven by {value}; start from "
-            "linkwork.equilibrium(model).model"
-        )
-        if moving:
-            why = (
-                f"accelerates: body '{name}' needs {value} for it; linearize at rest, or in motion in which "
-                "no center of mass and no rotation accelerates, such as that of an upright top"
-            )
-        raise ModelError(
-            f"linearize: the model '{eq.model.name}' {why}", code="not_in_balance", bodies=[name]
-        )
-
-
 def _check_velocities(eq: Equations, terms: Terms, v: Floats, gross: Floats) -> None:
     """ModelError: a driver moves, and the bodies do not."""
     off = np.abs(terms.Phi_dot) / eq.row_lengths
     if off.max(initial=0.0) > FOLLOWED * eq.rate(v, gross):
         name = eq.joints([int(off.argmax())])[0]
         raise ModelError(
-            f"linearize: the velocities of the model '{eq.model.name}' do not satisfy joint '{name}', as "
+            f"linearize: the velocities of {eq.called} do not satisfy joint '{name}', as "
             "where a driver moves: start from linkwork.assemble(model).model",
             code="inconsistent_velocity",
             joints=[name],
         )
 
 
-def _refuse_velocity_rows(eq: Equations) -> None:
-    names = eq.joints(np.flatnonzero(~eq.holonomic))
-    if names:
-        raise ModelError(
-            f"linearize: {', '.join(names)} restrict{'s' if len(names) == 1 else ''} velocities only: "
-            "linearize at rest",
-            code="velocity_constraints",
-            joints=names,
-        )
-
-
-def _refuse_change(eq: Equations, at: Snapshot, now: Coefficients, Z: Floats) -> None:
-    """ModelError: the coefficients are other ones after a small turn."""
-    q, v = np.ravel(at.q), np.ravel(at.v)
-    rate = float(np.abs(v / eq.scale).max() / eq.length)
-    later = TURN / rate
-    soon = Snapshot(at.t, displaced(q, later * to_inertial_axes(q, v)).reshape(-1, 7), at.v)
-    then = _coefficients(eq, soon, check=False)
-    names = ("inertia", "damping", "stiffness")
-    inertia = _norm(Z.T @ (now.M @ Z))
-    changed = [
-        name
-        for k, (name, a, b) in enumerate(zip(names, now, then, strict=False))
-        if _norm(Z.T @ (a @ Z) - Z.T @ (b @ Z))
-        > STEADY * max(_norm(Z.T @ (a @ Z)), COUNTS * inertia * rate**k)
-    ]
-    if then.D.nnz and _norm((then.D @ Z) / np.abs(then.D).max()) > STEADY * _norm(Z):
-        changed.append("freedoms")
-    if changed:
-        change = "changes" if len(changed) == 1 and changed != ["freedoms"] else "change"
-        raise ModelError(
-            f"linearize: the model '{eq.model.name}' moves so that its {' and '.join(changed)} {change} "
-            "with time: there are no frequencies; linearize at rest, or in motion that looks the same at all "
-            "times",
-            code="not_steady",
-        )
-
-
 def _scaled(eq: Equations, K: Sparse) -> Sparse:
     """In N/m: rotations by the size of the mechanism."""
     return K.multiply(eq.scale[:, None]).multiply(eq.scale[None, :])
-
-
-def _norm(a: Floats) -> float:
-    return float(np.linalg.norm(a))
 
 
 def _neutral(eq: Equations, s: Complex, shapes: Complex, M: Sparse, found: Stiffness) -> NDArray[np.bool_]:
@@ -429,13 +317,3 @@ def _symmetric(eq: Equations, found: Stiffness) -> bool:
         np.maximum.at(size, place // 6, parts.data)
     rounding = max(SMALL, found.digits) * np.sqrt(size[skew.row // 6] * size[skew.col // 6])
     return bool((skew.data <= rounding).all())
-
-
-def _some_motions(eq: Equations, D: Sparse) -> Floats:
-    """What D leaves of a few random motions (6n, k): enough to see whether coefficients change."""
-    from scipy.sparse import diags_array
-
-    W = diags_array(1 / eq.scale**2).tocsr()
-    solve = constrained_solver(W, D)
-    random = np.random.default_rng(0).standard_normal((PROBES, D.shape[1]))
-    return np.transpose([solve(b / eq.scale) for b in random])

@@ -83,7 +83,7 @@ def stiffness_and_parts(
         return g
 
     gross = equations.gross_forces(t, q, v)
-    places = float(np.abs(q.reshape(-1, 7)[:, :3]).max())
+    places = float(np.abs(q.reshape(-1, 7)[:, :3]).max(initial=equations.length))
     step = max(FORCE_STEP * equations.length, PLACE_STEP * places)
     digits = LAST_DIGITS * places / step
     elastic = _force_part(equations, force, step / units, gross, digits)
@@ -103,7 +103,8 @@ def damping(equations: Equations, t: float, q: Floats, v: Floats) -> Sparse:
 
     gross = equations.gross_forces(t, q, v)
     steps = VELOCITY_STEP * equations.scale * equations.length * equations.rate(v, gross)
-    C = -(turn.T @ _force_part(equations, force, steps, gross) @ turn)
+    digits = LAST_DIGITS / VELOCITY_STEP
+    C = -(turn.T @ _force_part(equations, force, steps, gross, digits) @ turn)
     omega = v.reshape(-1, 6)[:, 3:]
     if omega.any():  # v_dot of a small motion x is T x'' - omega x (T x') in the rotations
         blocks = np.zeros((n, 6, 6))
@@ -175,7 +176,7 @@ def _geometric_steps(
 
 
 def _force_part(
-    equations: Equations, force: Callable[[Floats], Floats], steps: Floats, gross: Floats, blur: float = 0.0
+    equations: Equations, force: Callable[[Floats], Floats], steps: Floats, gross: Floats, blur: float
 ) -> Sparse:
     """dg/dx (6n, 6n) for any g(x), x = 0 at the state, by force elements between two bodies each.
 
@@ -210,20 +211,21 @@ def _resolving(
     def largest(forces: Floats) -> Floats:  # of each body [N]
         return np.asarray(np.abs(forces * equations.scale).reshape(-1, 6).max(axis=1))
 
-    value, _ = difference(steps * direction)
+    turned = direction * np.random.default_rng(1).choice([-1.0, 1.0], len(direction))
     blurred = np.full(len(steps) // 6, blur)
     for _ in range(SHORTER):
+        value, _ = difference(steps * direction)
+        other, _ = difference(steps * turned)  # one of them may hardly stretch what is stiff
         shorter, noise = (SHORTEN * part for part in difference(steps * direction / SHORTEN))
-        blurring = (SHORTEN * blurred * largest(value)).repeat(6) / equations.scale
-        differ = np.abs(value - shorter) > SMOOTH * np.abs(value) + blurring + noise
-        off = differ.reshape(-1, 6).any(axis=1)
+        blurring = SHORTEN * blurred * np.maximum(largest(value), largest(other))
+        limit = SMOOTH * np.abs(value) + blurring.repeat(6) / equations.scale + noise
+        off = (np.abs(value - shorter) > limit).reshape(-1, 6).any(axis=1)
         if not off.any():
             break
         inner = pairs[(pairs >= 0).all(axis=1)]
         off[inner[off[inner].any(axis=1)]] = True
         steps = np.where(off.repeat(6), steps / SHORTEN, steps)
         blurred = np.where(off, SHORTEN * blurred, blurred)
-        value, _ = difference(steps * direction)
     return steps
 
 
