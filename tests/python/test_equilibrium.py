@@ -6,6 +6,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork.mechanisms.tracked_chain import TENSION, tracked_chain
+from scipy.optimize import brentq
 
 Z = (0.0, 0.0, 1.0)
 
@@ -96,6 +97,103 @@ def test_a_stop_holds_after_more_turns_than_those_of_a_body_that_goes_round() ->
     model.rotational_stop(model.ground, "nut", at=(0, 0, 0), axis=Z, lower=-20.0, upper=20.0, stiffness=10.0)
     angle = -20.0 - 200.0 * lead / 10.0
     assert lw.equilibrium(model).model.compiled().q0[2] == pytest.approx(angle * lead, rel=1e-9)
+
+
+@pytest.mark.parametrize(("pitch", "counted"), [(0.01, False), (1e-3, False), (1e-4, False), (1e-3, True)])
+def test_a_nut_sinks_on_its_spring_however_fine_the_thread_is(pitch: float, counted: bool) -> None:
+    """By up to 5000 turns; also where a soft spring on the spindle counts them."""
+    model, lead = lw.Model(), pitch / (2 * np.pi)
+    model.body("spindle", mass=1.0, inertia=(0.01, 0.01, 0.02))
+    model.body("nut", mass=5.0, inertia=(1, 1, 1), position=(0, 0, 0.1))
+    model.revolute("ground", "spindle", at=(0, 0, 0), axis=Z, name="bearing")
+    model.translational("ground", "nut", at=(0, 0, 0.1), axis=Z, name="guide")
+    model.screw("spindle", "nut", at=(0, 0, 0.1), axis=Z, pitch=pitch)
+    softness = 10.0 * lead**2 if counted else 0.0
+    model.translational_spring_damper(
+        "ground", "nut", at=(0, 0, 0.1), axis=Z, stiffness=98.1 - softness / lead**2
+    )
+    if counted:
+        model.rotational_spring_damper("ground", "spindle", axis=Z, stiffness=softness)
+    rest = lw.equilibrium(model)
+    assert rest.moved[1] == pytest.approx(0.5, rel=1e-6)
+    assert rest.stability == "stable" and rest.iterations < 100
+
+
+@pytest.mark.parametrize("radius", [0.2, 4e-3, 1.1e-3])
+def test_a_rack_sinks_on_its_spring_however_small_the_pinion_is(radius: float) -> None:
+    model = lw.Model(gravity=(0, -9.81, 0))
+    model.body("rack", mass=5.0, inertia=(1, 1, 1))
+    model.body("pinion", mass=0.1, inertia=(1e-3,) * 3, position=(0.5, 0, 0))
+    model.translational("ground", "rack", at=(0, 0, 0), axis=(0, 1, 0))
+    model.revolute("ground", "pinion", at=(0.5, 0, 0), axis=Z)
+    model.rack_pinion("rack", "pinion", at=(0.5, 0, 0), axes=((0, 1, 0), Z), radius=radius)
+    model.translational_spring_damper("ground", "rack", at=(0, 0, 0), axis=(0, 1, 0), stiffness=20.0)
+    rest = lw.equilibrium(model)
+    q = np.array(rest.model.compiled().q0).reshape(-1, 7)
+    assert q[0, 1] == pytest.approx(-5 * 9.81 / 20, rel=1e-9)
+    turn = np.angle(np.exp(1j * (q[0, 1] / radius - 2 * np.arctan2(q[1, 6], q[1, 3]))))
+    assert abs(turn) < 1e-8
+
+
+def test_a_peg_on_a_wheel_rests_against_the_first_ball_that_it_meets() -> None:
+    """Long turns begin only after a whole one in which nothing was met."""
+    model, angle = wheel(), 5.5
+    ball = (0.3 * np.cos(angle), 0.3 * np.sin(angle), 0.0)
+    model.rotational_spring_damper("ground", "wheel", axis=Z, torque=2.0)
+    model.sphere_sphere_contact(
+        "ground", "wheel", at=(ball, (0.3, 0, 0)), radius_a=0.03, radius_b=0.03, stiffness=1e6
+    )
+    q = np.array(lw.equilibrium(model).model.compiled().q0)
+    turned = 2 * np.arctan2(q[6], q[3]) % (2 * np.pi)
+    assert turned == pytest.approx(angle - 2 * np.arcsin(0.03 / 0.3), abs=2e-3)  # it yields
+
+
+def unbalanced_disc(phi: float, stiffness: float, slope: float) -> lw.Model:
+    """It rolls in a plane, a spring holds its middle; its mass is 8 cm off, phi from the lowest place."""
+    model = lw.Model(gravity=(9.81 * np.sin(slope), 0, -9.81 * np.cos(slope)))
+    middle = np.array([0.0, 0.0, 0.2])
+    place = middle - 0.08 * np.array([np.sin(phi), 0, np.cos(phi)])
+    model.body("disc", mass=1.5, inertia=(0.02, 0.02, 0.02), position=place)
+    model.planar("ground", "disc", at=middle, axis=(0, 1, 0))
+    model.rolling_disc("ground", "disc", at=((0, 0, 0), middle), axes=(Z, (0, 1, 0)), radius=0.2)
+    model.translational_spring_damper("ground", "disc", at=middle, axis=(1, 0, 0), stiffness=stiffness)
+    return model
+
+
+@pytest.mark.parametrize(("phi", "stiffness", "slope"), [(2.9, 3.0, 0.0), (2.9, 0.5, 0.2), (1.0, 2.0, 0.3)])
+def test_a_disc_rolls_to_its_rest_without_slip(phi: float, stiffness: float, slope: float) -> None:
+    """V(a) = m g e (-cos(phi + a)) and so on, of the turn a alone, as the middle moves by R a."""
+    R, e, weight = 0.2, 0.08, 1.5 * 9.81
+
+    def downhill(a: float) -> float:
+        along, across = weight * np.sin(slope), weight * np.cos(slope)
+        lever = e * np.sin(phi + a)
+        return along * (R - e * np.cos(phi + a)) - across * lever - stiffness * R**2 * a
+
+    step = 1e-3 * np.sign(downhill(0.0))
+    a = 0.0
+    while downhill(a) * step > 0:
+        a += step
+    exact = brentq(downhill, a - step, a, xtol=1e-14)
+    rest = lw.equilibrium(unbalanced_disc(phi, stiffness, slope))
+    x, _, _ = np.array(rest.model.compiled().q0)[:3]
+    assert rest.stability == "stable"
+    assert x + e * np.sin(phi + exact) == pytest.approx(R * exact, abs=1e-8)
+
+
+def test_two_wheels_that_a_spring_joins_turn_by_their_ways_over_their_radii() -> None:
+    model, radii = lw.Model(), (0.1, 0.25)
+    for k, R in enumerate(radii):
+        model.body(f"wheel {k}", mass=1.0, inertia=(0.01,) * 3, position=(k, 0, R))
+        model.planar("ground", f"wheel {k}", at=(k, 0, R), axis=(0, 1, 0))
+        model.rolling_disc("ground", f"wheel {k}", at=((0, 0, 0), (k, 0, R)), axes=(Z, (0, 1, 0)), radius=R)
+    model.spring_damper("wheel 0", "wheel 1", at=((0, 0, 0.1), (1, 0, 0.25)), stiffness=50.0, free_length=2.0)
+    model.translational_spring_damper("ground", "wheel 0", at=(0, 0, 0.1), axis=(1, 0, 0), stiffness=40.0)
+    q = np.array(lw.equilibrium(model).model.compiled().q0).reshape(-1, 7)
+    for k, R in enumerate(radii):
+        turn = 2 * np.arctan2(q[k, 5], q[k, 3])
+        assert np.angle(np.exp(1j * (turn - (q[k, 0] - k) / R))) == pytest.approx(0.0, abs=1e-8)
+    assert abs(q[1, 0] - 1) > 0.5
 
 
 def lamp_in_a_ship(mass: float, angle: float) -> lw.Model:
@@ -191,7 +289,7 @@ def test_a_torsion_spring_is_wound_over_fifty_turns() -> None:
 
 
 def test_an_equilibrium_that_is_too_far_is_told_as_such(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("linkwork.analyses.equilibrium.ALL_ITERATIONS", 20)
+    monkeypatch.setattr("linkwork.analyses.equilibrium.ALL_ITERATIONS", 5)
     model = wheel()
     model.rotational_spring_damper(model.ground, "wheel", axis=Z, stiffness=1.0, torque=100.0)
     with pytest.raises(lw.NotConvergedError, match="still moves on by large steps while that falls"):

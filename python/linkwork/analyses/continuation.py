@@ -18,7 +18,8 @@ from linkwork.analyses.constraint_solver import (
     free_motions,
 )
 from linkwork.analyses.equations import LISTED, Equations, Sparse
-from linkwork.analyses.tangent import displaced, rate_of_change, to_body_axes, to_inertial_axes
+from linkwork.analyses.rolling import rolled
+from linkwork.analyses.tangent import displaced, to_body_axes, to_inertial_axes
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError, NotConvergedError
 
@@ -50,9 +51,6 @@ SHORTEST_STEP = 2.0**-40
 
 #: Of times, relative.
 ROUNDING_OF_TIMES = 4 * np.finfo(float).eps
-
-#: Of the integration where joints restrict velocities only, relative and absolute.
-ROLLING = 1e-11
 
 #: Violations of joints, relative to the size of the mechanism, of a pose in which all hold.
 CLOSED = LIMITS.closed
@@ -202,17 +200,13 @@ class Continuation:
 
     def _rolled(self, t: float) -> Floats:
         """q at t by integration of D v = -Phi_t, where joints restrict velocities only."""
-        from scipy.integrate import solve_ivp
 
-        def rate(t: float, q: Floats) -> Floats:
+        def velocity(t: float, q: Floats) -> Floats:
             terms = self.equations.terms(t, q)
             self.counts["evaluations"] += 1
-            x_dot = self._constraints(terms.D).solve(-terms.Phi_t)
-            return rate_of_change(q, x_dot)
+            return self._constraints(terms.D).solve(-terms.Phi_t)
 
-        options = {"rtol": ROLLING, "atol": ROLLING, "first_step": t - self.at.t}
-        found = solve_ivp(rate, (self.at.t, t), self.at.q, "DOP853", **options)
-        return displaced(found.y[:, -1], np.zeros(self.freedoms))
+        return rolled(self.at.q, velocity, self.at.t, t)
 
     def _singular(self, state: MotionState, h: float) -> MotionState | None:
         """The same, with the velocity and acceleration that it leaves open from both sides of it.

@@ -2,27 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any, Literal
+from typing import Literal, NamedTuple, TypeVar
 
 import numpy as np
 
-from linkwork.analyses.constraint_solver import (
-    DENSE,
-    balance,
-    check_regular,
-    null_space,
-    saddle_point,
-    shared,
-)
+from linkwork.analyses.constraint_solver import balance, check_regular, saddle_point, shared
 from linkwork.analyses.equations import LAST_DIGITS, Equations, Sparse
-from linkwork.analyses.stiffness import Stiffness, stiffness, stiffness_and_parts
+from linkwork.analyses.rolling import rolled
+from linkwork.analyses.softest import softest
+from linkwork.analyses.step_limits import LONGEST_STEP, LONGEST_TURN, StepLimits
+from linkwork.analyses.stiffness import stiffness
 from linkwork.analyses.tangent import between, displaced
 from linkwork.arrays import Floats, ReadOnly
 from linkwork.errors import (
     ModelError,
     NotConvergedError,
-    NotFiniteError,
     OptionError,
     SingularSystemError,
     nearest,
@@ -42,10 +38,6 @@ ROUNDING, SETTLED = 1e-13, 1e-9
 #: Violations of joints, relative to the size of the mechanism: none, and what rounding may leave.
 MET, NEARLY_MET = 1e-13, 1e-10
 
-#: The most a step may move a body [rad, sizes of the mechanism]; how much longer the next one may be where
-#: the imbalance falls in steps of at least that part of it; and the most [rad] of turns that are counted.
-LONGEST_STEP, LONGER, LONG, LONGEST_TURN = 0.3, 1.5, 0.25, 1.2
-
 #: How the damping mu of the steps falls after one that was good at once, and grows after one that was not:
 #: little, as where the stiffness is negative a step is long only next to the least mu; mu that is none.
 FALL, GROWTH, UNDAMPED = 10.0, 3.0, 1e-9
@@ -56,22 +48,12 @@ LEAST_DAMPING, FIRST_DAMPING, MOST_DAMPING = 1e-13, 1e-4, 1e12
 #: Steps [rad, sizes of the mechanism] in which rounding hides the work of the forces.
 TINY_STEP = 1e-7
 
-#: A body that has turned so often [rad] while the imbalance did not fall by this part goes round for ever,
-#: unless turns are counted: it may come to a stop.
-ROUND, PROGRESS = 4 * np.pi, 0.01
-
-#: The most that a body may turn in a step, corrections onto the joints included, for its turns to be counted.
+#: The most that a body may turn at a time, also by corrections onto the joints, for its turns to be counted.
 COUNTED_TURN = np.pi / 2
 
 #: Of steps in which the imbalance does not fall, and of all; of corrections onto the joints, and of
 #: departures from unstable equilibria.
 ITERATIONS, ALL_ITERATIONS, CORRECTIONS, DEPARTURES = 400, 4000, 20, 5
-
-#: Of the stiffness, relative, where it counts as that of forces with a potential.
-ASYMMETRY = 1e-7
-
-#: Stiffness below this part of the terms that it is the sum of, and of the largest, counts as none.
-NEUTRAL, EPSILON = 1e-9, 1e-14
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,7 +121,9 @@ def equilibrium(model: Model, *, stable: bool = True) -> Equilibrium:
     constraints included. Steps are limited, and shortened until the forces do work along them, so that the
     mechanism goes down, as it would with much friction: to a stable equilibrium, away from an unstable one.
     Forces of rest count: dampers and regularized friction have none. Masses count by their weight only.
-    Springs, stops, laws and couplers count full turns on the way.
+    Springs, stops, laws and couplers count full turns on the way, and wheels roll without slip. Where that
+    restricts velocities only, as for a skate, there are many places to rest in, and which of them is found
+    depends on the way of the steps: linkwork.simulate finds that of a motion with friction.
 
     stable  False: the nearest equilibrium of any kind, by steps that reduce the imbalance
 
@@ -159,34 +143,17 @@ def equilibrium(model: Model, *, stable: bool = True) -> Equilibrium:
         return search.described(search.find())
 
 
-#: q, and the r and lambda of `_Search._balance` there.
-_Balanced = tuple[Floats, Floats, Floats]
+_Found = TypeVar("_Found")
 
 
-@dataclass
-class _Way:
-    """How far bodies have turned, and in how many steps, since the imbalance was last seen to fall."""
+class _Step(NamedTuple):
+    """Where one has led, with what `_Search._balance` finds there."""
 
-    best: float
-    turned: Floats  # (n, 3) sums of rotation vectors [rad]
-    last: float
-    steps: int = 0
-    longest: float = LONGEST_STEP  #: of the next step [sizes of the mechanism]
-    far: bool = False  #: the last step was as good as the longest, and the imbalance fell
-
-    @property
-    def angle(self) -> Floats:
-        angle: Floats = np.linalg.norm(self.turned, axis=1)
-        return angle
-
-    def add(self, x: Floats, size: float, reach: float) -> None:
-        self.far = size < self.last and reach > LONG * min(self.longest, LONGEST_TURN)
-        self.longest = LONGER * self.longest if self.far else LONGEST_STEP
-        self.last = size
-        if size < (1 - PROGRESS) * self.best:
-            self.best, self.turned, self.steps = size, np.zeros_like(self.turned), 0
-        else:
-            self.turned, self.steps = self.turned + x.reshape(-1, 6)[:, 3:], self.steps + 1
+    q: Floats
+    x: Floats  # the motion, full turns included
+    history: Floats
+    r: Floats
+    multipliers: Floats
 
 
 class _Search:
@@ -217,13 +184,13 @@ class _Search:
             q = self._descend(q)
             if not self.stable:
                 return q
-            softest, motion, neutral = self._softest(q)
-            if not softest < -neutral:
+            soft, motion, neutral = softest(self.eq, q, self._balance(q)[1])
+            if not soft < -neutral:
                 return q
-            away = self._on_joints(displaced(q, 0.01 * motion / self._reach(motion)))
+            away = self._moved(q, 0.01 * motion / self._reach(motion))
             if away is None:
                 return q
-            q = away
+            q = away[0]
             self._accept(q)
         return q
 
@@ -236,35 +203,35 @@ class _Search:
         self.acting = self.eq.acting(0.0, q, self.rest, multipliers, K)
         if not self.eq.beyond_rounding(r, q, K, self.acting).any():
             return q
-        size = self._size(r)
-        way = _Way(size, np.zeros((self.eq.core.body_count, 3)), size)
-        for _ in range(ALL_ITERATIONS):
-            if self._size(r) <= WANTED or step < ROUNDING or way.steps >= ITERATIONS:
+        limits = StepLimits(self._size(r), self.eq.core.body_count)
+        for left in range(ALL_ITERATIONS, 0, -1):
+            if self._size(r) <= WANTED or step < ROUNDING or limits.steps >= ITERATIONS:
                 break
-            self._limit(way.longest)
+            if not self.counts_turns and limits.goes_round(left):
+                break
+            self._limit(limits)
             found, mu = self._step(q, r, K, max(mu, LEAST_DAMPING))
             self.steps += 1
             if found is None:
                 break
-            x = between(q, found[0])
-            step = self._reach(x)
-            if step < SETTLED and self._size(r) <= ACCEPTED and self._size(found[1]) >= self._size(r):
+            step = self._reach(found.x)
+            if step < SETTLED and self._size(r) <= ACCEPTED and self._size(found.r) >= self._size(r):
                 break  # no better: rounding
-            q, r, multipliers = found
-            self._accept(q)
+            off = abs((found.r - r + K @ found.x) @ found.x) / (abs(r @ found.x) or 1.0)
+            q, r, multipliers = found.q, found.r, found.multipliers
+            self.eq.dynamics.history = found.history
             K = stiffness(self.eq, 0.0, q, self.rest, multipliers)
             self.acting = np.maximum(self.acting, self.eq.acting(0.0, q, self.rest, multipliers, K))
-            way.add(x, self._size(r), step)
-            if way.angle.max() > ROUND and not self.counts_turns:
-                break
+            limits.add(found.x, self._size(r), step, off)
         if self._size(r) > ACCEPTED and not self._rounded(q, r, K):
-            self._fail(q, r, way)
+            self._fail(q, r, limits)
         return q
 
-    def _limit(self, longest: float) -> None:
-        """Where turns are not counted, they are as short as ever: a pose may be beyond the next one."""
-        turn = min(longest, LONGEST_TURN) if self.counts_turns else LONGEST_STEP
-        self.limits = np.tile([longest * self.eq.length] * 3 + [turn] * 3, self.eq.core.body_count)
+    def _limit(self, limits: StepLimits) -> None:
+        """Where turns are not counted, a pose may be beyond the next one: they are short unless foretold."""
+        counted = min(limits.longest, LONGEST_TURN) if self.counts_turns else LONGEST_STEP
+        parts = [limits.longest * self.eq.length] * 3 + [max(limits.turn, counted)] * 3
+        self.limits = np.tile(parts, self.eq.core.body_count)
 
     def _stiffnesses(self, K: Sparse) -> Sparse:
         """B (6n, 6n), diagonal: what holds each body, at least its forces per size of the model, or rad: so
@@ -286,7 +253,7 @@ class _Search:
         """Turns are counted from this pose on."""
         self.eq.dynamics.history = self.eq.dynamics.advanced_history(0.0, q, self.rest)
 
-    def _step(self, q: Floats, r: Floats, K: Sparse, mu: float) -> tuple[_Balanced | None, float]:
+    def _step(self, q: Floats, r: Floats, K: Sparse, mu: float) -> tuple[_Step | None, float]:
         """The state after a step, None where none is good, and mu for the next one."""
         self.B = self._stiffnesses(K)
         fall = FALL
@@ -297,7 +264,7 @@ class _Search:
             mu, fall = found * mu if mu > UNDAMPED else FIRST_DAMPING, GROWTH
         return None, mu
 
-    def _try(self, q: Floats, r: Floats, damped: Sparse) -> _Balanced | float:
+    def _try(self, q: Floats, r: Floats, damped: Sparse) -> _Step | float:
         """The state after a step; where it goes too far, or up, the factor by which mu should grow."""
         x = self._solved(damped, self._independent(q), r)
         if x is None or not np.isfinite(x).all() or (self.stable and r @ x < 0):
@@ -307,17 +274,68 @@ class _Search:
             if self.stable:
                 return float(np.clip(1.1 * too_far, 2.0, GROWTH))
             x /= too_far
-        new = self._on_joints(displaced(q, x))
-        if new is None:
+        moved = self._moved(q, x)
+        if moved is None:
             return GROWTH
-        after = self._balance(new)
-        x = between(q, new)
-        if self.counts_turns and np.linalg.norm(x.reshape(-1, 6)[:, 3:], axis=1).max() > COUNTED_TURN:
-            return GROWTH
-        decreased = self._size(after[0]) < self._size(r)
-        works = (r + after[0]) @ x > 0 if self.stable else decreased
+        new, x, history = moved
+        after, multipliers = self._counting(history, lambda: self._balance(new))
+        decreased = self._size(after) < self._size(r)
+        works = (r + after) @ x > 0 if self.stable else decreased
         tiny = self._reach(x) < TINY_STEP
-        return (new, *after) if works or (tiny and decreased) else GROWTH
+        return _Step(new, x, history, after, multipliers) if works or (tiny and decreased) else GROWTH
+
+    def _moved(self, q: Floats, x: Floats) -> tuple[Floats, Floats, Floats] | None:
+        """The pose on the joints after the motion x (6n,), the motion to there, and its history variables.
+
+        None: not found.
+        """
+        near = displaced(q, x) if self.eq.holonomic.all() else self._rolled(q, x)
+        if near is None:
+            return None
+        history = self._counted(q, x)
+        new = self._counting(history, lambda: self._on_joints(near))
+        if new is None:
+            return None
+        if self.counts_turns:
+            if _largest_turn(between(near, new)) > COUNTED_TURN:
+                return None
+            history = self._advanced(history, new)
+        return new, x + between(displaced(q, x), new), history
+
+    def _rolled(self, q: Floats, x: Floats) -> Floats | None:
+        """Where the motion x leads by rolling; None: to a singular pose."""
+
+        def velocity(_: float, q: Floats) -> Floats:
+            found = self._solved(self.B, self._independent(q), self.B @ x)
+            if found is None or not np.isfinite(found).all():
+                raise ArithmeticError
+            return found
+
+        try:
+            return rolled(q, velocity, 0.0, 1.0)
+        except ArithmeticError:
+            return None
+
+    def _counted(self, q: Floats, x: Floats) -> Floats:
+        """History variables on the way along x, so far that less than half a turn of it is left."""
+        history = np.asarray(self.eq.dynamics.history)
+        count = int(_largest_turn(x) / LONGEST_TURN) + 1 if self.counts_turns else 1
+        for k in range(1, count):
+            history = self._advanced(history, displaced(q, k / count * x))
+        return history
+
+    def _advanced(self, history: Floats, q: Floats) -> Floats:
+        found = self._counting(history, lambda: self.eq.dynamics.advanced_history(0.0, q, self.rest))
+        return np.asarray(found)
+
+    def _counting(self, history: Floats, found: Callable[[], _Found]) -> _Found:
+        """What is found where turns are counted from there."""
+        before = self.eq.dynamics.history
+        self.eq.dynamics.history = history
+        try:
+            return found()
+        finally:
+            self.eq.dynamics.history = before
 
     def _balance(self, q: Floats) -> tuple[Floats, Floats]:
         """r = g + D^T lambda with the lambda that makes it shortest, and lambda (m,)."""
@@ -345,47 +363,12 @@ class _Search:
             if not np.isfinite(size) or size > 4 * before:
                 return None
             rows = self.eq.independent(terms.D)
-            rows = rows[self.eq.holonomic[rows]]  # restrict positions, not velocities only
-            x = self._solved(self.B, terms.D[rows], self.rest, -terms.Phi[rows])
+            missing = np.where(self.eq.holonomic, -terms.Phi, 0.0)[rows]  # without slip
+            x = self._solved(self.B, terms.D[rows], self.rest, missing)
             if x is None or self._reach(x) > 2.0:
                 return None
             q, before = displaced(q, x), size
         return None
-
-    def _softest(self, q: Floats) -> tuple[float, Floats, float]:
-        """The smallest stiffness that the joints leave [N/m], its motion, and which one would be none."""
-        from linkwork.analyses.eigenmodes import softest_by_lanczos
-
-        _, multipliers = self._balance(q)
-        found = stiffness_and_parts(self.eq, 0.0, q, self.rest, multipliers)
-        K, D = found.K, self._independent(q)
-        if len(self.rest) > DENSE:
-            value, x = softest_by_lanczos(self.W, (K + K.T) / 2, D, self._stiffest(K))
-            return value, x, self._neutral(found, x)
-        Z = null_space(self.eq, D)
-        if not Z.shape[1]:
-            return np.nan, self.rest, 0.0
-        k = Z.T @ (K @ Z)
-        if not np.isfinite(k).all():
-            raise NotFiniteError(
-                "the stiffness about the equilibrium is not finite: masses, forces or lengths are too large",
-                code="not_finite",
-            )
-        if np.abs(k - k.T).max() <= ASYMMETRY * np.abs(k).max():
-            values, y = np.linalg.eigh((k + k.T) / 2)
-        else:  # forces that follow the bodies
-            values, y = np.linalg.eig(k)
-        lowest = int(np.argmin(values.real))
-        x = Z @ y[:, lowest].real
-        return float(values[lowest].real), x, self._neutral(found, x)
-
-    def _neutral(self, found: Stiffness, x: Floats) -> float:
-        """Stiffness of the motion x (6n,) that is rounding of the terms that it is the sum of [N/m]."""
-        noise = float(found.rounding(x, NEUTRAL)) / (float(x @ (self.W @ x)) or 1.0)
-        return noise + EPSILON * self._stiffest(found.parts)
-
-    def _stiffest(self, K: Sparse) -> float:
-        return float(abs(self._scaled(K)).max()) if K.nnz else 0.0
 
     def described(self, q: Floats) -> Equilibrium:
         """SingularSystemError: a singular pose. LinkworkWarning: nearly so."""
@@ -396,7 +379,7 @@ class _Search:
             error.state = self._snapshot(q)
             raise
         r, multipliers = self._balance(q)
-        softest, motion, neutral = self._softest(q)
+        soft, motion, neutral = softest(eq, q, multipliers)
         K = stiffness(eq, 0.0, q, self.rest, multipliers)
         self.acting = eq.acting(0.0, q, self.rest, multipliers, K)
         at_rest = eq.model.with_initial_state(q, self.rest, self._turns(q))
@@ -404,22 +387,23 @@ class _Search:
         x = between(np.array(eq.core.q0), q).reshape(-1, 2, 3)
         shift, angle = np.linalg.norm(x, axis=2).T
         kinds: tuple[Literal["unstable", "neutral", "stable"], ...] = ("unstable", "neutral", "stable")
-        kind = kinds[2 if np.isnan(softest) else 1 + int(np.sign(softest) * (abs(softest) > neutral))]
+        kind = kinds[2 if np.isnan(soft) else 1 + int(np.sign(soft) * (abs(soft) > neutral))]
         imbalance = self._size(eq.beyond_rounding(r, q, K, self.acting))
-        words = "" if np.isnan(softest) else eq.motion(motion)
+        words = "" if np.isnan(soft) else eq.motion(motion)
         return Equilibrium(
             at_rest, moved=shift, turned=angle, multipliers=multipliers, imbalance=imbalance,
-            softest=softest, softest_motion=words, stability=kind, iterations=self.steps,
+            softest=soft, softest_motion=words, stability=kind, iterations=self.steps,
             _equations=eq,
         )  # fmt: skip
 
-    def _fail(self, q: Floats, r: Floats, way: _Way) -> None:
+    def _fail(self, q: Floats, r: Floats, limits: StepLimits) -> None:
         eq = self.eq
-        turning = int(way.angle.argmax()) if way.angle.max() > ROUND and not self.counts_turns else None
+        round_and_round = not self.counts_turns and limits.goes_round(0)
+        turning = int(limits.angle.argmax()) if round_and_round else None
         if turning is None:
             body, k = divmod(int(np.abs(r / self.acting).argmax()), 6)
             why = "; is there a joint or a spring that could hold it?"
-            if way.far:
+            if limits.far:
                 why = ", and still moves on by large steps while that falls: start nearer"
         else:
             body, k = turning, 3 + int(np.abs(r.reshape(-1, 6)[turning, 3:]).argmax())
@@ -448,9 +432,6 @@ class _Search:
         history, begun = self.eq.dynamics.advanced_history(*at), self.eq.dynamics.beginning_history(*at)
         return np.zeros(0) if np.array_equal(history, begun) else history
 
-    def _scaled(self, K: Sparse) -> Any:
-        return K.multiply(self.eq.scale[:, None]).multiply(self.eq.scale[None, :])
-
     def _size(self, force: Floats) -> float:
         """The largest force, or torque, relative to what acts on its body."""
         return float(np.abs(force / self.acting).max(initial=0.0))
@@ -458,3 +439,7 @@ class _Search:
     def _reach(self, x: Floats) -> float:
         """The largest shift in sizes of the mechanism, or angle [rad]."""
         return float(np.abs(x / self.eq.scale).max(initial=0.0)) / self.eq.length
+
+
+def _largest_turn(x: Floats) -> float:
+    return float(np.linalg.norm(x.reshape(-1, 6)[:, 3:], axis=1).max())

@@ -1,9 +1,9 @@
 """Whether small motions about a state in motion have constant coefficients.
 
 The state is looked at again after each of its bodies has turned by one or two rad, beside the ground and the
-bodies that it is connected with, or has moved by its own size: periodic coefficients are others then. They are
-compared motion by motion, each with its own stiffness or damping, so that nothing is hidden by something that
-is stiffer: in a basis Y with Y^T M Y = 1,
+bodies that it is connected with, or has moved by its own size: periodic coefficients are others then. They
+are compared motion by motion, each with its own stiffness or damping, so that nothing is hidden by something
+stiffer: in a basis Y with Y^T M Y = 1,
 
     U^T Y^T (A_then - A_now) Y V   beside the singular values of   Y^T A_now Y = U diag(sigma) V^T.
 
