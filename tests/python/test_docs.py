@@ -11,9 +11,11 @@ import shlex
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import click
 import linkwork as lw
+import numpy as np
 import pytest
 from linkwork import benchmark, functions, integrators, mechanisms, rotation, validation
 from linkwork.cli.commands import linkwork
@@ -51,6 +53,22 @@ def test_most_pages_of_guide_and_theory_have_programs() -> None:
 @pytest.mark.parametrize("joint", reference.joint_methods())
 def test_every_kind_of_joint_has_an_example_in_the_guide(joint: str) -> None:
     assert f"model.{joint}(" in (DOCS / "guide/joints.md").read_text()
+
+
+def test_the_pinion_of_the_guide_rolls_on_the_side_where_its_rack_is_drawn() -> None:
+    """Below: there the pinion moves with the rack, which turns it by v / R."""
+    block = next(it for it in programs.blocks(DOCS / "guide/joints.md") if "model.rack_pinion(" in it)
+    names: dict[str, Any] = {
+        "lw": lw,
+        "np": np,
+        "run": lambda model, t_end: lw.simulate(model, t_end=t_end, step=1e-3),
+    }
+    exec(block, names)
+    run = names["rack_pinion"]
+    pinion = run.body("pinion").omega_inertial
+    below = np.cross(pinion, (0, 0, -0.1))
+    assert np.abs(below).max() > 0.05
+    assert np.abs(run.body("rack").velocity - below).max() < 1e-9
 
 
 @pytest.mark.parametrize("force", reference.force_methods())

@@ -148,3 +148,22 @@ def test_a_stiff_torsion_spring_between_two_tilted_shafts_bends_them_by_nothing(
     K = stiffness(Equations(model), 0.0, q, rest, np.zeros(0)).toarray()
     n = axis / np.linalg.norm(axis)
     assert np.abs(K[3:6, 3:6] - k * np.outer(n, n)).max() < 1e-8 * k
+
+
+def test_a_model_without_a_name_is_called_the_model() -> None:
+    model = lw.Model()
+    model.body("falls", mass=1.0, inertia=(0.1, 0.1, 0.1))
+    for analysis in (lw.linearize, lw.equilibrium, lambda model: lw.kinematics(model, [0.0, 1.0])):
+        with pytest.raises(lw.LinkworkError, match="the model[^']*(body|freedoms|6)"):
+            analysis(model)
+
+
+def test_without_damping_the_growing_one_of_a_pair_is_listed() -> None:
+    """Of an inverted pendulum s and -s; with the least damping both."""
+    model = lw.Model()
+    model.body("bob", mass=1.0, inertia=(0.01,) * 3, position=(0, 0, 0.5))
+    model.revolute("ground", "bob", at=(0, 0, 0), axis=(0, 1, 0), name="pin")
+    s = np.sqrt(9.81 * 0.5 / 0.26)
+    assert lw.linearize(model).eigenvalues == pytest.approx([s], rel=1e-9)
+    model.rotational_spring_damper("ground", "bob", axis=(0, 1, 0), damping=1e-6)
+    assert np.sort(lw.linearize(model).eigenvalues.real) == pytest.approx([-s, s], rel=1e-5)

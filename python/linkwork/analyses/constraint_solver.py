@@ -297,7 +297,7 @@ def check_regular(equations: Equations, t: float, q: Floats, pose: str, error: t
     share = np.abs(left)
     order = np.argsort(-share, kind="stable")
     names = equations.joints(rows[order[share[order] > 0.1 * share[order[0]]]])
-    what = f"{pose} of the model '{equations.model.name}'"
+    what = f"{pose} of {equations.called}"
     value = f"(smallest singular value {sigma:.1e})"
     why = f"the equations of {_listed(names)} depend on others for the moment"
     if delta > SINGULAR * sigma**2:
@@ -335,7 +335,7 @@ def _weakest(S: Sparse) -> tuple[float, Floats]:
 def _singular(equations: Equations) -> SingularSystemError:
     names = equations.joints(equations.rank.singular_rows)
     return SingularSystemError(
-        f"model '{equations.model.name}': in this pose the equations of {_listed(names) or 'some joints'} "
+        f"of {equations.called} in this pose the equations of {_listed(names) or 'some joints'} "
         "depend on others for the moment; start elsewhere",
         code="singular_pose",
         joints=names,

@@ -282,7 +282,7 @@ class Continuation:
         left = [eq.motion(z) for z in Z.T]
         what = "1 freedom is" if count == 1 else f"{count} freedoms are"
         raise ModelError(
-            f"kinematics: {what} left to the model '{eq.model.name}': {'; '.join(left)}"
+            f"kinematics: {what} left to {eq.called}: {'; '.join(left)}"
             f"{'; ...' if count > LISTED else ''}; add drivers (angle_driver, "
             "displacement_driver), or simulate",
             code="freedoms",

@@ -16,7 +16,7 @@ from linkwork.arrays import Floats
 from linkwork.modeling.model import Model
 from linkwork.running import checks
 
-__all__ = ["LAST_DIGITS", "Equations", "Sparse", "Terms"]
+__all__ = ["LAST_DIGITS", "Equations", "Sparse", "Terms", "called"]
 
 #: A matrix of scipy.sparse.
 Sparse = Any
@@ -85,8 +85,8 @@ class Equations:
 
     @property
     def called(self) -> str:
-        """In messages: the model 'rig', or the model."""
-        return f"the model '{self.model.name}'" if self.model.name else "the model"
+        """In messages."""
+        return called(self.model)
 
     def terms(self, t: float, q: Floats, v: Floats | None = None) -> Terms:
         """At t [s], q (7n,), v (6n,) as the model has it (omega in body axes), at rest without v."""
@@ -256,6 +256,11 @@ class Equations:
                 end = self.core.joint_rows[joint + 1]
                 rows[end - counts.get(self.core.joint_kind(joint), 0) : end] = False
         return rows
+
+
+def called(model: Model) -> str:
+    """The model 'rig', or the model where it has no name."""
+    return f"the model '{model.name}'" if model.name else "the model"
 
 
 def _size(core: _core.Model) -> float:

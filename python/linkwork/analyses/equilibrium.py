@@ -175,7 +175,7 @@ class _Search:
         q = self._on_joints(np.array(self.eq.core.q0))
         if q is None:
             raise NotConvergedError(
-                f"equilibrium: model '{self.eq.model.name}': the joints are not met near the initial pose; "
+                f"equilibrium: of {self.eq.called} the joints are not met near the initial pose; "
                 "linkwork.assemble(model) says which",
                 code="no_start",
             )
@@ -414,7 +414,7 @@ class _Search:
         value = float(r.reshape(-1, 6)[body, k])
         name = eq.core.body_name(body)
         error = NotConvergedError(
-            f"equilibrium: model '{eq.model.name}' found none in {self.steps} steps: body '{name}' is driven "
+            f"equilibrium: of {eq.called} found none in {self.steps} steps: body '{name}' is driven "
             f"by {value:.3g} {'N' if k < 3 else 'N m'} still{why}",
             code="no_equilibrium" if turning is None else "goes_round",
             bodies=[name],

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
+from linkwork.analyses.equations import called
 from linkwork.analyses.kinematics import kinematics
 from linkwork.arguments import is_iterable
 from linkwork.arrays import Floats, ReadOnly
@@ -150,7 +151,7 @@ def _drivers(model: Model) -> list[int]:
     ]
     if not found:
         raise ModelError(
-            f"inverse_dynamics: the model '{model.name}' has no drivers; add an angle_driver or a "
+            f"inverse_dynamics: {called(model)} has no drivers; add an angle_driver or a "
             "displacement_driver",
             code="no_drivers",
         )

@@ -75,7 +75,9 @@ class Linearization(ReadOnly):
     C: Sparse
     K: Sparse
     D: Sparse  #: (m, 6n), redundant rows left out
-    eigenvalues: Complex  #: s (k,) [1/s], one of each conjugate pair, slow ones first
+    #: s (k,) [1/s], slow ones first: one of each conjugate pair; without damping, where motions also have -s,
+    #: that of the two which grows
+    eigenvalues: Complex
     shapes: Complex  #: (k, n, 6) of the bodies, the largest motion 1 (of rotations: angle times size)
     _equations: Equations = field(repr=False)
 
