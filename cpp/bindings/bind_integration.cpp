@@ -228,13 +228,16 @@ py::dict balance_to_dict(LaneRun& run) {
 
 py::list to_python(const std::vector<PassedTouch>& touches, const System& system) {
   py::list out;
+  const std::vector<SwitchOwner> owners = owners_of_switches(system.model());
   for (const PassedTouch& it : touches) {
-    const int contact = system.switches()[static_cast<std::size_t>(it.which)];
+    const SwitchOwner& owner = owners[static_cast<std::size_t>(it.which)];
+    const bool contact = system.switches()[static_cast<std::size_t>(it.which)] >= 0;
     py::dict one;
-    one["contact"] = contact < 0 ? std::string() : system.history_element(contact);
+    one[contact ? "contact" : "stop"] = system.model().force_names().name(owner.element);
     one["t"] = it.t;
     one["until"] = it.until;
     one["speed"] = it.speed;
+    one["change"] = it.change;
     one["steps"] = it.steps;
     out.append(one);
   }

@@ -31,6 +31,7 @@ TEST_CASE("a step in which a ball goes through another is told once, with its ti
   CHECK(found[0].until == doctest::Approx(12e-3));
   CHECK(found[0].steps == 1);
   CHECK(found[0].speed == doctest::Approx(100.0).epsilon(1e-2));
+  CHECK(found[0].change > 0.0);
 }
 
 TEST_CASE("one in which it goes by is not") {

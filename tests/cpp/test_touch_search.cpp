@@ -9,18 +9,34 @@ namespace {
 
 constexpr double radius = 0.01;
 
-/// Of one step over 10 m, far longer than the spheres take to pass.
-std::vector<TouchSearch::Touch> touches(double beside) {
-  Dynamics dynamics(two_balls(10.0, {5, beside, 0}), {});
+/// In one step of a second as if nothing were in the way, from y to y_new.
+std::vector<TouchSearch::Touch> touches(const Model& model, const VectorXd& y, const VectorXd& y_new) {
+  Dynamics dynamics(model, {});
   TouchSearch search(dynamics, 1e-12);
-  const VectorXd y = dynamics.initial_y();
+  dynamics.evaluate(0.0, y);
+  search.begin(y, dynamics.evaluation().switches);
+  dynamics.evaluate(1.0, y_new);
+  if (!search.suspects({0.0, 1.0, y, y_new}, dynamics.evaluation().switches)) return {};
+  return search.find(HermiteStep(dynamics.system(), y, y_new, 1.0));
+}
+
+/// Over 10 m, far longer than the spheres take to pass.
+std::vector<TouchSearch::Touch> touches(double beside) {
+  const Model model = two_balls(10.0, {5, beside, 0});
+  const VectorXd y = Dynamics(model, {}).initial_y();
   VectorXd y_new = y;
   y_new[0] = 10.0;
-  dynamics.evaluate(0.0, y);
-  search.begin(y);
-  dynamics.evaluate(1.0, y_new);
-  if (!search.suspects(0.0, 1.0, y_new)) return {};
-  return search.find(HermiteStep(dynamics.system(), y, y_new, 1.0), 0.0, 1.0);
+  return touches(model, y, y_new);
+}
+
+/// Of a fall by g = 10 m/s^2 from rest, over a ball that waits `below` and so far beside the way.
+std::vector<TouchSearch::Touch> touches_of_fall(double below, double beside) {
+  const Model model = two_balls(0.0, {-below, beside, 0});
+  const VectorXd y = Dynamics(model, {}).initial_y();
+  VectorXd y_new = y;
+  y_new[0] = -5.0;
+  y_new[2 * position_size] = -10.0;
+  return touches(model, y, y_new);
 }
 
 }  // namespace
@@ -40,4 +56,17 @@ TEST_CASE("spheres that pass each other have not") {
     CAPTURE(beside);
     CHECK(touches(beside).empty());
   }
+}
+
+TEST_CASE("a fall from rest touches what is in its way, whose distance changes least where the step begins") {
+  for (const double below : {0.03, 0.5, 2.0, 4.9})
+    for (const double beside : {0.0, 1.99 * radius}) {
+      CAPTURE(below);
+      CAPTURE(beside);
+      const auto found = touches_of_fall(below, beside);
+      REQUIRE(found.size() == 1);
+      const double height = 5.0 * found[0].theta * found[0].theta;
+      CHECK(std::hypot(height - below, beside) < 2.0 * radius);
+    }
+  CHECK(touches_of_fall(2.0, 2.001 * radius).empty());
 }

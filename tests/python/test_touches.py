@@ -1,5 +1,7 @@
 """Contacts and stops that come and go within what a free motion takes for a step."""
 
+from collections.abc import Callable
+
 import linkwork as lw
 import numpy as np
 import pytest
@@ -85,3 +87,188 @@ def test_members_of_ensembles_tell_it_too() -> None:
     found = lw.simulate_many(models, None, 1.0, 0.02, threads=1, on_inaccurate="pass", progress=False)
     assert found.alone == {}
     assert [found.member(k).verdict.level for k in range(3)] == ["wrong", "wrong", "good"]
+
+
+G = 9.81
+
+
+def thrown(radius: float = 0.005, stiffness: float = 1e9) -> lw.Model:
+    """A ball thrown up that comes down on a fixed one; an oscillator beside it makes more steps."""
+    model = lw.Model(gravity=(0, 0, -G))
+    start = (-0.19, 0, 0.17)
+    model.body("ball", mass=0.1, inertia=(4e-5,) * 3, position=start, velocity=(0.27, 0, 3.1))
+    model.sphere_sphere_contact(
+        "ground", "ball", at=((0, 0, 0), start), radius_a=radius, radius_b=radius, stiffness=stiffness
+    )
+    along = {"at": (0, 1, 0), "axis": (1, 0, 0)}
+    model.body("o", mass=1.0, inertia=(0.1,) * 3, position=(0, 1, 0), velocity=(0.5, 0, 0))
+    model.translational("ground", "o", **along)
+    model.translational_spring_damper("ground", "o", **along, stiffness=3.2)
+    return model
+
+
+def struck(radius: float = 0.005) -> float:
+    """Velocity along x after a parabola from there is thrown back by the ball at the origin."""
+    t = np.linspace(0.6, 0.8, 2_000_001)
+    x, z = -0.19 + 0.27 * t, 0.17 + 3.1 * t - 0.5 * G * t**2
+    k = int(np.argmax(np.hypot(x, z) < 2 * radius))
+    assert k > 0
+    n, v = np.array([x[k], z[k]]) / (2 * radius), np.array([0.27, 3.1 - G * t[k]])
+    return float((v - 2 * n.dot(v) * n)[0])
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+@pytest.mark.parametrize("rtol", [1e-3, 1e-5, 1e-7])
+def test_a_ball_thrown_up_does_not_come_down_through_a_fixed_one(rtol: float, pair: str) -> None:
+    result = lw.simulate(thrown(), 2.0, rtol=rtol, integrator=pair, progress=False, on_inaccurate="pass")
+    assert result.v[-1, 0, 0] == pytest.approx(struck(), abs=0.2)
+
+
+def stopped_oscillator(beyond: float, stiffness: float) -> lw.Model:
+    """1 Hz, 0.1 m, with a stop so far before the turning point."""
+    model = lw.Model(gravity=(0, 0, 0))
+    along = {"at": (0, 0, 0), "axis": (1, 0, 0)}
+    model.body("o", mass=1.0, inertia=(0.1,) * 3, velocity=(0.2 * np.pi, 0, 0))
+    model.translational("ground", "o", **along)
+    model.translational_spring_damper("ground", "o", **along, stiffness=4 * np.pi**2)
+    model.translational_stop(
+        "ground", "o", **along, lower=-1, upper=0.1 - beyond, stiffness=stiffness, name="end"
+    )
+    return model
+
+
+def place_at(t: float, beyond: float, stiffness: float) -> float:
+    """Its place outside of the stop: arcs of two harmonic motions follow each other."""
+    omega, up = 2 * np.pi, 0.1 - beyond
+    inside = np.hypot(omega, np.sqrt(stiffness))
+    speed, depth = omega * np.sqrt(0.01 - up**2), up - stiffness * up / inside**2
+    touch, leave = np.arcsin(up / 0.1), np.arccos(up / 0.1)
+    turning = 2 * (np.pi / 2 - np.arctan2(depth * inside, speed)) / inside
+    away = (t - touch / omega) % (turning + (2 * np.pi - 2 * leave) / omega) - turning
+    assert away > 0
+    return float(0.1 * np.cos(omega * away + leave))
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+@pytest.mark.parametrize("beyond, stiffness", [(1.19e-4, 1e8), (2.5e-6, 5e6), (1e-3, 1e6)])
+def test_a_stop_just_before_the_turning_point_is_met_in_each_period(
+    beyond: float, stiffness: float, pair: str
+) -> None:
+    result = lw.simulate(
+        stopped_oscillator(beyond, stiffness), 8.7, rtol=1e-7, integrator=pair, progress=False
+    )
+    assert result.position[-1, 0, 0] == pytest.approx(place_at(8.7, beyond, stiffness), abs=2e-4)
+
+
+@pytest.mark.parametrize("pair", ["dopri5", "dop853"])
+def test_a_turning_arm_meets_a_ball_that_drifts_into_its_way(pair: str) -> None:
+    """Without losses: energy and the angular momentum about the hinge stay, and the ball does not."""
+    n, phi, omega = 20, 5.032, 5.0
+    t_meet = (phi + 2 * np.pi * n) / omega
+    start = (np.cos(phi), np.sin(phi), -0.05 * t_meet)
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("arm", mass=1.0, inertia=(0.1,) * 3, omega=(0, 0, omega))
+    model.revolute("ground", "arm", at=(0, 0, 0), axis=(0, 0, 1))
+    model.body("ball", mass=1.0, inertia=(0.1,) * 3, position=start, velocity=(0, 0, 0.05))
+    model.sphere_sphere_contact(
+        "ball", "arm", at=(start, (1, 0, 0)), radius_a=0.03, radius_b=0.03, stiffness=1e6
+    )
+    result = lw.simulate(model, t_meet + 3.0, rtol=1e-5, integrator=pair, progress=False)
+    arm, (r, v) = result.v[-1, 0, 5], (result.position[-1, 1], result.v[-1, 1])
+    spin = 0.1 * arm + np.cross(r, v[:3])[2] + 0.1 * v[5]
+    assert spin == pytest.approx(0.1 * omega, abs=1e-3)
+    assert abs(arm) < 0.9 * omega
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+@pytest.mark.parametrize("gap", [0.0, -1e-12, 1e-12])
+def test_balls_that_touch_at_the_start_do_not_fly_through_each_other(gap: float, pair: str) -> None:
+    model = two_spheres(2 * RADIUS + gap)
+    far = {"at": (0, 1, 0), "axis": (1, 0, 0)}
+    model.body("o", mass=1.0, inertia=(0.1,) * 3, position=(0, 1, 0), velocity=(0.5, 0, 0))
+    model.translational("ground", "o", **far)
+    model.translational_spring_damper("ground", "o", **far, stiffness=9.0)
+    result = lw.simulate(model, 3.0, rtol=1e-6, integrator=pair, progress=False)
+    assert result.v[-1, :2, 0] == pytest.approx([0.0, SPEED], abs=1e-3)
+
+
+@pytest.mark.parametrize("step", [0.1, 0.05, 0.02])
+def test_fixed_steps_that_fall_through_a_ball_from_rest_are_told(step: float) -> None:
+    """Up at first: where the step over the ball begins it is slow."""
+    radius, start = 0.0052, (0, 0, 0.2643)
+    model = lw.Model(gravity=(0, 0, -10))
+    model.body("ball", mass=0.1, inertia=(4e-6,) * 3, position=start, velocity=(0, 0, 1.858))
+    model.sphere_sphere_contact(
+        "ground", "ball", at=((0, 0, 0), start), radius_a=radius, radius_b=radius, stiffness=1e7
+    )
+    result = lw.simulate(model, 0.6, step, progress=False, on_inaccurate="pass")
+    assert result.position[-1, 0, 2] > 0 or result.verdict.level == "wrong"
+
+
+def parallelogram(peg: float) -> lw.Model:
+    """A crank of 1 m with losses at a peg, 1 rad ahead; all bars lie in one line where its angle is zero."""
+    model = lw.Model(gravity=(0, 0, 0))
+    along: Callable[[float], np.ndarray] = lambda angle: np.array([np.cos(angle), 0, -np.sin(angle)])  # noqa: E731
+    pin, far, axis = along(peg - 1.0), np.array([2.0, 0, 0]), (0, 1, 0)
+    speed, inertia = np.cross([0, 5.0, 0], pin), (0.01, 0.1, 0.1)
+    for name, at in (("first", 0 * far), ("second", far)):
+        model.body(
+            name,
+            mass=1.0,
+            inertia=inertia,
+            position=at + pin / 2,
+            velocity=speed / 2,
+            omega=(0, 5, 0),
+        )
+        model.revolute("ground", name, at=at, axis=axis)
+    model.body("coupler", mass=1.0, inertia=(0.01, 0.3, 0.3), position=pin + far / 2, velocity=speed)
+    model.revolute("first", "coupler", at=pin, axis=axis)
+    model.revolute("second", "coupler", at=pin + far, axis=axis)
+    model.sphere_sphere_contact(
+        "ground",
+        "first",
+        at=(along(peg), pin),
+        radius_a=0.003,
+        radius_b=0.003,
+        stiffness=1e7,
+        hysteresis=0.8,
+    )
+    return model
+
+
+@pytest.mark.parametrize("peg", [0.05, 0.02, 0.003, -0.02])
+def test_a_peg_beside_a_singular_pose_takes_what_it_takes_elsewhere(peg: float) -> None:
+    """One degree of freedom: what is left of the speed does not depend on where the peg is."""
+    ends = [lw.simulate(parallelogram(at), 0.3, rtol=1e-8, progress=False) for at in (0.5, peg)]
+    assert ends[1].v[-1, 0, 4] == pytest.approx(ends[0].v[-1, 0, 4], rel=1e-3)
+
+
+@pytest.mark.parametrize("count", [2, 5])
+def test_contacts_that_begin_together_begin_with_the_speed_of_each(count: int) -> None:
+    def end_of(count: int) -> np.ndarray:
+        model = lw.Model()
+        for k in range(count):
+            at = (k, 0, 0.3)
+            model.body(f"b{k}", mass=0.1, inertia=(4e-5,) * 3, position=at)
+            model.sphere_plane_contact(
+                "ground",
+                f"b{k}",
+                at=((0, 0, 0), at),
+                normal=(0, 0, 1),
+                radius=0.03,
+                stiffness=1e6,
+                hysteresis=0.5,
+            )
+        return lw.simulate(model, 0.26, rtol=1e-6, progress=False).v[-1, :, 2]
+
+    assert end_of(count) == pytest.approx(np.full(count, end_of(1)[0]), rel=1e-5)
+
+
+def test_a_soft_stop_that_is_grazed_changes_nothing_and_is_no_other_motion() -> None:
+    result = lw.simulate(stopped_oscillator(1e-6, 10.0), 3.0, 0.003, progress=False)
+    assert result.verdict.level == "good"
+    assert result.position[-1, 0, 0] == pytest.approx(0.1 * np.sin(6 * np.pi), abs=1e-6)
+    stiff = lw.simulate(
+        stopped_oscillator(1e-5, 1e6), 0.3, 0.02, integrator="ab2", progress=False, on_inaccurate="pass"
+    )
+    assert "bodies pass through stop 'end'" in stiff.verdict.sentence

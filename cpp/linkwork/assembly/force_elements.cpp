@@ -42,8 +42,7 @@ ForceElement::ForceElement(const System& system, int element)
     if (const HistoryOwner& owner = system.history_owners()[k]; !owner.joint && owner.element == element) history_ = k;
 }
 
-ForceOnBody ForceElement::evaluate(double t, const ConstVector& q, const ConstVector& v, const ConstVector& v_dot,
-                                   const ConstVector& history) {
+ForceElement::Said ForceElement::ask(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history) {
   const auto& functions = system_.model().signals();
   for (std::size_t s = 0; s < signals_.size(); ++s)
     if (functions[s]->of_time()) signals_[s] = functions[s]->evaluate(t);
@@ -51,23 +50,39 @@ ForceOnBody ForceElement::evaluate(double t, const ConstVector& q, const ConstVe
   Eigen::Matrix<double, 2 * velocity_size, 1> its_v;
   its_q << position_of(element_.i, q), position_of(element_.j, q);
   its_v << velocity_of(element_.i, v), velocity_of(element_.j, v);
-  const std::array<BodyState<double>, 2> bodies = {state_of(0, its_q, its_v), state_of(1, its_q, its_v)};
-  std::array<double, 2 * velocity_size> g{};
+  Said out{{state_of(0, its_q, its_v), state_of(1, its_q, its_v)}};
   const double last = history_ < 0 ? 0.0 : history[history_];
-  double next = 0.0, rate = 0.0, dissipated = 0.0;
-  std::array<double, 2> switches{};
+  double rate = 0.0, dissipated = 0.0;
+  force_kinds()[element_.kind].evaluate(
+      0, batch_, 0, 1, {its_q.data(), its_v.data(), out.bodies.data(), signals_.data(), functions.data()},
+      {out.g.data(), &last, &out.history, &rate, out.switches.data(), &out.potential, &dissipated});
+  return out;
+}
+
+std::array<double, 2> ForceElement::switches(double t, const ConstVector& q, const ConstVector& v,
+                                             const ConstVector& history) {
+  return ask(t, q, v, history).switches;
+}
+
+std::array<double, 2 * velocity_size> ForceElement::forces(double t, const ConstVector& q, const ConstVector& v,
+                                                           const ConstVector& history) {
+  return ask(t, q, v, history).g;
+}
+
+ForceOnBody ForceElement::evaluate(double t, const ConstVector& q, const ConstVector& v, const ConstVector& v_dot,
+                                   const ConstVector& history) {
+  Said said = ask(t, q, v, history);
   ForceOnBody out;
-  force_kinds()[element_.kind].evaluate(0, batch_, 0, 1,
-                                        {its_q.data(), its_v.data(), bodies.data(), signals_.data(), functions.data()},
-                                        {g.data(), &last, &next, &rate, switches.data(), &out.potential, &dissipated});
-  out.history = next;
-  if (force_kinds()[element_.kind].inertia) add_inertia(bodies.data(), v_dot, g.data());
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const Eigen::Map<const Vec3<double>> force(g.data() + 6 * k), torque(g.data() + 6 * k + 3);
-    out.power += force.dot(bodies[k].r_dot) + torque.dot(bodies[k].omega);
+  out.potential = said.potential;
+  out.history = said.history;
+  if (force_kinds()[element_.kind].inertia) add_inertia(said.bodies.data(), v_dot, said.g.data());
+  for (std::size_t k = 0; k < said.bodies.size(); ++k) {
+    const BodyState<double>& body = said.bodies[k];
+    const Eigen::Map<const Vec3<double>> force(said.g.data() + 6 * k), torque(said.g.data() + 6 * k + 3);
+    out.power += force.dot(body.r_dot) + torque.dot(body.omega);
     if (k == 0) continue;
     out.force = force;
-    out.torque = bodies[k].A * (torque - element_.at.s_j.cross(Vec3<double>(bodies[k].A.transpose() * force)));
+    out.torque = body.A * (torque - element_.at.s_j.cross(Vec3<double>(body.A.transpose() * force)));
   }
   return out;
 }
@@ -85,6 +100,15 @@ void ForceElement::add_inertia(const BodyState<double>* bodies, const ConstVecto
   Eigen::Map<Eigen::Matrix<double, velocity_size, 1>> on_i(g), on_j(g + velocity_size);
   on_i += force * D_i;
   on_j += force * D_j;
+}
+
+std::vector<SwitchOwner> owners_of_switches(const Model& model) {
+  std::vector<SwitchOwner> out;
+  for (std::size_t k = 0; k < model.forces().size(); ++k) {
+    const ForceKind& kind = force_kinds()[model.forces()[k].kind];
+    for (int s = 0; s < (kind.inertia ? 0 : kind.switches); ++s) out.push_back({static_cast<int>(k), s});
+  }
+  return out;
 }
 
 }  // namespace linkwork

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "linkwork/assembly/system.hpp"
 
 namespace linkwork {
@@ -20,8 +22,22 @@ class ForceElement {
   /// `history` as for System::evaluate; `v_dot` counts for inerters.
   ForceOnBody evaluate(double t, const ConstVector& q, const ConstVector& v, const ConstVector& v_dot,
                        const ConstVector& history);
+  /// Its switches, see Wrenches.
+  std::array<double, 2> switches(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history);
+  /// What it adds to g of its two bodies, in their order.
+  std::array<double, 2 * velocity_size> forces(double t, const ConstVector& q, const ConstVector& v,
+                                               const ConstVector& history);
+  const Element& element() const { return element_; }
 
  private:
+  /// What its law says, by itself.
+  struct Said {
+    std::array<BodyState<double>, 2> bodies;
+    std::array<double, 2 * velocity_size> g{};
+    std::array<double, 2> switches{};
+    double history = 0.0, potential = 0.0;
+  };
+  Said ask(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history);
   void add_inertia(const BodyState<double>* bodies, const ConstVector& v_dot, double* g) const;
 
   const System& system_;
@@ -30,5 +46,12 @@ class ForceElement {
   int history_ = -1;  ///< place of its variable
   std::vector<Signal<double>> signals_;
 };
+
+/// Of a switch: its force element, of those in Model::forces(), and which of its switches it is.
+struct SwitchOwner {
+  int element, place;
+};
+/// Of all, in the order of Evaluation::switches.
+std::vector<SwitchOwner> owners_of_switches(const Model& model);
 
 }  // namespace linkwork

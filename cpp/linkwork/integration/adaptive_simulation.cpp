@@ -194,7 +194,7 @@ bool AdaptiveSimulation::prepare_trial() {
   Phi_ = dynamics_.evaluation().Phi;
   Phi_dot_ = dynamics_.evaluation().Phi_dot;
   dynamics_.take_switched();
-  touches_.begin(y_);
+  touches_.begin(y_, dynamics_.evaluation().switches, dynamics_.sides());
   trial_h_ = h;
   return true;
 }

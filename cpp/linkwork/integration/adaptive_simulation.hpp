@@ -92,11 +92,13 @@ class AdaptiveSimulation final : public Run {
   void accept(double h, double error);
   // Contacts and stops, see adaptive_switches.cpp.
   bool end_at_switch(double h);
+  bool stays_apart_for_interpolation();
   void end_at(const SwitchWatch::Switch& found, double h);
   BodyMaximum end_at_zero(int which, double h, double& part);
   bool stages_went_astray();
   BodyMaximum half_a_step() const;
   void settle_history();
+  void accept_contacts();
   bool leap();
   const Interpolant& interpolant() const;
   void look_for_events();

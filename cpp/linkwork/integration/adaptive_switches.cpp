@@ -25,18 +25,42 @@ bool AdaptiveSimulation::stages_went_astray() {
 // Forces of contacts and stops are not smooth where they begin or end, and that of a contact depends on the speed at
 // which it began: the step is taken again up to there.
 bool AdaptiveSimulation::end_at_switch(double h) {
-  const bool touches = touches_.suspects(t_, h, stepper_.y_new());
+  const double* first = stepper_.first_stage().data() + dynamics_.system().q_size();
+  const double* last = stepper_.last_stage().data() + dynamics_.system().q_size();
+  const bool touches = touches_.suspects({t_, h, y_, stepper_.y_new(), first, last}, dynamics_.evaluation().switches);
   if (!dynamics_.switched() && !touches) return false;
   if (stages_went_astray()) {
     reject(h, half_a_step());
     return true;
   }
+  const bool apart = stays_apart_for_interpolation();
   const HermiteStep by_ends(dynamics_.system(), y_, stepper_.y_new(), h);
-  const bool stages_to_come = stepper_.pair().extra_c.size() > 0;  // for an interpolant, which may be in a contact
-  const Interpolant& step = stages_to_come ? static_cast<const Interpolant&>(by_ends) : stepper_;
-  const auto found = switches_.first(step, t_, h, touches_.find(step, t_, h));
+  const Interpolant& step = apart ? static_cast<const Interpolant&>(stepper_) : by_ends;
+  const auto found = switches_.first(step, t_, h, touches_.find(step));
   if (found) end_at(*found, h);
-  return found.has_value();
+  else if (!apart) reject(h, half_a_step());
+  return found || !apart;
+}
+
+/// Whether the stages that the interpolant still needs are on the sides of the step, too: else one may have been in a
+/// contact, and spoils it. Positions at both ends then only tell where a touch is about.
+bool AdaptiveSimulation::stays_apart_for_interpolation() {
+  const Dynamics::Place end = dynamics_.place();
+  dynamics_.take_switched();
+  bool apart = false;
+  dynamics_.formulation().look(true);
+  try {
+    with_time(t_, h_, [&] {
+      if (stepper_.prepare_interpolation(dynamics_)) dynamics_.return_to(end);
+    });
+    apart = !dynamics_.take_switched() || dynamics_.elsewhere().by <= switches_.least();
+  } catch (const OptionError&) {
+    throw;
+  } catch (const Error&) {
+    dynamics_.return_to(end);
+  }
+  dynamics_.formulation().look(false);
+  return apart;
 }
 
 /// The step after it ends in the contact that begins, were it not for its force.
@@ -47,7 +71,9 @@ void AdaptiveSimulation::end_at(const SwitchWatch::Switch& found, double h) {
   if (part <= least_step * std::max(std::abs(t_), std::abs(t_new_))) {  // at the start: the step is tried again
     evaluate(t_, y_);
     switch_ = found;
-    return settle_history();
+    settle_history();
+    if (found.positive) step_ = std::min(step_, found.until * h);
+    return;
   }
   const BodyMaximum error = end_at_zero(found.which, h, part);
   if (!(error.value <= 1.0)) return reject(part, error);
@@ -86,11 +112,24 @@ void AdaptiveSimulation::settle_history() {
     dynamics_.begin_contact(contact);
     evaluate(t_, y_);
   }
-  accept_history();
+  accept_contacts();
   if (contact >= 0 && !switch_->positive) dynamics_.end_contact(contact);
   dynamics_.take_sides(switches_.least());
   if (switch_) dynamics_.set_side(switch_->which, switch_->positive);
   switch_.reset();
+}
+
+/// One that has begun goes on with its onset, though its depth be zero where another one ends the step.
+void AdaptiveSimulation::accept_contacts() {
+  const VectorXd before = dynamics_.history(), &switches = dynamics_.evaluation().switches;
+  accept_history();
+  VectorXd history = dynamics_.history();
+  for (std::size_t k = 0; k < dynamics_.sides().size(); ++k) {
+    const int contact = dynamics_.system().switches()[k];
+    if (contact < 0 || !dynamics_.sides()[k] || history[contact] != 0.0) continue;
+    if (switches[static_cast<Eigen::Index>(k)] >= -switches_.least()) history[contact] = before[contact];
+  }
+  dynamics_.set_history(history);
 }
 
 }  // namespace linkwork

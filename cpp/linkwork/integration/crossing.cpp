@@ -53,6 +53,8 @@ constexpr double beside_pose = 0.05;        // of a leap: so near nothing is pro
 constexpr double too_far = 1.5;             // of the usual distance to the pose: steps go on before the leap
 constexpr double other_pace = 0.2;          // change of the rate with which a pose that was found is not relied on
 constexpr double part_of_way = 0.8;         // to a foreseen pose
+constexpr double before_switch = 0.9;       // of the way to where a contact or a stop begins or ends
+constexpr double touching = 1e-12;          // depths, relative to the length
 
 /// From a center of mass to a joint [m]; 1 where they coincide.
 double longest_arm(const Model& model) {
@@ -67,7 +69,10 @@ double longest_arm(const Model& model) {
 }  // namespace
 
 Crossing::Crossing(Dynamics& dynamics)
-    : dynamics_(dynamics), step_(dynamics, longest_arm(dynamics.system().model())), poses_(dynamics) {
+    : dynamics_(dynamics),
+      step_(dynamics, longest_arm(dynamics.system().model())),
+      poses_(dynamics),
+      touches_(dynamics, touching * step_.length()) {
   const System& system = dynamics.system();
   dynamics.formulation().watch().list_evaluations(false);
   if (!dynamics.formulation().watched()) return;
@@ -326,7 +331,7 @@ double Crossing::nearest_node(const std::vector<double>& poses, double h, int le
 
 /// The one that is left out, where the length cannot be chosen: the run ends beside a pose.
 int Crossing::node_in_pose(const Search& search, double h) const {
-  if (h < search.most) return CollocationStep::none;
+  if (h < std::min(search.most, search.smooth)) return CollocationStep::none;
   for (int i = 0; i < CollocationStep::stages; ++i)
     for (const double pose : search.poses)
       if (std::abs(step_.nodes()[i] - pose / h) < in_pose_from) return i;
@@ -357,6 +362,7 @@ double Crossing::best_length(const Search& search) {
 }
 
 double Crossing::limit(const Search& search, double h) {
+  h = std::min(h, search.smooth);
   limited_ = limited_ || h >= search.most;
   return std::min(h, search.most);
 }
@@ -408,7 +414,7 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
 bool Crossing::leap_beside(double most, double usual) {
   while (beside_ > least_beside * usual && beside_ <= most && step_.attempt(beside_).good()) {
     const std::vector<double> poses = poses_in_leap(1.0);
-    if (poses.empty() || beside_ < poses.front() - 0.5 * before_pose * usual) return true;
+    if (poses.empty() || beside_ < poses.front() - 0.5 * before_pose * usual) return switches_in_leap() == INFINITY;
     beside_ = std::min(0.9 * beside_, poses.front() - before_pose * usual);
   }
   return false;
@@ -494,9 +500,11 @@ void Crossing::weigh(Search& search, CollocationStep::Quality quality) {
   if (search.done) return;
   if (beside_a_pose(leap_.h)) step_.end_as_it_is(quality);
   const double nearest = nearest_node(search.poses, leap_.h, step_.left_out()), last = search.poses.back();
-  const bool beyond = last > leap_.h && leap_.h < search.most, clear = nearest >= margin && !beyond;
-  const bool over = search.poses.front() <= leap_.h || leap_.h >= search.most;
+  const double end = std::min(search.most, search.smooth);  // something ends it there
+  const bool beyond = last > leap_.h && leap_.h < end, clear = nearest >= margin && !beyond;
+  const bool over = search.poses.front() <= leap_.h || leap_.h >= end;
   quality.roundoff = precision * elementary::power(search.usual / (reach * nearest * leap_.h), 2.0);
+  if (quality.fair() && !stays_before_switches(search)) return;
   if (quality.fair()) quality.unseen = step_.unseen(search.grid > 0.0 ? search.grid : leap_.h / looked_at_between);
   search.done = quality.good() && clear;
   if (search.done || (over && quality.fair() && nearest >= least_margin && quality.error() < search.error)) {
@@ -506,6 +514,23 @@ void Crossing::weigh(Search& search, CollocationStep::Quality quality) {
   if (beyond) search.least = 2.0 * last;
   else if (!quality.good())
     search.least = search.base = std::max(0.6 * std::min(search.base, leap_.h), least_part * search.usual);
+}
+
+/// Else it is to be shorter, or there is none.
+bool Crossing::stays_before_switches(Search& search) {
+  const double until = switches_in_leap();
+  if (!(until < leap_.h)) return true;
+  double most = before_switch * until;
+  if (search.grid > 0.0) most = std::floor(most / search.grid) * search.grid;
+  search.smooth = most;
+  search.least = search.base = most > least_part * search.usual ? most : INFINITY;
+  return false;
+}
+
+/// Where in the leap the first one is, in s from its start; infinite: there is none.
+double Crossing::switches_in_leap() {
+  const double part = touches_.clear_until(*this, {leap_.t, leap_.h, leap_.y, leap_.y_new});
+  return part < 1.0 ? part * leap_.h : INFINITY;
 }
 
 /// A small pivot alone is no sign: that of a long chain, or beside bodies of little mass, is small in every pose.

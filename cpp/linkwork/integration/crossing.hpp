@@ -8,6 +8,7 @@
 #include "linkwork/integration/interpolant.hpp"
 #include "linkwork/integration/recorder.hpp"
 #include "linkwork/integration/singular_pose_search.hpp"
+#include "linkwork/integration/touch_search.hpp"
 
 namespace linkwork {
 
@@ -34,6 +35,9 @@ class Arrival {
 /// collocation whose nodes stand on the constraints and around the pose: none nearer than some hundredths of the leap.
 /// The leap has a size of its own, some hundredths of a radian, that does not shrink with the step of the run: the
 /// errors that roundoff makes grow with 1 / sigma^2.
+///
+/// Forces of contacts and stops are not smooth where these begin or end: a leap ends before that, and where it would be
+/// too short for a leap there is none. Usual steps end there.
 ///
 /// Two signs tell the pose: the smallest pivot of every factorization, which falls like the square of the time to it,
 /// and sigma itself, which falls linearly and is looked at now and then. Pivots hide a pose where the order of
@@ -117,6 +121,7 @@ class Crossing final : public Interpolant {
     double base = 0.0;                               ///< of other lengths
     std::vector<std::pair<double, int>> tried = {};  ///< lengths, with the node left out
     double too_far = INFINITY;                       ///< a pose
+    double smooth = INFINITY;                        ///< up to where a contact or a stop begins or ends, at most
     int failures = 0;                                ///< since the last that converged
     bool any_converged = false, ahead = false, done = false;
   };
@@ -149,6 +154,8 @@ class Crossing final : public Interpolant {
   bool leap_beside(double most, double usual);
   bool try_lengths(Search& search, const VectorXd& y);
   void weigh(Search& search, CollocationStep::Quality quality);
+  double switches_in_leap();
+  bool stays_before_switches(Search& search);
   double near_enough(double usual, double h, bool adaptive) const;
   bool weaker_than_usual() const;
   double nearest_node(const std::vector<double>& poses, double h, int left_out = CollocationStep::none) const;
@@ -163,6 +170,7 @@ class Crossing final : public Interpolant {
   CollocationStep step_;
   Leap& leap_ = step_.leap();
   SingularPoseSearch poses_;
+  TouchSearch touches_;
   std::vector<char> in_loops_;  ///< bodies
   bool prepared_ = false;
   bool starting_ = false;    ///< the leap begins near the pose, not before it

@@ -39,6 +39,8 @@ class PairStepper final : public Interpolant {
   /// Ahead of `trial` or `take` of the same step, for somebody who evaluates the later stages: the first one.
   void begin(Dynamics& dynamics, const StepSpan& step);
   ConstVector first_stage() const { return k_.col(0); }
+  /// y_dot at the new state.
+  ConstVector last_stage() const { return k_.col(stages_); }
   /// The others, of which `fill(i, k_i)` gives number i.
   template <class Fill>
   void supply(const Fill& fill) {

@@ -13,6 +13,8 @@ struct PassedTouch {
   double t;      ///< begin of the first such step [s]
   double until;  ///< end of the last
   double speed;  ///< largest at which they came nearer [m/s or rad/s]
+  double
+      change;  ///< of their velocities, that its force would make on the way through, relative to them, over all steps
   std::int64_t steps;
 };
 
@@ -28,12 +30,12 @@ class TouchMonitor {
   const std::vector<PassedTouch>& passed() const { return passed_; }
 
  private:
-  bool come_near() const;
-  void note(int which, double t, double h, double speed);
+  void note(int which, double t, double h, double speed, double change);
+  double change(const Interpolant& step, const TouchSearch::Touch& touch, double t, double h) const;
 
   const Dynamics& dynamics_;
   TouchSearch search_;
-  VectorXd before_, now_;  ///< switches where the last step began, and ended; empty: there is none
+  VectorXd now_;  ///< switches where the last step ended
   std::vector<PassedTouch> passed_;
 };
 

@@ -3,133 +3,193 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace linkwork {
 namespace {
 
-constexpr double beside = 1e-4;                                   // of a step, for differences in time
-constexpr std::array<double, 4> places = {0.25, 0.5, 0.75, 1.0};  // of a step: between two a depth rises and falls once
-constexpr double inside = 1e-2;                                   // of an interval: no nearer to its ends
-constexpr int most_looks = 40, every_other = 3;
+constexpr double beside = 1e-4;  // of a step, for differences in time
+// Of the second derivatives of a cubic, what those of the motion may be more: in an oscillation up to 4 rad and 2.5 rad.
+constexpr double more_in_step = 1.5, more_inside = 0.5;
+constexpr std::array<double, 3> places = {0.25, 0.5, 0.75};  // of a step, that are looked at anyway
+constexpr double inside = 0.1;                               // of an interval: no nearer to its ends
+constexpr int most_looks = 400;
+constexpr int parts = 16, halvings = 30;  // of a step that is to be clear
+
+struct Place {
+  double at, value;
+};
+
+/// The highest of a + a' s + M s^2 / 2 up to s = `to`.
+Place highest_on_parabola(double a, double rate, double M, double to) {
+  const auto at = [&](double s) { return Place{s, a + s * (rate + 0.5 * M * s)}; };
+  Place best = at(to).value > a ? at(to) : at(0.0);
+  if (const double top = -rate / M; M < 0.0 && top > 0.0 && top < to) best = at(top);
+  return best;
+}
+
+/// The highest of what is below both parabolas, at s from 0 to 1.
+Place highest_between(double a, double a_rate, double b, double b_rate, double more) {
+  const double first = 2.0 * (3.0 * (b - a) - 2.0 * a_rate - b_rate);
+  const double last = -2.0 * (3.0 * (b - a) - a_rate - 2.0 * b_rate);
+  const double M = std::max(first, last) + more * std::max(std::abs(first), std::abs(last));
+  const double closing = a_rate - b_rate + M;
+  const double meeting = closing > 0.0 ? std::clamp((b - a - b_rate + 0.5 * M) / closing, 0.0, 1.0) : 0.5;
+  const Place before = highest_on_parabola(a, a_rate, M, meeting);
+  const Place after = highest_on_parabola(b, -b_rate, M, 1.0 - meeting);
+  return before.value > after.value ? before : Place{1.0 - after.at, after.value};
+}
 
 }  // namespace
 
-TouchSearch::TouchSearch(const Dynamics& dynamics, double least) : dynamics_(dynamics), least_(least) {
-  if (!dynamics.system().switches().empty()) at_ = dynamics.system().make_evaluation();
-  q_dot_.resize(dynamics.system().q_size());
+TouchSearch::TouchSearch(const Dynamics& dynamics, double least)
+    : dynamics_(dynamics),
+      least_(least),
+      approach_(dynamics.system().model()),
+      count_(dynamics.system().switches().size()) {}
+
+void TouchSearch::begin(const VectorXd& y, const VectorXd& switches, const std::vector<char>& sides) {
+  if (count_ == 0) return;
+  y_ = y;
+  at_begin_ = switches;
+  sides_ = sides;
+  if (!sides_.empty()) return;
+  for (Eigen::Index k = 0; k < switches.size(); ++k) sides_.push_back(switches[k] > 0.0);
 }
 
-void TouchSearch::begin(const VectorXd& y, const VectorXd& switches) {
-  if (dynamics_.system().switches().empty()) return;
-  const auto is_at_y = [&](const Mark& mark) { return mark.y.size() == y.size() && mark.y == y; };
-  if (is_at_y(to_)) {
-    std::swap(from_, to_);
-  } else if (!is_at_y(from_)) {
-    from_.y = y;
-    from_.rates.resize(0);
-  }
-  from_.values = switches;
-  to_.y.resize(0);
-}
-
-/// By a difference: of poses some `seconds` later, or earlier, along the motion.
-void TouchSearch::find_rates(double t, double seconds, Mark& mark) {
-  const System& system = dynamics_.system();
-  const int nq = system.q_size();
-  const auto v = mark.y.segment(nq, system.v_size());
-  system.position_rates(mark.y.head(nq), v, q_dot_);
-  moved_ = mark.y.head(nq) + seconds * q_dot_;
-  system.normalize(moved_);
-  system.evaluate_switches(t + seconds, moved_, v, dynamics_.history(), at_);
-  mark.rates = (at_.switches - mark.values) / seconds;
-}
-
-bool TouchSearch::suspects(double t, double h, const VectorXd& y_new, const VectorXd& switches) {
+bool TouchSearch::suspects(const StepEnds& step, const VectorXd& switches) {
   suspects_.clear();
-  if (dynamics_.system().switches().empty()) return false;
-  to_.values = switches;
-  if (!((from_.values.array() < 0.0) && (to_.values.array() < 0.0)).any()) return false;
-  to_.y = y_new;
-  if (from_.rates.size() == 0) find_rates(t, beside * h, from_);
-  find_rates(t + h, -beside * h, to_);
-  for (int k = 0; k < from_.values.size(); ++k) {
-    const Sample a{0.0, from_.values[k], h * from_.rates[k]}, b{1.0, to_.values[k], h * to_.rates[k]};
-    if (a.value < 0.0 && b.value < 0.0 && may_touch(a, b)) suspects_.push_back(k);
+  t_ = step.t;
+  h_ = step.h;
+  std::optional<Look> from, to;
+  for (int k = 0; k < static_cast<int>(count_); ++k) {
+    const double a = at_begin_[k], b = switches[k], free = std::max(least_, a);
+    if (sides_[static_cast<std::size_t>(k)] || b > free) continue;
+    if (!(0.5 * (a + b + approach_.largest_change(k, step)) > free)) continue;
+    if (!from) {
+      from = Look{t_, 0.0, h_, y_};
+      to = Look{t_ + h_, 1.0, h_, step.y_new};
+      look_beside(*from);
+      look_beside(*to);
+    }
+    Suspect it{k, approach_.of_spheres(k) ? a + approach_.distance(k, y_) : 0.0, 0.0, {}, {}};
+    it.free = value(it, free);
+    it.from = sample(*from, it);
+    it.to = sample(*to, it);
+    if (highest_between(it.from.value, it.from.rate, it.to.value, it.to.rate, more_in_step).value > it.free)
+      suspects_.push_back(it);
   }
   return !suspects_.empty();
 }
 
-double TouchSearch::rate_at_end(double t, double h, const VectorXd& y_new, int which) {
-  between_.y = y_new;
-  between_.values = dynamics_.evaluation().switches;
-  find_rates(t + h, -beside * h, between_);
-  return between_.rates[which];
-}
-
-TouchSearch::Sample TouchSearch::where_tangents_meet(const Sample& a, const Sample& b) {
-  const double width = b.theta - a.theta;
-  const double part = (b.value - a.value - b.rate * width) / (a.rate - b.rate);
-  return {a.theta + part, a.value + a.rate * part, 0.0};
-}
-
-/// One that does not rise and fall has its most at an end, unless the cubic of both ends says otherwise.
-bool TouchSearch::may_touch(const Sample& a, const Sample& b) const {
-  if (rises_and_falls(a, b)) return where_tangents_meet(a, b).value > least_;
-  const double width = b.theta - a.theta;
-  return std::any_of(places.begin(), places.end() - 1, [&](double s) {
-    const double r = 1.0 - s;
-    return r * r * ((1.0 + 2.0 * s) * a.value + s * width * a.rate) +
-               s * s * ((1.0 + 2.0 * r) * b.value - r * width * b.rate) >
-           least_;
-  });
-}
-
-void TouchSearch::look(const Interpolant& step, double t, double h, double theta, Mark& mark) {
-  const System& system = dynamics_.system();
-  const int nq = system.q_size();
-  step.interpolate(system, theta, mark.y);
-  system.evaluate_switches(t + theta * h, mark.y.head(nq), mark.y.segment(nq, system.v_size()), dynamics_.history(),
-                           at_);
-  mark.values = at_.switches;
-  find_rates(t + theta * h, -beside * h, mark);
-}
-
-/// NaN: there is none.
-double TouchSearch::touch_between(const Interpolant& step, double t, double h, int which, Sample a, Sample b) {
-  for (int k = 1; k <= most_looks && rises_and_falls(a, b); ++k) {
-    const Sample meeting = where_tangents_meet(a, b);
-    if (!(meeting.value > least_)) break;
-    const double width = b.theta - a.theta, near = inside * width;
-    const double theta =
-        k % every_other == 0 ? a.theta + 0.5 * width : std::clamp(meeting.theta, a.theta + near, b.theta - near);
-    look(step, t, h, theta, between_);
-    const Sample sample{theta, between_.values[which], h * between_.rates[which]};
-    if (sample.value > least_) return theta;
-    (sample.rate > 0.0 ? a : b) = sample;
-  }
-  return NAN;
-}
-
-std::vector<TouchSearch::Touch> TouchSearch::find(const Interpolant& step, double t, double h) {
+std::vector<TouchSearch::Touch> TouchSearch::find(const Interpolant& step) {
   std::vector<Touch> found;
   if (suspects_.empty()) return found;
-  std::array<Mark, places.size()> marks;
-  for (std::size_t p = 0; p + 1 < places.size(); ++p) look(step, t, h, places[p], marks[p]);
-  marks.back() = to_;
-  for (const int k : suspects_) {
-    Sample a{0.0, from_.values[k], h * from_.rates[k]};
-    for (std::size_t p = 0; p < places.size(); ++p) {
-      const Sample b{places[p], marks[p].values[k], h * marks[p].rates[k]};
-      const double theta = b.value > least_ ? b.theta : touch_between(step, t, h, k, a, b);
-      if (!std::isnan(theta)) {
-        found.push_back({k, theta});
+  std::vector<Look> looks;
+  for (const double theta : places) looks.push_back(look_at(step, theta));
+  for (const Suspect& it : suspects_) {
+    looks_left_ = most_looks;
+    std::vector<Sample> samples = {it.from};
+    for (const Look& look : looks) samples.push_back(sample(look, it));
+    samples.push_back(it.to);
+    for (std::size_t p = 1; p < samples.size(); ++p)
+      if (const auto theta = first_touch(step, it, samples[p - 1], samples[p])) {
+        found.push_back({it.which, *theta});
         break;
       }
-      a = b;
-    }
   }
   std::sort(found.begin(), found.end(), [](const Touch& a, const Touch& b) { return a.theta < b.theta; });
   return found;
+}
+
+std::optional<double> TouchSearch::first_touch(const Interpolant& step, const Suspect& of, const Sample& a,
+                                               const Sample& b) {
+  if (b.value > of.free) return b.theta;
+  const double width = b.theta - a.theta;
+  const Place highest = highest_between(a.value, width * a.rate, b.value, width * b.rate, more_inside);
+  if (!(highest.value > of.free) || looks_left_-- <= 0) return {};
+  const double theta = a.theta + width * std::clamp(highest.at, inside, 1.0 - inside);
+  const Sample between = sample(look_at(step, theta), of);
+  if (const auto found = first_touch(step, of, a, between)) return found;
+  return first_touch(step, of, between, b);
+}
+
+TouchSearch::Look TouchSearch::look_at(const Interpolant& step, double theta) const {
+  Look out{t_ + theta * h_, theta, h_, {}};
+  step.interpolate(dynamics_.system(), theta, out.y);
+  look_beside(out);
+  return out;
+}
+
+/// Later than the start of the step, earlier than any other place.
+void TouchSearch::look_beside(Look& look) const {
+  const System& system = dynamics_.system();
+  const int nq = system.q_size();
+  VectorXd q_dot(nq);
+  system.position_rates(look.y.head(nq), look.y.segment(nq, system.v_size()), q_dot);
+  look.beside = look.theta > 0.0 ? -beside * look.h : beside * look.h;
+  look.q_beside = look.y.head(nq) + look.beside * q_dot;
+  look.q_beyond = look.y.head(nq) + 2.0 * look.beside * q_dot;
+  system.normalize(look.q_beside);
+  system.normalize(look.q_beyond);
+}
+
+double TouchSearch::depth(double t, const ConstVector& q, const ConstVector& v, int which) {
+  const SwitchOwner& owner = approach_.owner(which);
+  ForceElement& element = elements_.try_emplace(which, dynamics_.system(), owner.element).first->second;
+  return element.switches(t, q, v, dynamics_.history())[static_cast<std::size_t>(owner.place)];
+}
+
+/// The rate by a difference that is exact for parabolas.
+TouchSearch::Sample TouchSearch::sample(const Look& look, const Suspect& of) {
+  const System& system = dynamics_.system();
+  const auto value_at = [&](double after, const ConstVector& q) {
+    return value(of, depth(look.t + after, q, look.y.segment(system.q_size(), system.v_size()), of.which));
+  };
+  const double here = value_at(0.0, look.y.head(system.q_size()));
+  const double near = value_at(look.beside, look.q_beside), far = value_at(2.0 * look.beside, look.q_beyond);
+  return {look.theta, here, look.h * (4.0 * near - 3.0 * here - far) / (2.0 * look.beside)};
+}
+
+double TouchSearch::clear_until(const Interpolant& step, const StepEnds& ends) {
+  if (count_ == 0) return 1.0;
+  begin(ends.y, depths(ends.t, ends.y), dynamics_.sides());
+  double last = 0.0, first = INFINITY;
+  if (suspects(ends, depths(ends.t + ends.h, ends.y_new)))
+    if (const std::vector<Touch> found = find(step); !found.empty()) first = found.front().theta;
+  for (int k = 1; k <= parts && last < first; ++k) {
+    const double theta = std::min(static_cast<double>(k) / parts, first);
+    if (theta == first || !clear_at(step, theta)) first = theta;
+    else last = theta;
+  }
+  if (first > 1.0) return 1.0;
+  for (int k = 0; k < halvings; ++k) {
+    const double middle = 0.5 * (last + first);
+    (clear_at(step, middle) ? last : first) = middle;
+  }
+  return last;
+}
+
+bool TouchSearch::clear_at(const Interpolant& step, double theta) {
+  VectorXd y;
+  step.interpolate(dynamics_.system(), theta, y);
+  const VectorXd now = depths(t_ + theta * h_, y);
+  for (Eigen::Index k = 0; k < now.size(); ++k)
+    if ((sides_[static_cast<std::size_t>(k)] ? -now[k] : now[k]) > least_) return false;
+  return true;
+}
+
+VectorXd TouchSearch::depths(double t, const VectorXd& y) {
+  const System& system = dynamics_.system();
+  VectorXd out(static_cast<Eigen::Index>(count_));
+  for (Eigen::Index k = 0; k < out.size(); ++k)
+    out[k] = depth(t, y.head(system.q_size()), y.segment(system.q_size(), system.v_size()), static_cast<int>(k));
+  return out;
+}
+
+double TouchSearch::rate(Look look, int which) {
+  look_beside(look);
+  return sample(look, {which, 0.0, 0.0, {}, {}}).rate / look.h;
 }
 
 }  // namespace linkwork

@@ -312,19 +312,27 @@ def leaping(verdict: Verdict, moments: Iterable[tuple[float, str]]) -> Verdict:
 def passing(verdict: Verdict, passed: Iterable[Mapping[str, Any]]) -> Verdict:
     """Says so where fixed steps went over contacts or stops, which no step taken again may have seen.
 
-    For the bodies there the motion is another one, however fast others are. `passed`: of the statistics, with
-    the `speed` at which bodies came nearer [m/s or rad/s].
+    For the bodies there the motion is another one, however fast others are, unless the force that they did
+    not feel is next to nothing. `passed`: of the statistics, with the `speed` at which bodies came nearer
+    [m/s or rad/s] and the `change` of their velocities that the force would have made, relative to these.
     """
-    worst = max(passed, key=lambda it: it["speed"], default=None)
-    if worst is None:
+    worst = max(passed, key=lambda it: (it["change"], it["speed"]), default=None)
+    if worst is None or SAFETY * worst["change"] <= verdict.error:
         return verdict
-    error = max(1.0, verdict.error)
-    what = f"bodies pass through each other at contact '{worst['contact']}'"
-    if not worst["contact"]:
-        what = "bodies pass through a stop"
+    error = max(min(1.0, SAFETY * worst["change"]), verdict.error)
+    if _level(error) == "good":
+        return replace(verdict, error=error, sentence=f"accurate to about {_figure(error)}")
     more = f", {worst['steps']} times up to {worst['until']:.5g} s" if worst["steps"] > 1 else ""
-    sentence = f"{what} at t = {worst['t']:.5g} s{more}: the step is too long for their speed; use rtol"
+    sentence = (
+        f"{_passed(worst)} at t = {worst['t']:.5g} s{more}: the step is too long for their speed; use rtol"
+    )
     return replace(verdict, error=error, level=_level(error), sentence=sentence)
+
+
+def _passed(touch: Mapping[str, Any]) -> str:
+    if "stop" in touch:
+        return f"bodies pass through stop '{touch['stop']}'"
+    return f"bodies pass through each other at contact '{touch['contact']}'"
 
 
 def loose(verdict: Verdict, formulation: str) -> Verdict:
