@@ -25,8 +25,10 @@ class Written:
     """
 
     def __init__(self, functions: Iterable[tuple[str, Calls]], events: Iterable[Any] | None = None) -> None:
-        """Calls from now on are those of the run. `events`: functions of events that read, too; None: no event
-        changes anything."""
+        """Calls from now on are those of the run.
+
+        events  functions of events, which read too; None: no event changes anything
+        """
         functions = list(functions)
         for _, calls in functions:
             calls.forget()
