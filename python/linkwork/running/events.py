@@ -155,7 +155,7 @@ class Event:
             lw.Event(lambda t, state: state.body("rod").position[2], name="floor").compiled(model)
 
         changing  a context in which `change` is called
-        calls     those of its function, as `calls` gives them, where they are looked at later
+        calls     those of its function, as `_calls` gives them, where they are looked at later
 
         OptionError: what is no function, or no direction, tolerance, or answer to whether it is terminal.
         """
@@ -166,7 +166,7 @@ class Event:
                     f"event '{self.label}': {what} {given!r} is no function of (t, state)", code="event"
                 )
 
-        asked = calls or self.calls(model)
+        asked = calls or self._calls(model)
 
         def function(t: float, y: Floats) -> float:
             return self._number(t, asked.ask(t, y))
@@ -194,7 +194,7 @@ class Event:
             self.tolerance,
         )
 
-    def calls(self, model: Model) -> Calls:
+    def _calls(self, model: Model) -> Calls:
         """Of its function, each with t [s] and y (13n,) in a run of `model`."""
         return Calls(self.function, lambda t, y: (t, State(model, y)))
 
@@ -258,7 +258,7 @@ def compile_events(events: object, model: Model, changing: Changing = nullcontex
             raise OptionError(f"events: {event!r} is no linkwork.Event", code="event")
     found = []
     for event in listed:
-        calls = event.calls(model)
+        calls = event._calls(model)
         found.append(Watched(event.label, event.compiled(model, changing, calls), event, calls))
     return found
 

@@ -16,6 +16,7 @@ import numpy as np
 
 from linkwork.arrays import Floats
 from linkwork.functions.calls import ROW, Call, Calls
+from linkwork.functions.compiled_law import CompiledLaw
 from linkwork.running.kept import Kept
 from linkwork.running.recall import TOLERANCE
 
@@ -133,7 +134,9 @@ def look_for_hidden(functions: Functions) -> None:
     """Makes the first calls of all of them once more, in their order; their memory is as it was then."""
     enough = [calls.first[-1].number for _, calls in functions if len(calls.first) >= ROW]
     last = min(enough, default=math.inf)  # after it calls are left out
-    first = [(call, calls) for _, calls in functions for call in calls.first if call.number <= last]
+    # Those of compiled laws are none of the run.
+    seen = [calls for _, calls in functions if not isinstance(calls.function, CompiledLaw)]
+    first = [(call, calls) for calls in seen for call in calls.first if call.number <= last]
     for call, calls in sorted(first, key=lambda it: it[0].number):
         calls.hidden = not _same(calls.again(call), call.returned) or calls.hidden
 

@@ -94,8 +94,7 @@ def sweep(
 
     model       a model, whose parameters are named by path: "crank.mass", "crank.inertia[1]",
                 "spring.stiffness", "motor pin.at[2]", "gravity[2]"; in the units of `Model.values`. Or a
-                function build(**parameters) -> Model, where the topology changes, which gets values as they
-                are given
+                function build(**parameters) -> Model, where the topology changes
     parameters  {name: values}: a grid, full factorial. A list of mappings, a table of pandas, an array with
                 named fields: a case a row. With a sampler {name: (low, high)}, or distributions of
                 scipy.stats: norm(1.0, 0.01), Normal(mu=1.0, sigma=0.01), rv_histogram(...)
@@ -154,8 +153,7 @@ def sweep(
     here = Here(digests_here, [] if executor is None else joined(example, options))
     wanted_times, run_options = check_times(times, float(t_end), options, asked, example)
     checks.warn_of_opposed_axes(example, example.compiled().q0)
-    first = example if number == 0 else None
-    _check_run(source, drawn, first, float(t_end), run_options)
+    _check_run(source, drawn, example if number == 0 else None, float(t_end), run_options)
     checked = [wanted.checked(it, probe(example, run_options), wanted_times) for it in asked]
     _check_times(checked, wanted_times, run_options)
     runner = Runner(source, float(t_end), run_options, checked, wanted_times)
