@@ -63,6 +63,9 @@ OTHERS = {
 #: Columns of every study.
 OWN = ("case", "status", "verdict", "accuracy", "seconds", "error", "remarks", "time")
 
+#: Names that no parameter or output can have.
+_OWN = dict.fromkeys(OWN, "a column that every study has")
+
 #: Of how many cases one is looked for that has a model, on which outputs are checked.
 LOOKED_AT = 20
 
@@ -146,14 +149,14 @@ def sweep(
     source = source_of(model, drawn.columns)
     drawn = drawn if isinstance(source, Built) else drawn.as_floats()
     asked = wanted.outputs_of(outputs)
-    own = dict.fromkeys(OWN, "a column that every study has")
-    check_names(own, list(drawn.columns), [it.label for it in asked])
+    check_names(_OWN, list(drawn.columns), [it.label for it in asked])
     digests_here = {} if executor is None else contents(source, asked, options)  # as yet nothing was called
     number, example = _example(model, source, drawn)
     here = Here(digests_here, [] if executor is None else joined(example, options))
     wanted_times, run_options = check_times(times, float(t_end), options, asked, example)
     checks.warn_of_opposed_axes(example, example.compiled().q0)
-    _check_run(source, drawn, example if number == 0 else None, float(t_end), run_options)
+    first = example if number == 0 else None
+    _check_run(source, drawn, first, float(t_end), run_options)
     checked = [wanted.checked(it, probe(example, run_options), wanted_times) for it in asked]
     _check_times(checked, wanted_times, run_options)
     runner = Runner(source, float(t_end), run_options, checked, wanted_times)
