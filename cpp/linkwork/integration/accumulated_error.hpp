@@ -14,10 +14,9 @@ struct JudgedStep {
 };
 
 /// What the local errors of a run come to over it. Poses are relative to L, half of the box in which centers of mass of
-/// a connected part move or the size of the mechanism, or to the path where that is shorter; velocities to V, the largest
-/// speed;
-/// reactions to the largest. Box, path and speeds are those in MovingAxes. Where there is no motion, what moved is the
-/// error, relative to the size of the mechanism and the speed of Rest.
+/// a connected part move or the size of the mechanism, or to the path where that is shorter; velocities to V, the
+/// largest speed; reactions to the largest. Box, path and speeds are those in MovingAxes. Where there is no motion,
+/// what moved is the error, relative to the size of the mechanism and the speed of Rest.
 struct AccumulatedError {
   std::size_t failed = 0;           ///< steps that could not be taken again; where all could not, the rest is zero
   std::vector<JudgedStep> steps;    ///< the others, by time
@@ -40,10 +39,10 @@ struct AccumulatedError {
 /// mean is known; the sum over a part is at least what they say. An error of a velocity is also one of positions later:
 /// it grows with time, as far as V t / L = 5; beyond, motions of a mechanism turn rather than part. An error of a pose
 /// is a delay, too: what is late by dt is off by y_dot dt, which is more where the motion is faster than where it
-/// arose, and is one of the velocity in an impact: by the largest acceleration of each part. Beside, frames inside of steps are off by what the interpolant is
-/// there, states by what they are off the constraints until Baumgarte's terms take that back, if they soon do, and by
-/// what leaps over singular poses and projections corrected. What does grow on is the error of the
-/// energy, as that of the speed along the path: it is the caller's.
+/// arose, and is one of the velocity in an impact: by the largest acceleration of each part. Beside, frames inside of
+/// steps are off by what the interpolant is there, states by what they are off the constraints until Baumgarte's terms
+/// take that back, if they soon do, and by what leaps over singular poses and projections corrected. What does grow on
+/// is the error of the energy, as that of the speed along the path: it is the caller's.
 AccumulatedError accumulate(const RunErrors& errors, double length);
 
 }  // namespace linkwork

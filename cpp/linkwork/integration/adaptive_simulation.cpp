@@ -543,8 +543,8 @@ void AdaptiveSimulation::strike(const VectorXd& Phi_t_before) {
   y_[y_.size() - 1] += energy() - before;
 }
 
-/// Those up to the start of a run that is resumed ended the run before it; by steps that are cut otherwise they may come
-/// a little later.
+/// Those up to the start of a run that is resumed ended the run before it; by steps that are cut otherwise they may
+/// come a little later.
 void AdaptiveSimulation::finish_event(double t_before) {
   auto occurrence = of_step_.end() - std::ssize(stops_);
   bool ends = false;

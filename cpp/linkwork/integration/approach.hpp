@@ -16,9 +16,10 @@ struct StepEnds {
 /// How far the two bodies of a contact or a stop may come nearer within a step, by their speeds: what is farther apart
 /// need not be looked at.
 ///
-/// Where positions are the cubics of Hermite, velocities are quadratic in time, and never more than the largest of their
-/// three Bernstein coefficients, h r_dot at both ends and 3 (r_new - r) less both. Steps that are longer than what a
-/// cubic follows have h^2 r_ddot / 2 beside it, without which an oscillation that returns to the same state was none.
+/// Where positions are the cubics of Hermite, velocities are quadratic in time, and never more than the largest of
+/// their three Bernstein coefficients, h r_dot at both ends and 3 (r_new - r) less both. Steps that are longer than
+/// what a cubic follows have h^2 r_ddot / 2 beside it, without which an oscillation that returns to the same state was
+/// none.
 class Approach {
  public:
   explicit Approach(const Model& model);

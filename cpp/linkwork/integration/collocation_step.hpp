@@ -49,8 +49,8 @@ class CollocationStep {
   /// what it is off would become larger velocities by that, and the end of the step is a better place. False where it
   /// is too far from them, as in a run that diverges.
   bool begin(double t, const VectorXd& y, bool on_constraints);
-  /// The same in or near a singular pose, where nothing can be projected, and it may be `off` [rad]; accelerations, for a beginning, are what
-  /// the watch makes of them.
+  /// The same in or near a singular pose, where nothing can be projected, and it may be `off` [rad]; accelerations, for
+  /// a beginning, are what the watch makes of them.
   void begin_in_pose(double t, const VectorXd& y, double off);
   /// To t + h. A node that is `left_out`, in a singular pose, is where the others lead.
   Quality attempt(double h, int left_out = none);

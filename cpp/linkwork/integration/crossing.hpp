@@ -31,10 +31,10 @@ class Arrival {
 ///
 /// Where branches of motion cross, the constraint matrix loses rank: a state that violates the constraints by delta has
 /// accelerations wrong by delta / sigma, sigma the smallest singular value, and the stages of explicit steps violate
-/// them by about h^2. On the branch itself the motion is smooth. So the pose is foreseen, and taken in one leap by Gauss
-/// collocation whose nodes stand on the constraints and around the pose: none nearer than some hundredths of the leap.
-/// The leap has a size of its own, some hundredths of a radian, that does not shrink with the step of the run: the
-/// errors that roundoff makes grow with 1 / sigma^2.
+/// them by about h^2. On the branch itself the motion is smooth. So the pose is foreseen, and taken in one leap by
+/// Gauss collocation whose nodes stand on the constraints and around the pose: none nearer than some hundredths of the
+/// leap. The leap has a size of its own, some hundredths of a radian, that does not shrink with the step of the run:
+/// the errors that roundoff makes grow with 1 / sigma^2.
 ///
 /// Forces of contacts and stops are not smooth where these begin or end: a leap ends before that, and where it would be
 /// too short for a leap there is none. Usual steps end there.
@@ -97,11 +97,11 @@ class Crossing final : public Interpolant {
   void interpolate(const System& system, double theta, VectorXd& y) const override;
   /// The same on the constraints, unless a pose is too near. Leaves `dynamics` evaluated somewhere else.
   void place(double theta, VectorXd& y);
-  /// A frame at t of the state y where the last leap begins, in or beside a pose: its equations tell little of what goes
-  /// on there, the leap does. Leaves `dynamics` evaluated somewhere else.
+  /// A frame at t of the state y where the last leap begins, in or beside a pose: its equations tell little of what
+  /// goes on there, the leap does. Leaves `dynamics` evaluated somewhere else.
   void correct_frame(Recorder& recorder, double t, const VectorXd& y);
-  /// Accelerations and multipliers at `at` in a usual step h from t, where `dynamics` is evaluated; false: its equations
-  /// tell them, no pose is near.
+  /// Accelerations and multipliers at `at` in a usual step h from t, where `dynamics` is evaluated; false: its
+  /// equations tell them, no pose is near.
   bool accelerations_beside(const Interpolant& step, double t, double h, double at, MutableVector v_dot,
                             MutableVector lambda);
   /// Accelerations and multipliers there.

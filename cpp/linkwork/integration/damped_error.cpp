@@ -15,9 +15,10 @@ bool has_forces(const Model& model) {
   return !model.forces().empty() || !model.joint_forces().empty() || !model.user_forces().empty();
 }
 
-// What forces take is odd in the velocities, unlike what comes of inertia, so that half the difference of accelerations at
-// v and -v is looked at. Forces that only take energy give an error e of the velocities the acceleration a = -M^-1 C e, C symmetric and not
-// negative, apart from what they also depend on. Of modes with the rates c_k, orthogonal by M, the fast one is
+// What forces take is odd in the velocities, unlike what comes of inertia, so that half the difference of accelerations
+// at v and -v is looked at. Forces that only take energy give an error e of the velocities the acceleration
+// a = -M^-1 C e, C symmetric and not negative, apart from what they also depend on. Of modes with the rates c_k,
+// orthogonal by M, the fast one is
 //   e_fast = -a / c,   c = -(a . a) / (e . a)   by M,
 // which leaves the slow ones where they are: the best that is along a. Of several fast ones a part of all is left, too.
 // These are differences, not derivatives: friction that is saturated takes back no more than it can. It has the same

@@ -15,8 +15,7 @@ struct DampedError {
 };
 
 /// Between states a and b at t, as a step of length h left them. None: nothing is taken back so soon. `part`: of each
-/// body, the connected part that it belongs to. Takes eight evaluations where forces
-/// take or give power, else one.
+/// body, the connected part that it belongs to. Takes eight evaluations where forces take or give power, else one.
 std::optional<DampedError> find_damped_error(Dynamics& dynamics, double t, double h, const VectorXd& a,
                                              const VectorXd& b, const std::vector<int>& part);
 

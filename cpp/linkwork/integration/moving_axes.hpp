@@ -8,8 +8,8 @@ namespace linkwork {
 
 /// Axes in uniform translation, which move with each connected part of a mechanism as a whole: with the bodies that
 /// joints and forces connect, the ground connects nothing. Mechanics is the same in them (Galilei), so that errors are
-/// to be weighed by the motion that is seen there: a platform at 7 km/s under a vibration says nothing about it, nor does
-/// what else there is beside it.
+/// to be weighed by the motion that is seen there: a platform at 7 km/s under a vibration says nothing about it, nor
+/// does what else there is beside it.
 struct MovingAxes {
   double t = 0.0;             ///< when they coincide with those of the ground [s]
   std::vector<int> part;      ///< of each body; none: all are seen from the ground
@@ -25,7 +25,8 @@ struct MovingAxes {
   void see(double at, VectorXd& y) const { move(at, -1.0, y); }
   /// And back.
   void carry(double at, VectorXd& y) const { move(at, 1.0, y); }
-  /// Diagonal of the box around the centers of mass of each part at the ends of these steps, as these axes see them [m].
+  /// Diagonal of the box around the centers of mass of each part at the ends of these steps, as these axes see them
+  /// [m].
   VectorXd diagonals(const std::vector<const KeptStep*>& steps) const;
   /// Of the fastest [m/s].
   double fastest() const { return velocity.cols() > 0 ? velocity.colwise().norm().maxCoeff() : 0.0; }

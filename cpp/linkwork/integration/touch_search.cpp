@@ -9,7 +9,8 @@ namespace linkwork {
 namespace {
 
 constexpr double beside = 1e-4;  // of a step, for differences in time
-// Of the second derivatives of a cubic, what those of the motion may be more: in an oscillation up to 4 rad and 2.5 rad.
+// Of the second derivatives of a cubic, what those of the motion may be more: in an oscillation up to 4 rad and 2.5
+// rad.
 constexpr double more_in_step = 1.5, more_inside = 0.5;
 constexpr std::array<double, 3> places = {0.25, 0.5, 0.75};  // of a step, that are looked at anyway
 constexpr double inside = 0.1;                               // of an interval: no nearer to its ends

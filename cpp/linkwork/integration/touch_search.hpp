@@ -10,18 +10,18 @@
 
 namespace linkwork {
 
-/// Finds contacts and stops that come and go within a step, so that the states at its ends, and those of its stages, know
-/// nothing of them: bodies in free flight take long steps.
+/// Finds contacts and stops that come and go within a step, so that the states at its ends, and those of its stages,
+/// know nothing of them: bodies in free flight take long steps.
 ///
 /// Depths d, see Wrenches, are functions of the poses, and so of the time within a step. A step in which bodies cannot
-/// come near enough, see Approach, is free of touches. Of the others an interval is where the value a and the rate a' at
-/// its start say so, with those at its end, b and b', and a bound M of the second derivative: with s from 0 to 1,
+/// come near enough, see Approach, is free of touches. Of the others an interval is where the value a and the rate a'
+/// at its start say so, with those at its end, b and b', and a bound M of the second derivative: with s from 0 to 1,
 ///   d(s) <= a + a' s + M s^2 / 2  and  d(s) <= b - b' (1 - s) + M (1 - s)^2 / 2.
 /// Where both parabolas meet above zero, d is looked at there, which is one end of two shorter intervals then. M is the
 /// larger one of the second derivatives of the cubic with these values and rates at the ends, and a part of their size.
 ///
-/// d of spheres of radii R together passes a peak within the time they need for R, however long the step: what is looked
-/// at is d (2 R - d) = R^2 - |p|^2, p from center to center, which is as smooth as the motion.
+/// d of spheres of radii R together passes a peak within the time they need for R, however long the step: what is
+/// looked at is d (2 R - d) = R^2 - |p|^2, p from center to center, which is as smooth as the motion.
 class TouchSearch {
  public:
   /// Depths up to `least` are as good as zero [m or rad].
@@ -55,7 +55,8 @@ class TouchSearch {
   double rate_at_end(double t, double h, const VectorXd& y, int which) { return rate({t, 1.0, h, y}, which); }
 
  private:
-  /// A state at the place theta of a step of h that it was looked at in, with others beside it on the way of the motion.
+  /// A state at the place theta of a step of h that it was looked at in, with others beside it on the way of the
+  /// motion.
   struct Look {
     double t, theta, h;
     VectorXd y, q_beside = {}, q_beyond = {};
