@@ -125,3 +125,21 @@ def test_bricard_keeps_its_energy_with_every_formulation(formulation: str) -> No
 def test_a_long_row_of_four_bars_keeps_its_energy_through_singular_poses(formulation: str) -> None:
     result = lw.simulate(lw.mechanisms.four_bar(40), 2.0, 1e-3, formulation=formulation, progress=False)
     assert np.abs(result.energy_error).max() <= 1e-6
+
+
+@pytest.mark.parametrize("bars", [300, 1300])
+def test_a_long_loop_of_hinges_repeats_three_equations_however_little_it_bends(bars: int) -> None:
+    """A chain in a vee between two pins: away from its ends and its tip a link falls across its arm alone."""
+    length = 1 / bars
+    along = np.repeat([(0.6, 0, -0.8), (0.6, 0, 0.8)], bars // 2, axis=0)
+    points = np.vstack([np.zeros(3), np.cumsum(along * length, axis=0)])
+    model = lw.Model(gravity=(0, 0, -9.81))
+    inertia = lw.mechanisms.thin_rod(length, length)
+    turned = np.array([lw.rotation.from_axes(x=x, y=(0, 1, 0)) for x in along])
+    middles = (points[1:] + points[:-1]) / 2
+    links = model.bodies("link", mass=length, inertia=inertia, position=middles, orientation=turned)
+    model.joints("revolute", ["ground", *links], [*links, "ground"], at=points, axis=(0, 1, 0), name="pin")
+    result = lw.simulate(model, 2e-4, 1e-4, progress=False, on_inaccurate="pass")
+    assert len(result.redundant_rows) == 3 and not result.unique_reactions.any()
+    across = np.array((0, 0, -9.81)) + 9.81 * along[0, 2] * along[0]
+    assert result.recorded("vdot")[0].reshape(-1, 6)[bars // 4, :3] == pytest.approx(across, abs=1e-6)

@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "linkwork/constraints/conjugate_residuals.hpp"
 #include "linkwork/constraints/length_scale.hpp"
 
 namespace linkwork {
@@ -21,6 +22,8 @@ constexpr int most_steps = 20;
 constexpr double longest_step = 0.5;
 constexpr double immobile = 1e-5;  // part of a random velocity that the constraints allow
 constexpr double steps[] = {0.1, 0.01, 0.001};
+constexpr double unchanged = 1e-10;  // of a velocity, by a step that corrects it
+constexpr int most_corrections = 300;
 constexpr double moved_part = 0.1;  // of a step: less, and the pose fell back to where it was
 
 /// The connected components of the loops and the sizes of their motions. Bodies outside belong to none.
@@ -173,6 +176,22 @@ VectorXd allowed_velocity(MassWeightedLeastSquares& solver, const VectorXd& e, c
   return velocity;
 }
 
+/// The same without what the constraints resist by less than epsilon, such as a long loop out of its plane.
+VectorXd exactly_allowed(MassWeightedLeastSquares& solver, const VectorXd& e, const Evaluation& at, VectorXd velocity) {
+  const System& system = solver.system();
+  const VectorXd none = VectorXd::Zero(system.row_count());
+  VectorXd momentum(system.v_size()), lambda = none;
+  if (!solver.factorize(at, e)) return velocity;
+  system.multiply_mass(at, velocity, momentum);
+  ConjugateResiduals residuals(system);
+  residuals.measure_rows(at);
+  const auto nearby = [&](const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector multipliers) {
+    solver.solve(a, b, x, multipliers);
+  };
+  residuals.solve(at, momentum, none, velocity, lambda, nearby, unchanged, most_corrections);
+  return velocity;
+}
+
 VectorXd random_velocity(const System& system, std::uint64_t seed) {
   std::mt19937_64 engine(seed);
   VectorXd random(system.v_size());
@@ -199,22 +218,16 @@ ConsistentPose project_positions(MassWeightedLeastSquares& solver, const ClosedL
   return project_positions(solver, loops, Components(solver.system(), loops), pose, scratch);
 }
 
-PerturbedPose perturb(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const VectorXd& q,
-                      const std::vector<int>& freedoms, Evaluation& at) {
+namespace {
+
+/// Components that are mobile, and have not got anywhere yet, to a pose near q along a velocity.
+void move_along(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const Components& components,
+                const VectorXd& q, VectorXd velocity, const RowScales& scales, Evaluation& at, PerturbedPose& out) {
   const System& system = solver.system();
-  const Components components(system, loops);
-  system.evaluate_constraints(0.0, q, VectorXd::Zero(system.v_size()), system.initial_history(), at);
-  const RowScales scales = {compliance(system, loops, at), row_lengths(system, at)};
-  const VectorXd random = random_velocity(system, 1);
-  VectorXd velocity = allowed_velocity(solver, scales.compliance, at, random);
-
-  PerturbedPose out{{q, std::vector<char>(components.count(), 0)}, std::vector<char>(components.count(), 0)};
   std::vector<double> unit = components.sizes(velocity);
-  const std::vector<double> all = components.sizes(random);
-  for (std::size_t c = 0; c < components.count(); ++c) out.mobile[c] = freedoms[c] > 0 && unit[c] > immobile * all[c];
-  for (std::size_t c = 0; c < unit.size(); ++c) unit[c] = out.mobile[c] && unit[c] > 0.0 ? 1.0 / unit[c] : 0.0;
+  for (std::size_t c = 0; c < unit.size(); ++c)
+    unit[c] = out.mobile[c] && !out.reached[c] && unit[c] > 0.0 ? 1.0 / unit[c] : 0.0;
   components.multiply(unit, velocity);
-
   for (const double step : steps) {
     VectorXd moved = q;
     move(system, step * velocity, moved);
@@ -228,6 +241,27 @@ PerturbedPose perturb(MassWeightedLeastSquares& solver, const ClosedLoops& loops
     for (std::size_t c = 0; c < news.size(); ++c) out.reached[c] |= news[c];
     if (out.reached == out.mobile) break;
   }
+}
+
+}  // namespace
+
+PerturbedPose perturb(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const VectorXd& q,
+                      const std::vector<int>& freedoms, Evaluation& at) {
+  const System& system = solver.system();
+  const Components components(system, loops);
+  system.evaluate_constraints(0.0, q, VectorXd::Zero(system.v_size()), system.initial_history(), at);
+  const RowScales scales = {compliance(system, loops, at), row_lengths(system, at)};
+  const VectorXd random = random_velocity(system, 1);
+  VectorXd velocity = allowed_velocity(solver, scales.compliance, at, random);
+
+  PerturbedPose out{{q, std::vector<char>(components.count(), 0)}, std::vector<char>(components.count(), 0)};
+  const std::vector<double> unit = components.sizes(velocity), all = components.sizes(random);
+  for (std::size_t c = 0; c < components.count(); ++c) out.mobile[c] = freedoms[c] > 0 && unit[c] > immobile * all[c];
+  move_along(solver, loops, components, q, velocity, scales, at, out);
+  if (out.reached == out.mobile) return out;
+  system.evaluate_constraints(0.0, q, VectorXd::Zero(system.v_size()), system.initial_history(), at);
+  velocity = exactly_allowed(solver, scales.compliance, at, velocity);
+  move_along(solver, loops, components, q, velocity, scales, at, out);
   return out;
 }
 
