@@ -246,18 +246,19 @@ def test_poses_of_independent_loops_are_all_listed(apart: float, options: dict[s
     assert [it.t for it in result.singular_poses] == pytest.approx([1.0, 1.0 + apart], abs=1e-4)
 
 
-def steady_parallelogram(ahead: float = 0.0, driven: bool = False) -> lw.Model:
-    """Bars of 1 m and 1 kg turn once a second, at the start upright and `ahead` [rad] of it, without weight:
-    each pin of the rod carries half of what its path on a circle takes."""
+def steady_parallelogram(ahead: float = 0.0, driven: bool = False, size: float = 1.0) -> lw.Model:
+    """Bars of 1 kg and this size [m] turn once a second, at the start upright and `ahead` [rad] of it, without
+    weight: each pin of the rod carries half of what its path on a circle takes."""
     model = lw.Model(gravity=(0, 0, 0))
-    along, inertia = np.array((-np.sin(ahead), 0, np.cos(ahead))), mechanisms.thin_rod(1.0, 1.0)
-    across, turned = np.cross((0, -TURNS, 0), along), lw.rotation.from_axes(x=along, y=(0, 1, 0))
-    for name, x in (("a", 0.0), ("b", 1.0)):
+    upright, inertia = np.array((-np.sin(ahead), 0, np.cos(ahead))), mechanisms.thin_rod(1.0, size)
+    turned, along = lw.rotation.from_axes(x=upright, y=(0, 1, 0)), size * upright
+    across = np.cross((0, -TURNS, 0), along)
+    for name, x in (("a", 0.0), ("b", size)):
         foot = np.array((x, 0, 0))
         model.body(name, mass=1.0, inertia=inertia, position=foot + along / 2, velocity=across / 2,
                    orientation=turned, omega=(0, -TURNS, 0))  # fmt: skip
-    model.body("rod", mass=1.0, inertia=inertia, position=along + np.array((0.5, 0, 0)), velocity=across)
-    for name, x in (("a", 0.0), ("b", 1.0)):
+    model.body("rod", mass=1.0, inertia=inertia, position=along + np.array((size / 2, 0, 0)), velocity=across)
+    for name, x in (("a", 0.0), ("b", size)):
         model.revolute("ground", name, at=(x, 0, 0), axis=(0, 1, 0), name=f"foot {name}")
         model.revolute(name, "rod", at=along + np.array((x, 0, 0)), axis=(0, 1, 0), name=f"top {name}")
     if driven:
@@ -297,6 +298,16 @@ def test_frames_between_long_steps_do_in_singular_poses(
     options = {"integrator": integrator, "rtol": rtol, "times": np.linspace(0, 1, 101), "progress": False}
     result = lw.simulate(steady_parallelogram(ahead, driven), 1.0, **options, on_inaccurate="pass")
     assert error_of_pins(result, ahead) <= max(2e-3, 3 * result.verdict.error)
+
+
+@pytest.mark.parametrize("driven", [False, True], ids=["free", "driven"])
+@pytest.mark.parametrize("size", [1e-6, 1e6])
+def test_leaps_are_the_same_whatever_the_unit_of_length(size: float, driven: bool) -> None:
+    runs = [
+        lw.simulate(steady_parallelogram(1e-3, driven, it), 1.0, 1e-3, progress=False) for it in (1.0, size)
+    ]
+    one, other = (run.statistics["evaluations"] for run in runs)
+    assert other == pytest.approx(one, rel=0.02)
 
 
 def test_members_of_ensembles_too() -> None:

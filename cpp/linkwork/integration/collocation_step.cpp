@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linkwork/constraints/length_scale.hpp"
 #include "linkwork/math/elementary.hpp"
 #include "linkwork/math/error.hpp"
 
@@ -216,6 +217,9 @@ void CollocationStep::finish(Quality& quality) {
 double CollocationStep::unseen(double interval) {
   const System& system = dynamics_.system();
   const int nq = system.q_size(), nv = system.v_size();
+  Evaluation start = system.make_evaluation();  // with the rows that repeat others
+  system.evaluate_constraints(step_.t, step_.y.head(nq), step_.y.segment(nq, nv), dynamics_.history(), start);
+  const VectorXd lengths = row_lengths(system, start);
   VectorXd rest(nv);
   double sum = 0.0, violation = 0.0;
   const int count = static_cast<int>(step_.h / interval);
@@ -226,10 +230,10 @@ double CollocationStep::unseen(double interval) {
     rest = dynamics_.evaluation().g.head(nv) - g_ * gauss_.values(time / step_.h);
     system.multiply_inverse_mass(rest, v_dot_);
     sum += size(v_dot_);
-    violation = std::max(violation, dynamics_.evaluation().Phi_dot.cwiseAbs().maxCoeff());
+    violation = std::max(violation, dynamics_.evaluation().Phi_dot.cwiseQuotient(lengths).cwiseAbs().maxCoeff());
   }
   const double speed = std::max(size(step_.y.segment(nq, nv)), size(step_.y_new.segment(nq, nv)));
-  return std::max(interval * sum, violation / std::min(1.0, length_)) / speed;
+  return std::max(interval * sum, violation) / speed;
 }
 
 void CollocationStep::end_as_it_is(Quality& quality) {

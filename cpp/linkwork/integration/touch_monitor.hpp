@@ -9,12 +9,11 @@ namespace linkwork {
 
 /// A contact or a stop whose bodies pass through each other, as steps are too long for their speed.
 struct PassedTouch {
-  int which;     ///< switch
-  double t;      ///< begin of the first such step [s]
-  double until;  ///< end of the last
-  double speed;  ///< largest at which they came nearer [m/s or rad/s]
-  double
-      change;  ///< of their velocities, that its force would make on the way through, relative to them, over all steps
+  int which;      ///< switch
+  double t;       ///< begin of the first such step [s]
+  double until;   ///< end of the last
+  double speed;   ///< largest at which they came nearer [m/s or rad/s]
+  double change;  ///< of velocities, relative to them, that its force would make on the way through, in all steps
   std::int64_t steps;
 };
 
