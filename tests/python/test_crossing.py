@@ -247,7 +247,7 @@ def test_poses_of_independent_loops_are_all_listed(apart: float, options: dict[s
 
 
 def steady_parallelogram(ahead: float = 0.0, driven: bool = False, size: float = 1.0) -> lw.Model:
-    """Bars of 1 kg and this size [m] turn once a second, at the start upright and `ahead` [rad] of it, without
+    """Bars of 1 kg and this size [m] turn once a second, upright but for `ahead` [rad] at the start, without
     weight: each pin of the rod carries half of what its path on a circle takes."""
     model = lw.Model(gravity=(0, 0, 0))
     upright, inertia = np.array((-np.sin(ahead), 0, np.cos(ahead))), mechanisms.thin_rod(1.0, size)

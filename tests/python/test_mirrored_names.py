@@ -28,6 +28,7 @@ PARTS = {
     "model/coordinate_rows": "inerters",
     "integration/adaptive_switches": "adaptive_simulation",
     "integration/crossing_frames": "crossing",
+    "integration/crossing_leaps": "crossing",
     "linear/kkt": "saddle_solver",
     "linear/normal": "saddle_solver",
     "linear/schur": "saddle_solver",

@@ -6,24 +6,19 @@
 
 #include "linkwork/constraints/closed_loops.hpp"
 #include "linkwork/constraints/displacement.hpp"
-#include "linkwork/math/elementary.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
 namespace {
 
-constexpr double reach = 0.14;      // of a leap [rad]: what the fastest body of the loops turns
-constexpr double fastest = 0.8;     // the same for any body
-constexpr double least_part = 0.1;  // of that, for leaps over a motion that varies more
-constexpr double near = 0.3;  // of the usual least singular value, or root of the smallest pivot: else none is due
+constexpr double fastest = 0.8;  // of a leap [rad]: what any body turns
+constexpr double near = 0.3;     // of the usual least singular value, or root of the smallest pivot: else none is due
 constexpr double near_at_start = 0.1;                         // that root, before there is a usual one
 constexpr double roundoff = 1e-7;                             // that root, where nothing is left of a pivot
 constexpr double way_at_start = 0.03, change_at_start = 0.1;  // [rad], and of the root there, relative, toward a pose
 constexpr double passed_at_start = 2.0;                       // the same, where that way leads over the pose
 constexpr double left_behind = 0.05;                          // [rad] so far behind the start a pose does not matter
 constexpr double least_usual = 0.15;  // the usual value of both, for runs that begin near a pose
-constexpr double solvable = 1e-2;     // of the usual root: nearer to a pose, accelerations are of few digits
-constexpr double drifted = 1e-3;      // farthest that a run that steps into a pose is off the constraints [rad]
 constexpr double in_pose = 1e-5;      // at the start: rows that near each other, and only a leap leads out of it
 constexpr double looked_at = 0.2;     // of the usual root: nearer, pivots do not tell when a pose is passed
 constexpr double look_part = 0.1;     // rad to the next look, where the least singular value is the usual one
@@ -33,28 +28,12 @@ constexpr double resolved = 1e-15;        // of the square of the least singular
 constexpr double fallen = 0.4;            // part of either, for another look at redundant rows
 constexpr double steps_before = 15.0;     // so many fixed steps before the pose a usual one is no longer taken
 constexpr double farthest = 2.0;          // usual leaps: no pose is foreseen beyond
-constexpr double before_pose = 0.3;       // of a leap: where adaptive steps end before the pose
 constexpr double part_of_foreseen = 0.5;  // way to a pose that usual steps go, as it may be nearer
 constexpr double most_of_way = 0.75;      // that they may have gone where it was not foreseen
 constexpr double short_steps = 4.0;       // of which a leap beside the pose is worth so many
-constexpr double least_beside = 0.4;      // of a usual leap
-constexpr double least_margin = 0.006;    // the same, where nothing better is found
-constexpr double in_pose_from = 0.03;     // the same: where such a node is left out if it must be there
 constexpr double same_time = 1e-9;        // relative to the step
-constexpr double same_pose = 1e-2;        // relative to a leap
-constexpr double farther = 1e-3;          // the same, of nodes from poses: what makes a length the better one
-constexpr int most_attempts = 12;
-// Of the length, where a leap does not converge: a node may be in the pose, or the leap too long.
-constexpr double other_lengths[most_attempts] = {0.85, 1.15, 0.7, 0.6, 0.5, 1.3, 0.4, 0.35, 0.3, 0.25, 0.2, 0.15};
-constexpr double precision = 1e-16;         // of solutions, relative to the square of the angle to the pose
-constexpr double no_branch = 1e-2;          // correction of velocities by the constraints: they do not go on that way
-constexpr double looked_at_between = 36.0;  // times, where steps are adaptive: the eight nodes are not all that counts
-constexpr double beside_pose = 0.05;        // of a leap: so near nothing is projected
-constexpr double too_far = 1.5;             // of the usual distance to the pose: steps go on before the leap
-constexpr double other_pace = 0.2;          // change of the rate with which a pose that was found is not relied on
-constexpr double part_of_way = 0.8;         // to a foreseen pose
-constexpr double before_switch = 0.9;       // of the way to where a contact or a stop begins or ends
-constexpr double touching = 1e-12;          // depths, relative to the length
+constexpr double other_pace = 0.2;        // change of the rate with which a pose that was found is not relied on
+constexpr double touching = 1e-12;        // depths, relative to the length
 
 /// From a center of mass to a joint [m]; 1 where they coincide.
 double longest_arm(const Model& model) {
@@ -320,106 +299,6 @@ bool Crossing::weaker_than_usual() const {
          least_.value < near * dynamics_.formulation().usual_least_singular_value();
 }
 
-/// Of the nodes from the poses, relative to the length.
-double Crossing::nearest_node(const std::vector<double>& poses, double h, int left_out) const {
-  double nearest = INFINITY;
-  for (int i = 0; i < CollocationStep::stages; ++i)
-    if (i != left_out)
-      for (const double pose : poses) nearest = std::min(nearest, std::abs(step_.nodes()[i] - pose / h));
-  return nearest;
-}
-
-/// The one that is left out, where the length cannot be chosen: the run ends beside a pose.
-int Crossing::node_in_pose(const Search& search, double h) const {
-  if (h < std::min(search.most, search.smooth)) return CollocationStep::none;
-  for (int i = 0; i < CollocationStep::stages; ++i)
-    for (const double pose : search.poses)
-      if (std::abs(step_.nodes()[i] - pose / h) < in_pose_from) return i;
-  return CollocationStep::none;
-}
-
-/// The length among the allowed ones with which the nodes stay farthest from the poses, in time where it is shorter
-/// than wanted, but leads over them; of equals the shortest.
-double Crossing::best_length(const Search& search) {
-  const double least = limit(search, search.least), grid = search.grid;
-  double best = least, distance = -1.0;
-  const auto consider = [&](double h) {
-    const double nearest = nearest_node(search.poses, h) * std::min(h / least, 1.0);
-    if (nearest <= distance + farther) return;
-    best = h;
-    distance = nearest;
-  };
-  if (grid > 0.0) {
-    const double first = std::max(1.0, std::ceil(least / grid)), last = std::ceil(2.0 * first);
-    const double by = std::max(1.0, std::floor((last - first) / 40.0));
-    for (double k = first; k <= last; k += by) consider(limit(search, k * grid));
-  } else {
-    for (double factor = 1.0; factor <= 2.0; factor += 0.025) consider(limit(search, factor * least));
-  }
-  for (double factor = 0.95; factor > 0.3 && distance < margin; factor -= 0.025)
-    if (const double h = allowed_length(search, factor * least); h > search.poses.back()) consider(h);
-  return best;
-}
-
-double Crossing::limit(const Search& search, double h) {
-  h = std::min(h, search.smooth);
-  limited_ = limited_ || h >= search.most;
-  return std::min(h, search.most);
-}
-
-double Crossing::allowed_length(const Search& search, double h) {
-  if (search.grid > 0.0) h = std::max(1.0, std::round(h / search.grid)) * search.grid;
-  return limit(search, h);
-}
-
-bool Crossing::leap(double t, double h, double grid, double most, const VectorXd& y) {
-  limited_ = false;
-  const double foreseen = time_to_pose(t);
-  const SingularWatch::Sample* latest = dynamics_.watch().latest();
-  declined_root_ = latest ? latest->root : 0.0;
-  declined_least_ = least_.value;
-  const auto v = y.segment(dynamics_.system().q_size(), dynamics_.system().v_size());
-  const bool beside = std::abs(foreseen) < beside_pose * usual_length(v);
-  const bool in_it = starting_ || (beside && latest && latest->root < solvable * dynamics_.watch().root_of_level());
-  stepped_in_ = in_it && !starting_;
-  if (in_it) step_.begin_in_pose(t, y, stepped_in_ ? drifted : 0.0);
-  const Unwatched unwatched(dynamics_);
-  if (!in_it && !step_.begin(t, y, !beside)) return false;
-  if (beside_ > 0.0) return leap_beside(most, usual_length(v));
-  const VectorXd& v_dot = step_.start_accelerations();
-  const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot.size()), v_dot);
-  const double pose = starting_ ? 0.0 : foreseen;
-  Search search{t, grid, most, usual, {pose}, std::max({usual, 2.0 * pose, grid > 0.0 ? h : 0.0})};
-  search.base = search.least;
-  search.too_far = too_far * near_enough(usual, h, !(grid > 0.0)) + h;
-  known_ = -INFINITY;
-  if (!try_lengths(search, y)) {
-    if (known_ > t && !(grid > 0.0)) most_step_ = known_ - t - before_pose * usual;
-    return false;
-  }
-  leap_ = std::move(search.best);
-  leap_.followed = leap_.h;
-  dynamics_.formulation().watch().forget_trend();
-  forget_looks();
-  if (!leap_.poses.empty() && leap_.poses.back() > leap_.h) {  // something ends it before
-    known_ = leap_.t + leap_.poses.back();
-    known_rate_ = fastest_;
-  }
-  leaves_ = !(grid > 0.0);
-  return true;
-}
-
-/// Near a pose explicit steps become short, as what their stages violate counts by 1 / sigma: up to where the leap over
-/// it begins well, and away from it, there is one more on each side, in which no pose is.
-bool Crossing::leap_beside(double most, double usual) {
-  while (beside_ > least_beside * usual && beside_ <= most && step_.attempt(beside_).good()) {
-    const std::vector<double> poses = poses_in_leap(1.0);
-    if (poses.empty() || beside_ < poses.front() - 0.5 * before_pose * usual) return switches_in_leap() == INFINITY;
-    beside_ = std::min(0.9 * beside_, poses.front() - before_pose * usual);
-  }
-  return false;
-}
-
 double Crossing::shorter_step(double t, double h) {
   if (!prepared_ || least_.at != t || fastest_ * h <= coarse) return INFINITY;
   ended_ = {t + h, dynamics_.formulation().least_singular_value()};
@@ -442,152 +321,11 @@ void Crossing::keep(Archive& archive, bool leaping) {
   if (leaping) archive(leap_);
 }
 
-void Crossing::cut(double length) {
-  limited_ = true;
-  leap_.followed = length;
-  step_.state_at(length, leap_.y_new);
-}
-
-/// A part of the way to the pose that is foreseen: it tells where the pose is.
-bool Crossing::look_ahead(Search& search) {
-  if (!(search.poses.front() > 0.0)) return false;
-  if (!step_.attempt(limit(search, part_of_way * search.poses.front())).converged) return false;
-  std::vector<double> poses = poses_in_leap(1.0);
-  if (poses.empty()) return false;
-  search.poses = std::move(poses);
-  return true;
-}
-
-/// False where no leap was found.
-bool Crossing::try_lengths(Search& search, const VectorXd& y) {
-  for (int k = 0; k < most_attempts && !search.done && std::isfinite(search.least); ++k) {
-    const double other = other_lengths[std::max(search.failures - 2, 0)] * limit(search, search.base);
-    const double h = search.failures < 2 ? best_length(search) : allowed_length(search, other);
-    const std::pair attempt{h, node_in_pose(search, h)};
-    if (std::find(search.tried.begin(), search.tried.end(), attempt) != search.tried.end()) {
-      search.failures = std::max(search.failures + 1, 2);
-      continue;
-    }
-    search.tried.push_back(attempt);
-    const CollocationStep::Quality quality = step_.attempt(attempt.first, attempt.second);
-    if (quality.converged) {
-      weigh(search, quality);
-      continue;
-    }
-    search.failures += 1;
-    if (search.failures > 1 || search.ahead) continue;
-    search.ahead = look_ahead(search);
-    if (!search.ahead) search.failures = 2;
-  }
-  if (search.error < INFINITY) return true;
-  const bool moves = step_.size(y.segment(dynamics_.system().q_size(), dynamics_.system().v_size())) > 0.0;
-  if (starting_ && !search.any_converged && moves && in_pose_) throw_no_branch(search.t);
-  return false;
-}
-
-/// A leap that converged: the best so far, or what the next one should be.
-void Crossing::weigh(Search& search, CollocationStep::Quality quality) {
-  search.any_converged = search.ahead = true;
-  search.failures = 1;
-  if (starting_ && quality.jump > no_branch && in_pose_) throw_no_branch(search.t);
-  search.poses = leap_.poses = poses_in_leap(0.5);
-  search.done = search.poses.empty();
-  if (!starting_ && !search.done && search.poses.front() > search.too_far) {
-    known_ = search.t + search.poses.front();
-    known_rate_ = fastest_;
-    search.done = true;
-  }
-  if (search.done) return;
-  if (beside_a_pose(leap_.h)) step_.end_as_it_is(quality);
-  const double nearest = nearest_node(search.poses, leap_.h, step_.left_out()), last = search.poses.back();
-  const double end = std::min(search.most, search.smooth);  // something ends it there
-  const bool beyond = last > leap_.h && leap_.h < end, clear = nearest >= margin && !beyond;
-  const bool over = search.poses.front() <= leap_.h || leap_.h >= end;
-  quality.roundoff = precision * elementary::power(search.usual / (reach * nearest * leap_.h), 2.0);
-  if (quality.fair() && !stays_before_switches(search)) return;
-  if (quality.fair()) quality.unseen = step_.unseen(search.grid > 0.0 ? search.grid : leap_.h / looked_at_between);
-  search.done = quality.good() && clear;
-  if (search.done || (over && quality.fair() && nearest >= least_margin && quality.error() < search.error)) {
-    search.best = leap_;
-    search.error = quality.error();
-  }
-  if (beyond) search.least = 2.0 * last;
-  else if (!quality.good())
-    search.least = search.base = std::max(0.6 * std::min(search.base, leap_.h), least_part * search.usual);
-}
-
-/// Else it is to be shorter, or there is none.
-bool Crossing::stays_before_switches(Search& search) {
-  const double until = switches_in_leap();
-  if (!(until < leap_.h)) return true;
-  double most = before_switch * until;
-  if (search.grid > 0.0) most = std::floor(most / search.grid) * search.grid;
-  search.smooth = most;
-  search.least = search.base = most > least_part * search.usual ? most : INFINITY;
-  return false;
-}
-
-/// Where in the leap the first one is, in s from its start; infinite: there is none.
-double Crossing::switches_in_leap() {
-  const double part = touches_.clear_until(*this, {leap_.t, leap_.h, leap_.y, leap_.y_new});
-  return part < 1.0 ? part * leap_.h : INFINITY;
-}
-
 /// A small pivot alone is no sign: that of a long chain, or beside bodies of little mass, is small in every pose.
 bool Crossing::in_singular_pose(double t, const VectorXd& y) const {
   const System& system = dynamics_.system();
   const VectorXd q = y.head(system.q_size());
   return examine_pose(system, {t, q, dynamics_.history()}, dynamics_.dropped().rows(), in_pose).singular;
-}
-
-void Crossing::throw_no_branch(double t) const {
-  ErrorDetails details;
-  details.time = t;
-  throw SingularSystemError("no_branch",
-                            "the mechanism is in a singular pose, where branches of motion meet, with velocities that "
-                            "belong to none of them; give velocities of one branch, or another pose",
-                            details);
-}
-
-/// Times from the start of a leap that converged, ascending; the first may be just before it, the last may be foreseen
-/// by so many lengths beyond its end. Empty: there is none.
-std::vector<double> Crossing::poses_in_leap(double beyond_it) {
-  const auto value = [&](double at) {
-    step_.state_at(at, y_);
-    return poses_.value_at(leap_.t + at, y_);
-  };
-  std::vector<SingularValueAt> samples;
-  const auto sample = [&](double at) { samples.push_back({at, value(at)}); };
-  const auto sample_between = [&](double before, double after) {  // where the lines to zero meet
-    const double left = value(before), right = value(after);
-    samples.push_back({before, left});
-    if (left > 0.0) sample(before + (after - before) * left / (left + right));
-  };
-  sample_between(0.0, step_.nodes()[0] * leap_.h);
-  for (int i = 0; i < CollocationStep::stages; ++i) sample(step_.nodes()[i] * leap_.h);
-  sample_between(step_.nodes()[CollocationStep::stages - 1] * leap_.h, leap_.h);
-  samples.erase(samples.end() - 2);
-  sample(leap_.h);
-  std::vector<double> found;
-  if (in_pose_ && starting_) found.push_back(0.0);
-  const SingularValueAt &start = samples[0], &next = samples[1];
-  const double behind = start.value * (next.at - start.at) / (next.value - start.value);  // one that was just passed
-  if (found.empty() && next.value > start.value && behind < beside_pose * leap_.h) found.push_back(-behind);
-  const double apart = same_pose * leap_.h;
-  for (std::size_t k = 1; k + 1 < samples.size(); ++k) {
-    const SingularValueAt &a = samples[k - 1], &b = samples[k], &c = samples[k + 1];
-    if (!(b.value <= a.value && b.value < c.value)) continue;
-    const SingularValueAt least = least_value(a, b, c, value);
-    if (!vanishes(a, least, c)) continue;
-    const SingularValueAt& first = samples[std::max<std::size_t>(k, 2) - 2];
-    const SingularValueAt& last = samples[std::min(k + 2, samples.size() - 1)];
-    for (const SingularValueAt& zero : zeros_around(least, first, last, value))
-      if (found.empty() || zero.at > found.back() + apart) found.push_back(zero.at);
-  }
-  const SingularValueAt &before = *(samples.end() - 2), &end = samples.back();
-  const double fall = (before.value - end.value) / (end.at - before.at), beyond = end.value / fall;
-  if (fall > 0.0 && beyond < beyond_it * leap_.h) found.push_back(leap_.h + beyond);
-  return found;
 }
 
 bool Crossing::look_back(double t, double h, const VectorXd& y) {
@@ -599,19 +337,6 @@ bool Crossing::look_back(double t, double h, const VectorXd& y) {
   if (!(sample->root < looked_at * dynamics_.watch().root_of_level())) return poses_.pass(t, sample->root, y);
   const double least = looked ? least_.value : poses_.value_at(t, y);
   return poses_.pass(t, least, y) || !looked;
-}
-
-void Crossing::look_into_leap(double until) {
-  if (!starting_) poses_.look_to(leap_.t, leap_.y);
-  for (const double pose : leap_.poses)
-    if ((pose > 0.0 || stepped_in_) && leap_.t + pose < until &&
-        leap_.t + pose > poses_.last_listed() + same_pose * leap_.h) {
-      step_.state_at(pose, y_);
-      poses_.list(leap_.t + pose, y_);
-    }
-  step_.state_at(until - leap_.t, y_);
-  poses_.restart(until > poses_.last_listed() + same_pose * leap_.h);
-  poses_.pass(until, poses_.value_at(until, y_), y_);
 }
 
 bool Crossing::end(double t, const VectorXd& y) {
