@@ -26,6 +26,7 @@ PARTS = {
     "assembly/system_algebra": "system",
     "assembly/system_compilation": "system",
     "model/coordinate_rows": "inerters",
+    "integration/adaptive_events": "adaptive_simulation",
     "integration/adaptive_switches": "adaptive_simulation",
     "integration/crossing_frames": "crossing",
     "integration/crossing_leaps": "crossing",
