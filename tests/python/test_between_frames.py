@@ -116,3 +116,32 @@ def test_frames_too_far_apart_for_an_oscillation_give_no_more_than_they_have(apa
     t = 2 * np.pi * apart * np.arange(60)
     bends = bends_of(t, np.sin(t), np.cos(t), -np.sin(t))
     assert Curve(t, np.sin(t), bends).largest() <= 1.0
+
+
+@pytest.mark.parametrize("every", [1, 100])
+def test_a_ball_is_fastest_just_before_it_bounces(every: int) -> None:
+    back, struck = 0.8, np.sqrt(2 / G)  # dropped from 1 m, in one second
+
+    def strike(t: float, state: lw.State) -> None:
+        state.body("b").velocity = state.body("b").velocity * (1, 1, -back)
+
+    bounce = lw.Event(lambda t, state: state.body("b").position[2], "bounce", direction=-1, change=strike)
+    model = lw.Model(gravity=(0, 0, -G))
+    model.body("b", mass=2.0, inertia=(0.1, 0.2, 0.3), position=(0, 0, 1))
+    after = 1 - struck
+    end = back * G * struck * after - G * after**2 / 2
+    fallen, risen = struck - G * struck**3 / 6, back * G * struck * after**2 / 2 - G * after**3 / 6
+    exact = {
+        "body('b').velocity.z.min": -G * struck,
+        "body('b').velocity.z.max": back * G * struck,
+        "body('b').velocity.max": G * struck,
+        "body('b').velocity.z.mean": end - 1,
+        f"{Z}.min": 0.0,
+        f"{Z}.mean": fallen + risen,
+        "kinetic_energy.max": 2 * G,
+        "potential_energy.range": 2 * G,
+    }
+    run: dict[str, Any] = {"rtol": 1e-9, "events": [bounce], "record_every": every, "progress": False}
+    found = lw.sweep(model, {"b.mass": [2.0]}, list(exact), t_end=1.0, processes=1, **run).outputs
+    for name, value in exact.items():
+        assert found[name][0] == pytest.approx(value, rel=1e-7, abs=1e-7), name

@@ -49,7 +49,10 @@ class Bends(NamedTuple):
 
 
 def bends_of(t: Floats, values: Floats, rates: Floats, second: Floats | None = None) -> Bends:
-    """Of values (k, ...) at times `t` (k,) [s] with their rates, and second ones where there are such."""
+    """Of values (k, ...) at times `t` (k,) [s] with their rates, and second ones where there are such.
+
+    Times that are the same are a jump; rates are NaN where they are not known.
+    """
     h = np.diff(t).reshape(-1, *[1] * (values.ndim - 1))
     rise = np.diff(values, axis=0)
     a, b = h * rates[:-1] - rise, h * rates[1:] - rise
@@ -57,8 +60,9 @@ def bends_of(t: Floats, values: Floats, rates: Floats, second: Floats | None = N
     straight = np.maximum(np.abs(a), np.abs(b)) <= 0.5 * np.abs(rise)
     if second is not None:
         apart = np.abs(h**2 * second[:-1] + 4 * a + 2 * b), np.abs(h**2 * second[1:] - 2 * a - 4 * b)
-        one_way &= np.maximum(*apart) <= np.maximum(np.abs(a), np.abs(b))
-    resolved = (one_way | straight).mean(axis=0) >= RESOLVED
+        one_way &= ~(np.maximum(*apart) > np.maximum(np.abs(a), np.abs(b)))
+    counted = (h > 0.0) & np.isfinite(a) & np.isfinite(b)
+    resolved = ((one_way | straight) & counted).sum(axis=0) >= RESOLVED * counted.sum(axis=0)
     one_way, known = one_way & resolved, (one_way | straight) & resolved
     return Bends(np.where(one_way, a, 0.0), np.where(one_way, b, 0.0), known)
 

@@ -22,6 +22,7 @@ from linkwork.modeling.coordinates import coordinate_of
 from linkwork.results.last_state import LastState
 from linkwork.results.result import Result
 from linkwork.results.tables import COORDINATES
+from linkwork.studies.around_events import ENERGIES, around_events, energy_of_bodies
 from linkwork.studies.between_frames import Bends, Curve, bends_of
 
 __all__ = ["REDUCTIONS", "Output", "checked", "identity", "outputs_of"]
@@ -54,9 +55,6 @@ SAME_TIME = 1e-9
 
 #: Rates of what is recorded with its own.
 RATES = {"position": "velocity", "velocity": "acceleration", "omega": "angular_acceleration", "value": "rate"}
-
-#: Energies whose rates follow from how bodies move, where nothing else has any, and how far sums may differ.
-ENERGIES, SAME_ENERGY = ("kinetic_energy", "potential_energy"), 1e-12
 
 #: What becomes of values over time.
 REDUCTIONS: Mapping[str, tuple[str, Callable[[Curve], Floats]]] = {
@@ -125,9 +123,14 @@ class Output:
             raise OptionError(f"output '{self.label}': is no array over time", code="outputs")
         if not self.reduction:
             return found if times is None else _at_times(self.label, result.t, found, times)
-        bends = None if self.reduction == "final" else _bends(result, self.steps, found)
-        curve = Curve(result.t, np.asarray(found, dtype=float), bends, self._of_sizes(found))
-        return np.asarray(REDUCTIONS[self.reduction][1](curve))
+        return np.asarray(REDUCTIONS[self.reduction][1](self._curve(result, found)))
+
+    def _curve(self, result: Result, values: Floats) -> Curve:
+        bends = None
+        if self.reduction != "final":
+            result, values = _around_events(result, self.steps, values)
+            bends = _bends(result, self.steps, values)
+        return Curve(result.t, np.asarray(values, dtype=float), bends, self._of_sizes(values))
 
     def _of_sizes(self, values: Floats) -> bool:
         named = self.steps[-1][0] == "get" and self.steps[-1][1] in VECTORS
@@ -295,6 +298,15 @@ def _followed(result: Result, steps: Sequence[Step]) -> Any:
     return found
 
 
+def _around_events(result: Result, steps: Sequence[Step], values: Floats) -> tuple[Result, Floats]:
+    """With the states at events, where these tell the values."""
+    if not result.events:
+        return result, values
+    around = around_events(result)
+    found = _followed(around, steps)
+    return (around, found) if np.isfinite(found).all() else (result, values)
+
+
 def _bends(result: Result, steps: Sequence[Step], values: Floats) -> Bends | None:
     """Of the values between the frames; None: their rate is not recorded."""
     names = [step[1] for step in steps if step[0] == "get"]
@@ -313,21 +325,16 @@ def _bends(result: Result, steps: Sequence[Step], values: Floats) -> Bends | Non
 
 def _bends_of_energy(result: Result, name: str) -> Bends | None:
     """T' = v . M v_dot of bodies, V' = -m g . v. None: something else has energy of this kind, too."""
+    if energy_of_bodies(result, name) is None:
+        return None
     mass, v = result.header.mass, result.velocity
     if name == "kinetic_energy":
-        p, L = mass[:, None] * v, np.einsum("nij,knj->kni", result.header.inertia, result.omega)
-        of_bodies = 0.5 * (np.einsum("kni,kni->k", v, p) + np.einsum("kni,kni->k", result.omega, L))
-        rates = np.einsum("kni,kni->k", result.acceleration, p)
+        L = np.einsum("nij,knj->kni", result.header.inertia, result.omega)
+        rates = np.einsum("kni,n,kni->k", result.acceleration, mass, v)
         rates += np.einsum("kni,kni->k", result.angular_acceleration, L)
     else:
-        weight = -np.multiply.outer(mass, result.header.gravity)
-        of_bodies = np.einsum("kni,ni->k", result.position, weight)
-        rates = np.einsum("kni,ni->k", v, weight)
-    values = getattr(result, name)
-    rest = values - of_bodies  # potentials are known but for a constant
-    if np.ptp(rest) > SAME_ENERGY * (np.abs(values).max() + np.abs(of_bodies).max()):
-        return None
-    return bends_of(result.t, values, rates)
+        rates = -np.einsum("kni,n,i->k", v, mass, result.header.gravity)
+    return bends_of(result.t, getattr(result, name), rates)
 
 
 def _indexed(values: NDArray[Any], key: Any) -> NDArray[Any]:

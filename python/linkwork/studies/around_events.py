@@ -1,0 +1,51 @@
+"""The states just before and after events among the frames of a run: an impact jumps between two of them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from linkwork.arrays import Floats
+from linkwork.results.result import Result
+
+__all__ = ["ENERGIES", "around_events", "energy_of_bodies"]
+
+#: Energies that follow from how bodies move where nothing else has any, and how far sums may differ.
+ENERGIES, SAME_ENERGY = ("kinetic_energy", "potential_energy"), 1e-12
+
+
+def energy_of_bodies(result: Result, name: str) -> Floats | None:
+    """Of one of ENERGIES (k,) [J]: T = v . M v / 2, V = -m g . r. None: something else has energy of this
+    kind, too."""
+    header, values = result.header, getattr(result, name)
+    if name == "kinetic_energy":
+        of_bodies = 0.5 * np.einsum("kni,n,kni->k", result.velocity, header.mass, result.velocity)
+        of_bodies += 0.5 * np.einsum("kni,nij,knj->k", result.omega, header.inertia, result.omega)
+    else:
+        of_bodies = -np.einsum("kni,n,i->k", result.position, header.mass, header.gravity)
+    rest = values - of_bodies  # potentials are known but for a constant
+    known = np.isfinite(values)
+    largest = np.abs(values[known]).max() + np.abs(of_bodies[known]).max()
+    if np.ptp(rest[known]) > SAME_ENERGY * largest:
+        return None
+    return np.asarray(of_bodies + rest[known][0])
+
+
+def around_events(result: Result) -> Result:
+    """With two frames at each event, before what it changed and after; NaN where they do not tell a field."""
+    t = np.repeat([it.t for it in result.events], 2)
+    if not len(t):
+        return result
+    places = np.searchsorted(result.t, t)
+    ours = places + np.arange(len(places))
+    frames = {name: np.insert(np.asarray(field[:], dtype=float), places, np.nan, axis=0)
+              for name, field in result._frames.items()}  # fmt: skip
+    frames["t"][ours] = t
+    for name in ("q", "v"):
+        frames[name][ours] = [getattr(it, f"{name}_{side}") for it in result.events
+                              for side in ("before", "after")]  # fmt: skip
+    found = Result(frames, result.header, result.statistics)
+    for name, energy in zip(("kinetic", "potential"), ENERGIES, strict=True):
+        of_bodies = energy_of_bodies(found, energy)
+        if of_bodies is not None:
+            frames[name][ours] = of_bodies[ours]
+    return Result(frames, result.header, result.statistics)
