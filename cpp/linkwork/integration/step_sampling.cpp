@@ -20,6 +20,7 @@ constexpr std::size_t most_outliers = 4;
 constexpr std::size_t most_broken = 16, most_switched = 20;
 constexpr double same_time = 1e-9;  // relative to the step
 constexpr double far_more = 20.0;   // than the mean, for a jump of energy to be out of the ordinary
+constexpr double more = 2.0;        // the same, than the largest of the steps that are taken again anyway
 constexpr double energy_noise = 1e-13;
 constexpr double golden = 0.6180339887498949;  // spreads places evenly and in step with no period of the motion
 
@@ -205,12 +206,14 @@ void StepSampling::balance(const VectorXd& y, double kinetic, double potential) 
 
 void StepSampling::keep_jump(double jump, const VectorXd& y_new) {
   sum_of_jumps_ += jump;
+  for (KeptStep* step : {&parts_.back().any, &parts_.back().steepest})
+    if (step->kept() && step->t == last_.t) step->jump = jump;
   if (jump <= least_jump_) return;
-  const auto smaller = [](const Balanced& a, const Balanced& b) { return a.jump < b.jump; };
+  const auto smaller = [](const KeptStep& a, const KeptStep& b) { return a.jump < b.jump; };
   if (worst_.size() < most_outliers) worst_.emplace_back();
   const auto least = std::min_element(worst_.begin(), worst_.end(), smaller);
+  keep(*least, last_.t, last_.h, last_.change, last_.y, y_new);
   least->jump = jump;
-  keep(least->step, last_.t, last_.h, last_.change, last_.y, y_new);
   if (worst_.size() == most_outliers) least_jump_ = std::min_element(worst_.begin(), worst_.end(), smaller)->jump;
 }
 
@@ -282,6 +285,7 @@ void StepSampling::keep(KeptStep& place, double t, double h, double change, cons
   place.t = t;
   place.h = h;
   place.change = change;
+  place.jump = 0.0;
   place.y = y;
   place.y_new = y_new;
   place.history = history_;
@@ -307,14 +311,20 @@ std::vector<RunPart> StepSampling::parts() const {
 }
 
 std::vector<KeptStep> StepSampling::outliers(const std::vector<RunPart>& parts) const {
+  const double usual = sum_of_jumps_ / static_cast<double>(std::max<std::int64_t>(steps_, 1));
+  double largest = 0.0;
+  std::vector<double> there;
+  for (const RunPart& part : parts)
+    for (const KeptStep* step : {&part.any, &part.steepest}) {
+      if (!step->kept()) continue;
+      largest = std::max(largest, step->jump);
+      there.push_back(step->t);
+    }
   std::vector<KeptStep> out;
-  for (const Balanced& one : worst_) {
-    if (!(one.jump * static_cast<double>(steps_) > far_more * sum_of_jumps_)) continue;
-    const bool there = std::any_of(parts.begin(), parts.end(), [&](const RunPart& part) {
-      return (part.any.kept() && part.any.t == one.step.t) || (part.steepest.kept() && part.steepest.t == one.step.t);
-    });
-    if (!there) out.push_back(one.step);
-  }
+  for (const KeptStep& one : worst_)
+    if (one.jump > std::min(far_more * usual, more * largest) &&
+        std::find(there.begin(), there.end(), one.t) == there.end())
+      out.push_back(one);
   return out;
 }
 

@@ -14,6 +14,7 @@ struct KeptStep {
   double t = 0.0, h = 0.0;
   double correction_length = 0.0;  ///< see Dynamics::correct_over
   double change = -1.0;  ///< how much the accelerations differ from those of the step before; see StepSampling
+  double jump = 0.0;     ///< of the balance of energy, as a speed in the metric of the masses; see StepSampling
   VectorXd y, y_new;
   VectorXd history;           ///< variables of the elements, at t
   VectorXd history_new;       ///< at t + h, of a step in which contacts begin; else empty
@@ -112,7 +113,8 @@ class StepSampling {
   std::int64_t steps() const { return steps_; }  ///< that `after` was told of
   const EnergyRange& energies() const { return energies_; }
   const StateDifference& corrections() const { return corrections_; }  ///< the largest
-  /// The steps in which the balance of energy jumps far more than elsewhere, without those of `parts`.
+  /// The steps in which the balance of energy jumps far more than elsewhere, or more than in any of `parts`, without
+  /// those.
   std::vector<KeptStep> outliers(const std::vector<RunPart>& parts) const;
   /// The steps that contain breaks: a part of the run of its own for each that was kept.
   std::vector<RunPart> broken() const;
@@ -124,12 +126,6 @@ class StepSampling {
   static std::int64_t samples(std::int64_t steps, int bodies);
 
  private:
-  /// A step whose balance is known.
-  struct Balanced {
-    double jump = 0.0;
-    KeptStep step;
-  };
-
   void look_for_switches(const VectorXd& history, const VectorXd& switches, const VectorXd& y);
   bool pass_switches(const VectorXd& switches);
   void keep_switched(const VectorXd& y_new);
@@ -158,7 +154,7 @@ class StepSampling {
   StateDifference corrections_;
   double sum_of_jumps_ = 0.0, least_jump_ = 0.0;
   KeptStep last_;  ///< without y_new, which `before` will see; h = 0: none
-  std::vector<Balanced> worst_;
+  std::vector<KeptStep> worst_;
   std::vector<double> breaks_;
   std::size_t next_break_ = 0;
   std::int64_t steps_with_breaks_ = 0;
