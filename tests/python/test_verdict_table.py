@@ -117,6 +117,25 @@ def test_a_pulse_that_no_step_sees_is_told_with_its_function_and_time(
     assert len(said) == 1 and "force_x does at t = 0.61" in said[0] and "with_breaks" in said[0]
 
 
+@pytest.mark.parametrize("how", [{"step": 5e-3}, {"rtol": 1e-6}])
+def test_a_pulse_is_told_however_slow_its_law_is(how: dict[str, Any]) -> None:
+    def slow(t: float) -> float:
+        for _ in range(8000):
+            pass
+        return 1000.0 * (abs(t - 0.5137) < 4e-4)
+
+    result, said = runs(mass(slow), **how)
+    assert abs(result.velocity[-1, 0, 0] - 0.9) > 0.1
+    assert len(said) == 1 and "force_x does at t = 0.51" in said[0]
+
+
+def test_what_takes_too_long_to_be_looked_at_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("linkwork.running.pulses.PATIENCE", 0.0)
+    result, _ = runs(mass(math.sin), step=5e-3)
+    assert result.verdict is not None and result.verdict.level == "good"
+    assert "but for what" in result.verdict.sentence and "force_x" in result.verdict.sentence
+
+
 def test_functions_that_may_remember_are_not_called_beside_the_run() -> None:
     class Counting:
         calls = 0

@@ -33,8 +33,8 @@ import numpy as np
 from linkwork.arrays import Floats
 
 __all__ = [
-    "LEAST_RTOL", "WRONG", "Energies", "Method", "StepEstimate", "Verdict", "estimate", "leaping",
-    "passing", "say", "without_steps",
+    "LEAST_RTOL", "WRONG", "Energies", "Method", "StepEstimate", "Verdict", "cut_short", "estimate",
+    "leaping", "passing", "say", "without_steps",
 ]  # fmt: skip
 
 #: Errors up to here are good, beyond the second the motion is wrong.
@@ -307,6 +307,15 @@ def leaping(verdict: Verdict, moments: Iterable[tuple[float, str]]) -> Verdict:
             remedy = "give it its breaks (linkwork.functions.with_breaks), or a shorter step"
             return replace(verdict, sentence=f"{leapt}: {remedy}")
     return verdict
+
+
+def cut_short(verdict: Verdict, functions: Sequence[str]) -> Verdict:
+    """Says so where these functions of time take too long to be looked at everywhere between the steps."""
+    if verdict.level != "good" or not functions:
+        return verdict
+    more = f" and {len(functions) - 1} more" if len(functions) > 1 else ""
+    unseen = f"but for what {functions[0]}{more} may do between steps: too slow to be looked at everywhere"
+    return replace(verdict, sentence=f"{verdict.sentence}, {unseen}")
 
 
 def passing(verdict: Verdict, passed: Iterable[Mapping[str, Any]]) -> Verdict:

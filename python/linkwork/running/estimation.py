@@ -17,6 +17,7 @@ from linkwork.accuracy.verdict import (
     Energies,
     Method,
     Verdict,
+    cut_short,
     estimate,
     leaping,
     loose,
@@ -120,8 +121,8 @@ class ErrorEstimator:
         self._others, self._written = [*others, *self._own.values()], written
         t_start = start.t if start is not None else 0.0
         evaluations = plan.evaluations(method, t_start)
-        self._pulses = pulses.pulses(system.model, t_start, plan.t_end, evaluations)
-        run.expect_breaks(sorted({*plan.inside_steps(breaks), *(it.t for it in self._pulses)}))
+        self._looks = pulses.look(system.model, t_start, plan.t_end, evaluations)
+        run.expect_breaks(sorted({*plan.inside_steps(breaks), *(it.t for it in self._looks.pulses)}))
 
     def look(self, frames: Mapping[str, Floats]) -> None:
         """At frames as they come. AccuracyError: the run is inaccurate, and is to stop."""
@@ -265,7 +266,8 @@ class ErrorEstimator:
         except Exception as error:  # also of the user's functions
             return self._by_balance(f"no step could be taken again ({error})", statistics)
         passed = statistics.get("passed_touches", ())
-        return self._explained(passing(leaping(verdict, self._pulses), passed))
+        verdict = passing(leaping(verdict, self._looks.pulses), passed)
+        return self._explained(cut_short(verdict, self._looks.cut_short))
 
     def _explained(self, verdict: Verdict) -> Verdict:
         inexact = self._inexact and verdict.level != "good"
@@ -280,7 +282,7 @@ class ErrorEstimator:
         report: Callable[[float], None] | None,
     ) -> Verdict:
         if isinstance(self._run, _core.LaneRun):
-            listed = steps or bool(self._pulses)
+            listed = steps or bool(self._looks.pulses)
             found = self._run.judge(system.compiled(), *self._compiled(), steps=listed)
         else:
             found = self._run.judge(system.compiled(), *self._compiled(), progress=report)

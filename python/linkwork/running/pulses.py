@@ -21,11 +21,14 @@ from linkwork.functions import Broken, Callback, Expression, Sum, TimeFunction
 from linkwork.modeling.model import Model
 from linkwork.running import callbacks
 
-__all__ = ["Pulse", "pulses"]
+__all__ = ["Looks", "Pulse", "look"]
 
-#: Times at which a function is looked at: a share of the evaluations of the run, within bounds; and for how
-#: long at most [s].
-SHARE, FEWEST, MOST, PATIENCE = 0.02, 2000, 20000, 0.05
+#: Times at which a function is looked at: a share of the evaluations of the run, within bounds.
+SHARE, FEWEST, MOST = 0.02, 2000, 20000
+
+#: For how long at most [s]; whoever takes longer is told. What a verdict says is else no matter of the
+#: processor's pace.
+PATIENCE = 2.0
 
 #: At most so many, the farthest, of a function.
 LISTED = 8
@@ -44,16 +47,29 @@ class Pulse(NamedTuple):
     what: str  #: the function
 
 
-def pulses(model: Model, t_start: float, t_end: float, evaluations: float) -> list[Pulse]:
-    """Of all functions of time that are the user's own, in a run of about so many evaluations; by time."""
+class Looks(NamedTuple):
+    """What was found, by time, and what takes so long that it was not looked at everywhere."""
+
+    pulses: list[Pulse]
+    cut_short: list[str]
+
+
+def look(model: Model, t_start: float, t_end: float, evaluations: float) -> Looks:
+    """At all functions of time that are the user's own, in a run of about so many evaluations."""
     looked_at = [(what, it) for what, it in model.signals if _own(it)]
+    found = Looks([], [])
     if not looked_at or not t_end > t_start:
-        return []
+        return found
     count = int(min(max(SHARE * evaluations, FEWEST), MOST))
     places = np.sort((GOLDEN * np.arange(1, count + 1)) % 1.0)
     times = t_start + (t_end - t_start) * places
-    found = [Pulse(t, what) for what, it in looked_at for t in _far(it, times)]
-    return sorted(found)
+    for what, it in looked_at:
+        far, whole = _far(it, times)
+        found.pulses.extend(Pulse(t, what) for t in far)
+        if not whole:
+            found.cut_short.append(what)
+    found.pulses.sort()
+    return found
 
 
 def _own(function: TimeFunction) -> bool:
@@ -73,8 +89,9 @@ def _harmless(function: TimeFunction) -> bool:
     return not isinstance(function, Callback) or callbacks.is_stateless(function.value)
 
 
-def _far(function: TimeFunction, times: Floats) -> list[float]:
-    """Where it is far from the straight line between its neighbors, those first where it is farthest."""
+def _far(function: TimeFunction, times: Floats) -> tuple[list[float], bool]:
+    """Where it is far from the straight line between its neighbors, those first where it is farthest; and
+    whether it was looked at everywhere."""
     value: Callable[[float], float] = lambda t: function.evaluate(t)[0]  # noqa: E731
     if isinstance(function, Callback):
         value = function.value
@@ -86,10 +103,10 @@ def _far(function: TimeFunction, times: Floats) -> list[float]:
             if len(values) % 16 == 0 and time.thread_time() > ends:
                 break
     except Exception:  # the run will say so
-        return []
+        return [], True
     seen = np.sort(order[: len(values)])
     by_place = np.array(values)[np.argsort(order[: len(values)])]
-    return _outliers(times[seen], by_place)
+    return _outliers(times[seen], by_place), len(values) == len(times)
 
 
 def _outliers(t: Floats, f: Floats) -> list[float]:
