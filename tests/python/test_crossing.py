@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
+from typing import Any
 
 import linkwork as lw
 import numpy as np
@@ -244,6 +245,25 @@ def test_poses_of_independent_loops_are_all_listed(apart: float, options: dict[s
         parallelogram(model, place, 1.5 * passes, -1.5)
     result = lw.simulate(model, 2.0, progress=False, **options)
     assert [it.t for it in result.singular_poses] == pytest.approx([1.0, 1.0 + apart], abs=1e-4)
+
+
+@pytest.mark.parametrize(
+    "options",
+    [{"step": 1e-2}, {"step": 2e-3}, {"rtol": 1e-4}, {"rtol": 1e-6}, {"rtol": 1e-6, "integrator": "dop853"}],
+    ids=str,
+)
+@pytest.mark.parametrize("theta", [0.8, 1.5])
+def test_a_linkage_that_is_always_near_a_pose_hides_none_of_another(
+    theta: float, options: dict[str, Any]
+) -> None:
+    alone, beside = lw.Model(gravity=(0, -9.81, 0)), lw.mechanisms.strandbeest_leg()
+    found = []
+    for model in (alone, beside):
+        parallelogram(model, 5.0, theta, -1.5)
+        result = lw.simulate(model, 3.0, progress=False, on_inaccurate="pass", **options)
+        found.append([it.t for it in result.singular_poses])
+    assert len(found[0]) > 3
+    assert found[1] == pytest.approx(found[0], abs=2e-3)
 
 
 def steady_parallelogram(ahead: float = 0.0, driven: bool = False, size: float = 1.0) -> lw.Model:

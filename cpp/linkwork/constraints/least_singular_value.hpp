@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "linkwork/constraints/dropped_rows.hpp"
 #include "linkwork/linear/saddle_solver.hpp"
@@ -10,7 +11,8 @@ namespace linkwork {
 
 /// The least singular value of the constraint matrix, in the metric of the masses and relative to its rows (of unit
 /// length at the start): it goes linearly to zero toward a singular pose, whatever the order of elimination. By inverse
-/// iteration, which goes on from the vector of the last pose.
+/// iteration, which goes on from the vector of the last pose. One of each part that has equations of its own, see
+/// ConnectedComponents: the least of all would hide what others come to.
 class LeastSingularValue {
  public:
   LeastSingularValue() = default;
@@ -20,21 +22,26 @@ class LeastSingularValue {
   /// M x - D^T lambda = 0, D x = b by some factorization.
   using Solve = std::function<void(const ConstVector& b, MutableVector x, MutableVector lambda)>;
 
-  /// 0 where nothing finite comes of it. `at`: for the mass matrix; see System::multiply_mass.
-  double of(const Solve& solve, const Evaluation& at);
+  /// Of the parts; 0 where nothing finite comes of it. `at`: for the mass matrix; see System::multiply_mass.
+  const VectorXd& of(const Solve& solve, const Evaluation& at);
   /// With the last factorization of `saddle`.
-  double of(SaddleSolver& saddle, const Evaluation& at);
+  const VectorXd& of(SaddleSolver& saddle, const Evaluation& at);
 
   void keep(Archive& archive) { archive(u_); }
 
  private:
   void begin();
-  double iterate(const Solve& solve, const Evaluation& at);
+  void iterate(const Solve& solve, const Evaluation& at);
+  bool falls(const VectorXd& last) const;
+  void add_up(const VectorXd& a, const VectorXd& b, const std::vector<int>& part, Eigen::Index each,
+              VectorXd& sums) const;
 
   const System* system_ = nullptr;
-  VectorXd scale_;  ///< roots of the Delassus diagonal in kept rows, 0 of dropped ones
-  VectorXd u_;      ///< the last left singular vector; empty: none yet
-  VectorXd some_;   ///< a vector with a part in all directions
+  VectorXd scale_;                               ///< roots of the Delassus diagonal in kept rows, 0 of dropped ones
+  VectorXd u_;                                   ///< the last left singular vector; empty: none yet
+  VectorXd some_;                                ///< a vector with a part in all directions
+  std::vector<int> part_of_row_, part_of_body_;  ///< -1: of none
+  VectorXd quotients_, lengths_, values_;        ///< of the parts
   VectorXd none_, b_, x_, lambda_, momentum_;
 };
 

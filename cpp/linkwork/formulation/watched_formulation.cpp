@@ -152,9 +152,18 @@ double WatchedFormulation::least_singular_value() {
   } catch (const SingularSystemError&) {
     return 0.0;
   }
-  const double least = least_singular_value_.of(saddle(), at_);
-  usual_least_ = std::max(usual_least_, least);
-  return least;
+  return beside_usual(least_singular_value_.of(saddle(), at_));
+}
+
+double WatchedFormulation::least_singular_value_of_all() {
+  try {
+    factorize(at_);
+  } catch (const SingularSystemError&) {
+    return 0.0;
+  }
+  const VectorXd& least = least_singular_value_.of(saddle(), at_);
+  beside_usual(least);
+  return least.minCoeff();
 }
 
 std::optional<double> WatchedFormulation::least_singular_value(double t, double pivot,
@@ -162,9 +171,24 @@ std::optional<double> WatchedFormulation::least_singular_value(double t, double 
   if (!watched_ || !watching_ || looking_ || !(pivot > 0.0) || watch_.suspicious(pivot)) return {};
   watch_.note(t, pivot);
   watch_.usual(pivot);
-  const double least = least_singular_value_.of(solve, at_);
-  usual_least_ = std::max(usual_least_, least);
-  return least;
+  return beside_usual(least_singular_value_.of(solve, at_));
+}
+
+double WatchedFormulation::beside_usual(const VectorXd& least) {
+  usual_of_all_ = std::max(usual_of_all_, least.minCoeff());
+  if (least.size() == 1) {
+    usual_least_ = usual_of_all_;
+    return least[0];
+  }
+  if (usual_of_parts_.size() == 0) usual_of_parts_.setZero(least.size());
+  double fallen = 1.0;
+  for (Eigen::Index part = 0; part < least.size(); ++part) {
+    double& usual = usual_of_parts_[part];
+    if (least[part] < INFINITY) usual = std::max(usual, least[part]);
+    if (usual > 0.0) fallen = std::min(fallen, least[part] / usual);
+  }
+  usual_least_ = usual_of_parts_.maxCoeff();
+  return fallen * usual_least_;
 }
 
 void WatchedFormulation::leave_out(std::vector<int> rows) {
@@ -197,7 +221,7 @@ bool WatchedFormulation::choose_rows(std::vector<int> rows, std::vector<int> joi
   const auto least_with = [this](std::vector<int> choice) {
     try {
       leave_out(std::move(choice));
-      return least_singular_value_.of(saddle(), at_);
+      return least_singular_value_.of(saddle(), at_).minCoeff();
     } catch (const SingularSystemError&) {
       return -1.0;  // either may be singular, in a singular pose
     }
@@ -218,7 +242,7 @@ bool WatchedFormulation::improve_rows() {
     if (!std::binary_search(rows.begin(), rows.end(), row))
       if (const int joint = system_.model().joint_of_row(row); joints.empty() || joints.back() != joint)
         joints.push_back(joint);
-  if (!choose_rows(std::move(rows), std::move(joints), better * least_singular_value())) return false;
+  if (!choose_rows(std::move(rows), std::move(joints), better * least_singular_value_of_all())) return false;
   watch_.forget_trend();
   return true;
 }
@@ -227,7 +251,7 @@ bool WatchedFormulation::cross(const VectorXd& q, double pivot) {
   PoseExamination found =
       examine_pose(system_, {now_.t, q, now_.history}, dropped_.rows(), watch_.near(std::max(pivot, crossed_pivot)));
   if (found.rows.empty()) return false;
-  if (choose_rows(std::move(found.better_choice), found.joints, well_chosen * usual_least_)) return false;
+  if (choose_rows(std::move(found.better_choice), found.joints, well_chosen * usual_of_all_)) return false;
   if (!found.singular) return false;
   watch_.cross(now_.t, pivot, std::move(found.joints));
   return true;

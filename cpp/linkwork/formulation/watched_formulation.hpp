@@ -80,12 +80,19 @@ class WatchedFormulation final : public Formulation {
   DroppedRows& dropped() { return dropped_; }
   /// Multipliers of redundant constraints as those of MinimumNorm.
   void distribute(MutableVector lambda);
-  /// Of the constraint matrix here, see LeastSingularValue; 0 where it has no factorization.
+  /// Of the constraint matrix here, see LeastSingularValue; 0 where it has no factorization. Of several parts the one
+  /// that is least beside its usual value counts, in units in which that is the largest usual one of all.
   double least_singular_value();
   /// The same at t by the factorization of somebody else, who has this smallest pivot there; the watch hears of it as of
   /// one's own. None, and nothing heard, where that is not enough: one's own has to be looked at.
   std::optional<double> least_singular_value(double t, double pivot, const LeastSingularValue::Solve& solve);
   double usual_least_singular_value() const { return usual_least_; }  ///< the largest of all looks
+  /// The least of all parts, whatever is usual.
+  double least_singular_value_of_all();
+  /// The largest root of smallest pivots, or where parts have roots of their own the usual least singular value.
+  double usual_root() const { return in_parts() ? usual_least_ : watch_.root_of_level(); }
+  /// Whether there are several, each with a pivot of its own, of which only the smallest is known.
+  bool in_parts() const { return usual_of_parts_.size() > 1; }
   /// At a pose that was stepped over, at positions q: whether it is singular. It is listed then; and where it only
   /// seemed to be because the wrong redundant rows are left out, others are from here on.
   bool cross(const VectorXd& q, double pivot);
@@ -101,7 +108,7 @@ class WatchedFormulation final : public Formulation {
   /// The present state is that where these rows were left out.
   void repeat_choice(const std::vector<int>& rows);
   void keep(Archive& archive) {
-    archive(watch_, least_singular_value_, usual_least_, pivot_);
+    archive(watch_, least_singular_value_, usual_least_, usual_of_all_, usual_of_parts_, pivot_);
     saddle().keep(archive);
   }
 
@@ -117,6 +124,7 @@ class WatchedFormulation final : public Formulation {
   void leave_out(std::vector<int> rows);
   ConstVector kept(const ConstVector& b);  ///< zero in dropped rows; of the last call
   bool choose_rows(std::vector<int> rows, std::vector<int> joints, double least);
+  double beside_usual(const VectorXd& least);
   Formulation& active() { return fallback_ ? *tolerant_ : *formulation_; }
 
   const System& system_;
@@ -131,7 +139,8 @@ class WatchedFormulation final : public Formulation {
   SingularWatch watch_;
   RowChoice choice_;
   VectorXd kept_b_;
-  double pivot_ = 1.0, smallest_pivot_ = 1.0, usual_least_ = 0.0;
+  double pivot_ = 1.0, smallest_pivot_ = 1.0, usual_least_ = 0.0, usual_of_all_ = 0.0;
+  VectorXd usual_of_parts_;
   std::int64_t factorizations_ = 0;
   bool rank_needed_ = false, watched_ = false, watching_ = true, looking_ = false;
   bool factorized_ = false, fallback_ = false;

@@ -334,7 +334,9 @@ bool Crossing::look_back(double t, double h, const VectorXd& y) {
   if (looked && fastest_ * h > coarse) return poses_.pass(t, least_.value, y, parts_to(t));
   const auto sample = dynamics_.watch().sample(t, same_time * h);
   if (!sample) return false;
-  if (!(sample->root < looked_at * dynamics_.watch().root_of_level())) return poses_.pass(t, sample->root, y);
+  if (!(sample->root < looked_at * dynamics_.watch().root_of_level()) &&
+      !(looked && dynamics_.formulation().in_parts()))
+    return poses_.pass(t, sample->root, y);
   const double least = looked ? least_.value : poses_.value_at(t, y);
   return poses_.pass(t, least, y) || !looked;
 }

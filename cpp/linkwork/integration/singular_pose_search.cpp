@@ -102,7 +102,7 @@ void SingularPoseSearch::restart(bool away) {
 }
 
 bool SingularPoseSearch::worth_a_search(double value) const {
-  const double level = dynamics_.watch().root_of_level();
+  const double level = dynamics_.formulation().usual_root();
   return value < passed * level && (highest_ > away * level || away_);
 }
 
@@ -188,7 +188,7 @@ double SingularPoseSearch::look_to(double t, const VectorXd& y, int parts) {
 
 void SingularPoseSearch::finish(double t, const VectorXd& y, int parts) {
   const double value = look_to(t, y, parts);
-  const double level = dynamics_.watch().root_of_level();
+  const double level = dynamics_.formulation().usual_root();
   if (!(value < at_rest * level && highest_ > away * level)) return;
   value_at(t, y);
   if (dynamics_.formulation().cross(y.head(dynamics_.system().q_size()), value * value)) highest_ = 0.0;

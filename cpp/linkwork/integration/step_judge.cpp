@@ -188,7 +188,7 @@ double StepJudge::least_with(const std::vector<int>& rows, const KeptStep& step)
     dynamics_.evaluate(step.t + theta * step.h, y);
     try {
       leave_out(rows);
-      least = std::min(least, dynamics_.formulation().least_singular_value());
+      least = std::min(least, dynamics_.formulation().least_singular_value_of_all());
     } catch (const SingularSystemError&) {
       return 0.0;
     }
