@@ -121,6 +121,7 @@ def _document(study: Study, given: dict[str, Any], output: str | None) -> dict[s
         "cases": len(study), **_counts(study), "directory": str(given["directory"]), "output": output,
         "table": {name: table[name] for name in table.dtype.names or ()},
         "errors": {str(number): dict(error) for number, error in study.errors.items()},
+        "remarks": {str(number): text for number, text in study.remarks.items()}, "notes": dict(study.notes),
         "units": dict(study.units),
     }  # fmt: skip
 

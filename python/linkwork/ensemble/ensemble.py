@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import inspect
-import math
 import time
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -20,22 +19,24 @@ from linkwork.comparison.workers import processor_count
 from linkwork.ensemble.outcome import DIMENSIONS, OWN, TRAJECTORIES, EnsembleResult, whole_number
 from linkwork.errors import LinkworkError, LinkworkWarning, OptionError, carry, warn
 from linkwork.modeling.model import Model, check_model
-from linkwork.options import TABLE, check_name, check_number, check_option
-from linkwork.options import names as option_names
+from linkwork.options import TABLE, check_number, check_option
 from linkwork.results.result import Result
 from linkwork.running import checks, recording, schedule
+from linkwork.running.events import events_of
 from linkwork.running.leaving_no_memory import called, leaving_no_memory
 from linkwork.running.manifest import platform_facts
-from linkwork.running.members import FRAMES, Member, Method, method_of, run_members
+from linkwork.running.members import Member, Method, method_of, run_members
 from linkwork.running.progress import ShowOption, counting
+from linkwork.running.remarks import remarked
 from linkwork.running.simulation import check_run, simulate
 from linkwork.studies import outputs as wanted
 from linkwork.studies.cases import Run, check_times, in_one, kept
 from linkwork.studies.collected import Collected
 from linkwork.studies.lanes import PACK
+from linkwork.studies.notes import MULTIPLIERS, noted, warn_of_notes
 from linkwork.studies.sampling import Cases, cases_of
 from linkwork.studies.study import array_of
-from linkwork.studies.sweeping import check_names, probe
+from linkwork.studies.sweeping import check_names, checked_outputs, probe
 from linkwork.studies.variants import Built, Source, source_of
 
 __all__ = ["Ensemble", "simulate_many"]
@@ -174,7 +175,7 @@ class Ensemble:
         """  # Long: its arguments are fifteen lines.
         started = time.perf_counter()
         check_number("t_end", t_end, positive=True, unit="s")
-        _check_options(options)
+        options = _checked_options(options)
         count = processor_count() if threads is None else whole(threads, 1, "threads")
         example = self._members.example()
         checks.warn_of_opposed_axes(example, example.compiled().q0)
@@ -190,12 +191,13 @@ class Ensemble:
                            state_alone=state_alone,
                            looked_at=any(it.by_user for it in asked or ()))  # fmt: skip
         _check_run(self._members, method)
+        at_start = probe(example, arguments)
         if asked is not None:
-            first_frame = probe(example, arguments)
-            asked = [wanted.checked(it, first_frame, wanted_times) for it in asked]
+            asked = told = checked_outputs(asked, at_start, wanted_times)
         else:
             _check_memory(len(self), method, example)
-        members = _Kept(len(self), asked, wanted_times)
+            told = [noted(MULTIPLIERS, at_start)]
+        members = _Kept(len(self), asked, wanted_times, told)
         about = {**platform_facts(), "t_end": float(t_end), "step": step, "threads": count}
         try:
             # ctrl-C loses those under way, of which functions of Python take long
@@ -287,8 +289,9 @@ def _members(model: Any, variations: Any, sampler: Any, cases: int | None, seed:
 # --- before the first ---
 
 
-def _check_options(options: Mapping[str, Any]) -> None:
-    """OptionError: none of `simulate`, or one that an ensemble has in another way."""
+def _checked_options(options: Mapping[str, Any]) -> dict[str, Any]:
+    """Each as often as there are members. OptionError: none of `simulate`, or one that an ensemble has in
+    another way."""
     known = [*list(inspect.signature(simulate).parameters)[2:-1], *TABLE]
     for name in options:
         if name in OTHERS:
@@ -298,13 +301,13 @@ def _check_options(options: Mapping[str, Any]) -> None:
         raise OptionError(
             "deterministic: members have the bits of deterministic runs; leave it out", code="deterministic"
         )
-    policy = options.get("on_inaccurate", "pass")
-    check_name("on_inaccurate", policy, option_names()["on_inaccurate"])
-    if policy == "stop":
+    checks.check_choices(options)
+    if options.get("on_inaccurate") == "stop":
         raise OptionError(
             "on_inaccurate 'stop': members do not wait for each other; look at the result's `accuracy`",
             code="option",
         )
+    return {**options, **({"events": events_of(options["events"])} if "events" in options else {})}
 
 
 def _check_names(members: _Members, asked: Sequence[wanted.Output] | None) -> None:
@@ -328,9 +331,6 @@ def _recorded(
         return None, arguments
     if arguments["record_every"] is None:
         del arguments["record_every"]
-        at_end = all(it.at_end for it in asked) and arguments["step"] is not None
-        if at_end and times is None:
-            arguments["record_every"] = max(1, math.ceil(t_end / float(arguments["step"]) / FRAMES))
     return check_times(times, t_end, arguments, asked, example)
 
 
@@ -371,8 +371,11 @@ def _check_memory(count: int, method: Method, example: Model) -> None:
 
 
 class _Kept:
-    def __init__(self, count: int, outputs: Sequence[wanted.Output] | None, times: Floats | None) -> None:
-        self._outputs, self._times = outputs, times
+    def __init__(
+        self, count: int, outputs: Sequence[wanted.Output] | None, times: Floats | None,
+        told: Sequence[wanted.Output],
+    ) -> None:  # fmt: skip
+        self._outputs, self._times, self._told = outputs, times, told
         self._found = Collected([str(k) for k in range(count)])
         self._results: dict[int, Result] = {}
         self._alone: dict[int, str] = {}
@@ -382,7 +385,10 @@ class _Kept:
     def keep(self, number: int, member: Member) -> None:
         """With outputs instead of the motion, where they were asked for."""
         found: dict[str, Any] = {"status": "failed", "error": member.error}
+        notes: list[str] = []
         if member.motion is not None:
+            with remarked() as notes:
+                warn_of_notes(member.motion, self._told)
             found = kept(member.motion, self._outputs or (), self._times)
             self._in_lanes += not member.reason
         if self._outputs is None and member.result is not None:
@@ -392,7 +398,7 @@ class _Kept:
         verdict = found.get("verdict", {})
         if verdict.get("level", "good") != "good":
             self._doubts[number] = verdict["sentence"]
-        self._found.add(Run(str(number), **found, remarks=in_one(member.remarks, found)))
+        self._found.add(Run(str(number), **found, remarks=in_one([*member.remarks, *notes], found)))
 
     def outcome(self, ensemble: Ensemble, about: Mapping[str, Any]) -> EnsembleResult:
         asked, count = self._outputs or (), () if self._times is None else (len(self._times),)
@@ -411,6 +417,7 @@ class _Kept:
             units={**ensemble._members.units, **{it.label: it.unit for it in asked}},
             times=self._times,
             manifest={**about, "lanes": self._in_lanes},
+            notes={it.label: it.note for it in self._told if it.note},
             over_time=frozenset(it.label for it in asked if it.over_time),
             results=self._results,
         )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
@@ -13,9 +13,10 @@ from numpy.typing import NDArray
 
 from linkwork.arguments import optional_package
 from linkwork.arrays import Floats, ReadOnly
-from linkwork.errors import OptionError
+from linkwork.errors import OptionError, counted
 from linkwork.results.result import Result
 from linkwork.studies.datasets import dimensions, without_groups
+from linkwork.studies.told import lines
 
 if TYPE_CHECKING:
     import xarray
@@ -39,7 +40,7 @@ COMPONENTS = {
 }
 
 #: Coordinates that a data set has of every ensemble, and dimensions that it has of motions.
-OWN = ("member", "status", "accuracy", "alone", "error", "time")
+OWN = ("member", "status", "accuracy", "alone", "error", "remarks", "time")
 DIMENSIONS = ("body", "row", *COMPONENTS)
 
 
@@ -51,7 +52,7 @@ class EnsembleResult(ReadOnly):
     status        (n,) "finished" or "failed", of an ensemble that was interrupted "skipped", too
     errors        by member: type, code, message of what failed, and `reached`, the simulated time [s]
     alone         by member: why it was simulated by itself and not in a lane
-    remarks       by member: warnings
+    remarks       by member: warnings, and what its summary says of what is kept
     accuracy      (n,) estimated relative errors, those of their verdicts; NaN in members that failed
     t             (k,) times of the frames [s] of the member that has most; empty where outputs were asked for
     trajectories  without outputs "q" (n, k, bodies, 7), "v" and "vdot" (n, k, bodies, 6), "lambda"
@@ -61,6 +62,8 @@ class EnsembleResult(ReadOnly):
     units         of parameters and outputs that are known
     times         (j,) [s] of outputs that are arrays over time
     manifest      what was run; "lanes": how many members in lanes
+    notes         by output, without outputs of "lambda": what it is in all members but those whose remarks
+                  say otherwise, such as a reaction that redundant equations leave open
 
     A member has the bits and the verdict that `simulate(model, ..., deterministic=True)` gives, whatever runs
     beside it.
@@ -78,6 +81,7 @@ class EnsembleResult(ReadOnly):
     units: Mapping[str, str]
     times: Floats | None
     manifest: Mapping[str, Any]
+    notes: Mapping[str, str] = field(default_factory=dict)
     over_time: frozenset[str] = frozenset()  #: outputs that are arrays over `times`
     results: Mapping[int, Result] = field(default_factory=dict, compare=False)  #: of members, without outputs
 
@@ -89,10 +93,9 @@ class EnsembleResult(ReadOnly):
         parts = [f"{counts[name]} {name}" for name in ("finished", "failed", "skipped") if counts[name]]
         parts.append(f"{self.manifest['lanes']} in lanes")
         why = Counter(text.split(" (at t = ")[0] for text in self.alone.values()).most_common(LISTED)
-        failed = Counter(str(it["message"]) for it in self.errors.values()).most_common(LISTED)
-        lines = [f"  {count} by itself: {text}" for text, count in why]
-        lines += [f"  {count} x {text}" for text, count in failed]
-        return "\n".join([f"<EnsembleResult: {len(self)} members: {', '.join(parts)}>", *lines])
+        alone = [f"  {count} by itself: {text}" for text, count in why]
+        told = lines(self.errors, self.remarks, self.notes, counted(len(self), "member"))
+        return "\n".join([f"<EnsembleResult: {len(self)} members: {', '.join(parts)}>", *alone, *told])
 
     @property
     def q(self) -> Floats:
@@ -132,8 +135,8 @@ class EnsembleResult(ReadOnly):
 
     def to_xarray(self) -> xarray.Dataset:
         """A data set of xarray over "member" and "time": parameters, status and why as coordinates, motions
-        or outputs as variables, units as attributes, the manifest as text. Names have "_" for "/", by which
-        files would put them into groups; the attribute `name` has what it was.
+        or outputs as variables, units and notes ("comment") as attributes, the manifest as text. Names have
+        "_" for "/", by which files would put them into groups; the attribute `name` has what it was.
 
             many.to_xarray().q.mean("member").sel(q_component="z")
 
@@ -142,11 +145,9 @@ class EnsembleResult(ReadOnly):
         package = optional_package("xarray", "xarray", "to_xarray", instead="the arrays need nothing")
         if self.results:
             self._trajectory("q")
-        n = len(self)
-        coordinates: dict[str, Any] = {"member": np.arange(n), "status": ("member", self.status)}
+        coordinates: dict[str, Any] = {"member": np.arange(len(self)), "status": ("member", self.status)}
         coordinates["accuracy"] = "member", self.accuracy
-        coordinates["alone"] = "member", [self.alone.get(k, "") for k in range(n)]
-        coordinates["error"] = "member", [self.errors.get(k, {}).get("message", "") for k in range(n)]
+        coordinates |= {name: ("member", np.array(texts, dtype=object)) for name, texts in self._texts()}
         for name, values in self.parameters.items():
             coordinates[name] = self._variable(name, values)
         times = self.t if self.trajectories else self.times
@@ -155,7 +156,7 @@ class EnsembleResult(ReadOnly):
         variables = {name: self._variable(name, values) for name, values in self.outputs.items()}
         for name, values in self.trajectories.items():
             dims, unit = TRAJECTORIES[name]
-            variables[name] = ("member", "time", *dims), values, {"units": unit}
+            variables[name] = ("member", "time", *dims), values, {"units": unit, **self._comment(name)}
             coordinates |= {dim: list(COMPONENTS[dim]) for dim in dims if dim in COMPONENTS}
         attributes = {"manifest": json.dumps(self.manifest, default=str)}
         return without_groups(package.Dataset(variables, coordinates, attributes).copy(deep=True))
@@ -164,7 +165,18 @@ class EnsembleResult(ReadOnly):
         dims = dimensions(name, values.ndim - 1, {*self.parameters, *self.outputs})
         if name in self.over_time:
             dims[0] = "time"
-        return ("member", *dims), values, {"units": self.units[name]} if self.units.get(name) else {}
+        units = {"units": self.units[name]} if self.units.get(name) else {}
+        return ("member", *dims), values, {**units, **self._comment(name)}
+
+    def _texts(self) -> Iterator[tuple[str, list[str]]]:
+        """Of each member why it ran alone, why it failed, and what is remarked."""
+        n = range(len(self))
+        yield "alone", [self.alone.get(k, "") for k in n]
+        yield "error", [self.errors.get(k, {}).get("message", "") for k in n]
+        yield "remarks", [self.remarks.get(k, "") for k in n]
+
+    def _comment(self, name: str) -> dict[str, str]:
+        return {"comment": self.notes[name]} if name in self.notes else {}
 
 
 def whole_number(number: Any, count: int) -> int:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +12,7 @@ from linkwork import _core, rotation
 from linkwork.arrays import Floats
 from linkwork.modeling.elements import KINDS
 
-__all__ = ["aligned", "opposed"]
+__all__ = ["aligned", "opposed", "shared_axes"]
 
 Joints = NDArray[np.intp]
 
@@ -24,7 +25,7 @@ def opposed(core: _core.Model, q: Floats) -> Joints:
     """
     first, second = _frames(core, q)
     cosines = np.einsum("kia,kia->ka", first, second)
-    found: Joints = np.flatnonzero(((cosines < 0) & _shared_axes(core)).any(axis=1))
+    found: Joints = np.flatnonzero(((cosines < 0) & shared_axes(core)).any(axis=1))
     return found
 
 
@@ -43,7 +44,7 @@ def aligned(core: _core.Model, q: Floats, joints: Joints, held: NDArray[np.int32
     for joint, pair in enumerate(bodies):
         for body in pair:
             neighbors.setdefault(int(body), []).append(joint)
-    frames, shared = _frames(core, q), _shared_axes(core)
+    frames, shared = _frames(core, q), shared_axes(core)
     queue = deque(motion)
     unseen = iter(range(core.body_count))
     while queue or (body := next((b for b in unseen if b not in motion), None)) is not None:
@@ -90,11 +91,16 @@ def _frames(core: _core.Model, q: Floats) -> tuple[Floats, Floats]:
     return first, second
 
 
-def _shared_axes(core: _core.Model) -> NDArray[np.bool_]:
+def shared_axes(core: _core.Model) -> NDArray[np.bool_]:
     """Which axes of a joint's two frames have to coincide (joints, 3): all, only z, or none."""
+    shared: NDArray[np.bool_] = _shared_axes_of_kinds()[core.joint_arrays()["kind"]].reshape(-1, 3)
+    return shared
+
+
+@cache
+def _shared_axes_of_kinds() -> NDArray[np.bool_]:
     of_kind = []
     for kind in KINDS["joint"].values():
         locked = {it.axis for it in kind.equations.values() if it.quantity == "rotation"}
         of_kind.append([locked >= {0, 1, 2}] * 2 + [locked >= {0, 1}])
-    shared: NDArray[np.bool_] = np.array(of_kind)[core.joint_arrays()["kind"]].reshape(-1, 3)
-    return shared
+    return np.array(of_kind)

@@ -74,7 +74,7 @@ def lines(result: Result) -> list[tuple[str, str]]:
         ("discs", str(result.statistics.get("lifting_discs", ""))),
         ("singular", _singular(result)),
         ("redundant", _row_changes(result)),
-        ("limits", _excesses(result)),
+        ("limits", excesses(result)),
         ("effort", _effort(result.statistics)),
     ]  # fmt: skip
 
@@ -154,7 +154,7 @@ def _row_changes(result: Result) -> str:
     return "; ".join(words)
 
 
-def _excesses(result: Result) -> str:
+def excesses(result: Result) -> str:
     """Where a violation_limit was passed."""
     found = result.statistics.get("excesses", ())
     if not found:

@@ -20,6 +20,7 @@ from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.integrators.growth import added_growth
 from linkwork.modeling.model import Model, check_model
 from linkwork.motion.records import Snapshot
+from linkwork.options import check_name, names
 from linkwork.running.recording import PythonStep
 
 #: Residuals of the initial state that are more than rounding, relative to the size of what is placed.
@@ -79,6 +80,14 @@ def check_bodies(model: Model) -> None:
     check_model(model)
     if not model.body_count:
         raise ModelError(f"model '{model.name}': has no bodies", code="empty")
+
+
+def check_choices(given: Mapping[str, Any]) -> None:
+    """OptionError: a policy that does not exist, or a switch that is neither True nor False."""
+    check_name("on_inaccurate", given.get("on_inaccurate", "warn"), names()["on_inaccurate"])
+    for name in ("assemble", "verify"):
+        if not isinstance(given.get(name, False), bool):
+            raise OptionError(f"{name} {given[name]!r:.80} is not True or False", code=name)
 
 
 def check_tables(model: Model, t_end: float) -> None:
@@ -225,8 +234,8 @@ def start_time(start: Snapshot | None) -> float:
 def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot, *, known: bool = False) -> None:
     """OptionError: the state of another mechanism.
 
-    LinkworkWarning: the joints do not hold in it, unless it is `known` to be that of the run which goes on;
-    force elements had more to go on from than the state.
+    LinkworkWarning: the joints do not hold in it, or by opposed axes, unless it is `known` to be that of the
+    run which goes on; force elements had more to go on from than the state.
     """
     check_state(model, start)
     core = model.compiled()
@@ -238,6 +247,7 @@ def check_start(model: Model, dynamics: _core.Dynamics, start: Snapshot, *, know
     ]
     if any(remarks):
         warn(f"start: {'; '.join(filter(None, remarks))}: the run goes on from there as it is")
+    warn_of_opposed_axes(model, start.q)
 
 
 def check_state(model: Model, start: Snapshot) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork import _core
-from linkwork.arguments import UNREADABLE, array, is_number, is_text
+from linkwork.arguments import UNREADABLE, array, is_iterable, is_number, is_text
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError
 from linkwork.fingerprints import law
@@ -19,7 +19,7 @@ from linkwork.functions.calls import Calls
 from linkwork.modeling.handles import Body
 from linkwork.modeling.model import Model
 
-__all__ = ["Event", "State", "Watched", "calls_of", "compile_events", "functions_of"]
+__all__ = ["Event", "State", "Watched", "calls_of", "compile_events", "events_of", "functions_of"]
 
 
 #: Makes a context, of the time [s].
@@ -241,23 +241,28 @@ class Watched(NamedTuple):
 
 def functions_of(events: object) -> dict[str, Callable[..., Any]]:
     """What events call, by the name of the event."""
-    listed = events if isinstance(events, Iterable) else [] if events is None else [events]
+    given = events if is_iterable(events) else [] if events is None else [events]
     found: dict[str, Callable[..., Any]] = {}
-    for place, event in enumerate(it for it in listed if isinstance(it, Event)):
+    for place, event in enumerate(it for it in given if isinstance(it, Event)):
         found[f"event {event.label}" if place == 0 else f"event {event.label}, {place + 1}"] = event.function
         if event.change is not None:
             found[f"change of event {event.label}, {place + 1}"] = event.change
     return found
 
 
+def events_of(given: object) -> list[Event]:
+    """One, several or none; what gives them but once is used up. OptionError: something that is no Event."""
+    found = list(given) if is_iterable(given) else [] if given is None else [given]
+    for event in found:
+        if not isinstance(event, Event):
+            raise OptionError(f"events: {event!r:.80} is no linkwork.Event", code="event")
+    return found
+
+
 def compile_events(events: object, model: Model, changing: Changing = nullcontext) -> list[Watched]:
     """`changing`: a context in which they change something. OptionError: something that is no Event."""
-    listed = list(events) if isinstance(events, Iterable) else [] if events is None else [events]
-    for event in listed:
-        if not isinstance(event, Event):
-            raise OptionError(f"events: {event!r} is no linkwork.Event", code="event")
     found = []
-    for event in listed:
+    for event in events_of(events):
         calls = event._calls(model)
         found.append(Watched(event.label, event.compiled(model, changing, calls), event, calls))
     return found

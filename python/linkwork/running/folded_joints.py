@@ -13,7 +13,10 @@ from linkwork.errors import warn
 from linkwork.results.result import Result
 from linkwork.running.sampled_frames import ELEMENTS, Elements, axes_of, every_of, listed, times_of
 
-__all__ = ["warn_of_folded_joints"]
+__all__ = ["CONSTANT_VELOCITY", "warn_of_folded_joints"]
+
+#: Kinds of joints that fold.
+CONSTANT_VELOCITY = frozenset({"constant_velocity"})
 
 #: Of p_3^2 - p_0^2 on the wrong side: less is roundoff beside 180 degrees.
 FOLDED = 1e-6
@@ -22,7 +25,7 @@ FOLDED = 1e-6
 def warn_of_folded_joints(result: Result) -> None:
     """LinkworkWarning: joints of constant velocity that are on the other side, as far as the frames tell."""
     header = result.header
-    places = [k for k, kind in enumerate(header.joint_kinds) if kind == "constant_velocity"][:ELEMENTS]
+    places = [k for k, kind in enumerate(header.joint_kinds) if kind in CONSTANT_VELOCITY][:ELEMENTS]
     if not places or not len(result):
         return
     names = [header.joint_names[k] for k in places]

@@ -12,7 +12,10 @@ from linkwork.arrays import Floats, Indices
 from linkwork.results.result import Result
 from linkwork.running.sampled_frames import ELEMENTS, every_of, listed, times_of
 
-__all__ = ["note_lifting_discs"]
+__all__ = ["DISCS", "note_lifting_discs"]
+
+#: Kinds of joints that a plane would hold by pressure alone.
+DISCS = frozenset({"rolling_disc"})
 
 #: Pulls that are none: of the largest force along the normal, and of weight and centrifugal force m v^2 / R.
 OF_LARGEST, OF_INERTIA = 1e-3, 1e-4
@@ -25,7 +28,7 @@ def note_lifting_discs(result: Result) -> None:
     are not looked at.
     """
     header = result.header
-    discs = [k for k, kind in enumerate(header.joint_kinds) if kind == "rolling_disc"][:ELEMENTS]
+    discs = [k for k, kind in enumerate(header.joint_kinds) if kind in DISCS][:ELEMENTS]
     places = np.array([k for k in discs if header.reaction_unique[k]], dtype=int)
     if not len(places) or not len(result):
         return

@@ -19,7 +19,8 @@ from linkwork.motion.header import Header
 from linkwork.options import TABLE
 from linkwork.results.last_state import LastState
 from linkwork.results.result import Result
-from linkwork.running import checks, estimation, recording, schedule
+from linkwork.running import checks, estimation, forecast, recording, schedule
+from linkwork.running.events import events_of
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.leaving_no_memory import (
     Memory,
@@ -31,7 +32,7 @@ from linkwork.running.leaving_no_memory import (
 )
 from linkwork.running.manifest import manifest
 from linkwork.running.remarks import facts_of, remarked
-from linkwork.running.seen_in_frames import warn_of_what_frames_show
+from linkwork.running.seen_in_frames import may_show_in_frames, warn_of_what_frames_show
 from linkwork.running.simulation import (
     Prepared,
     Stepped,
@@ -42,7 +43,7 @@ from linkwork.running.simulation import (
     what_steps,
 )
 
-__all__ = ["FRAMES", "Member", "Method", "method_of", "refusal", "run_members"]
+__all__ = ["Member", "Method", "method_of", "refusal", "run_members"]
 
 #: Of members of which only the last frame is asked for: the verdict looks at the balance of energy over them.
 FRAMES = 50
@@ -90,6 +91,13 @@ class Method:
     last_state: bool = False  # in lanes the first and the last frame are enough
     state_alone: bool = False  # and of that q and v
     looked_at: bool = False  # by functions of the user's, which may look at what others remember, too
+    with_frames: Method | None = None  # where `last_state`: of models whose frames have something to say
+
+    def of(self, model: Model) -> Method:
+        """That of one member: its warnings are those of its run by itself, whatever is asked for."""
+        if self.with_frames is None or not may_show_in_frames(model):
+            return self
+        return self.with_frames
 
     @property
     def adaptive(self) -> bool:
@@ -129,6 +137,7 @@ class _Ready:
     """One that can run in a lane."""
 
     place: int
+    method: Method
     stepped: Stepped
     remarks: list[str]
     run: _core.LaneRun | None = None  # with its estimator, where there is to be a verdict
@@ -162,8 +171,17 @@ def method_of(
     alone = ""
     if not isinstance(found, ButcherTableau if isinstance(plan, schedule.Fixed) else EmbeddedPair):
         alone = "lanes have explicit Runge-Kutta methods only"
-    state_alone = state_alone and last_state and judged
-    return Method(t_end, given, threads, alone, plan, judged, last_state, state_alone, looked_at)
+    if isinstance(plan, schedule.Fixed) and events_of(given.get("events")):
+        alone = "events need steps that follow tolerances"
+    whole = Method(t_end, given, threads, alone, plan, judged, looked_at=looked_at)
+    if not (last_state and judged and isinstance(plan, schedule.Fixed)):
+        return replace(whole, last_state=last_state)
+    if every is None:
+        plan = replace(plan, record_every=max(1, math.ceil(plan.t_end / plan.step / FRAMES)))
+        given = {**given, "record_every": plan.record_every}
+    return replace(
+        whole, arguments=given, plan=plan, last_state=True, state_alone=state_alone, with_frames=whole
+    )
 
 
 def refusal(model: Model, method: Method) -> str:
@@ -192,7 +210,7 @@ def run_members(models: Sequence[Model | Exception], method: Method) -> Iterator
                 yield it
                 continue
             with leaving_no_memory(method.functions(there[place]), logs=method.looked_at):
-                yield _alone(there[place], method, it)
+                yield _alone(there[place], method.of(there[place]), it)
 
 
 def _functions_of_all(models: Mapping[int, Model], method: Method) -> dict[str, Any]:
@@ -240,13 +258,14 @@ def _at_fixed_steps(models: Mapping[int, Model], method: Method) -> dict[int, Me
     found: dict[int, Member | _Left] = {}
     ready: list[_Ready] = []
     for place, model in models.items():
-        it = _prepared(place, model, method, ready[0].system if ready else None)
+        it = _prepared(place, model, method.of(model), ready[0].system if ready else None)
         if isinstance(it, Member):
             found[place] = it
         else:
             ready.append(it)
-    if ready:
-        found.update(_in_lanes(ready, method))
+    for own in (method, method.with_frames):
+        if own is not None and (those := [it for it in ready if it.method is own]):
+            found.update(_in_lanes(those, own))
     return found
 
 
@@ -298,7 +317,8 @@ def _concluded(
 def _prepared(place: int, model: Model, method: Method, like: System | None) -> _Ready | Member:
     with remarked() as remarks:
         try:
-            it = _Ready(place, _stepped(model, method, like), remarks)
+            it = _Ready(place, method, _stepped(model, method, like), remarks)
+            forecast.look_ahead(it.system, method.plan, it.stepped.method, None, None, None)
             if method.judged:
                 _follow(it, method)
         except Exception as error:

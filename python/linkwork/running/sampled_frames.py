@@ -8,11 +8,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from linkwork import rotation
+from linkwork import _core, rotation
 from linkwork.arrays import Floats
+from linkwork.modeling.elements import KINDS
 from linkwork.results.result import Result
 
-__all__ = ["ELEMENTS", "Elements", "axes_of", "every_of", "listed", "of_bodies", "times_of"]
+__all__ = ["ELEMENTS", "Elements", "axes_of", "every_of", "kinds_in", "listed", "of_bodies", "times_of"]
 
 #: What is looked at: so many elements at most, and so many of elements in frames.
 ELEMENTS, LOOKS = 100_000, 200_000
@@ -27,6 +28,13 @@ class Elements(NamedTuple):
     names: Sequence[str]
     bodies: NDArray[np.integer]  # (e, 2)
     frame: Floats  # (e, 2, 3, 3), axes in the bodies as columns
+
+
+def kinds_in(model: _core.Model) -> set[str]:
+    """Of all joints and force elements."""
+    joints, forces = list(KINDS["joint"]), list(KINDS["force"])
+    of_joints, of_forces = (set(it["kind"].tolist()) for it in (model.joint_arrays(), model.force_arrays()))
+    return {*(joints[kind] for kind in of_joints), *(forces[kind] for kind in of_forces)}
 
 
 def every_of(result: Result, elements: int) -> int:

@@ -22,7 +22,7 @@ from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.modeling.model import Model
 from linkwork.motion.header import Header
 from linkwork.motion.records import Snapshot
-from linkwork.options import TABLE, Options, Policy, check_name, check_option, names
+from linkwork.options import TABLE, Options, Policy, check_option
 from linkwork.options.types import IntegratorName, described
 from linkwork.results.result import Result
 from linkwork.running import (
@@ -35,7 +35,7 @@ from linkwork.running import (
     resuming,
     schedule,
 )
-from linkwork.running.events import Event, Watched, calls_of, compile_events, functions_of
+from linkwork.running.events import Event, Watched, calls_of, compile_events, events_of, functions_of
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.kept import Kept
 from linkwork.running.leaving_no_memory import called
@@ -147,14 +147,14 @@ def simulate(
         t_start = checks.start_time(start)
         size = recording.frame_bytes(model)
         plan = schedule.plan(t_end, step, rtol, atol, record_every, times, size, t_start)
-        _check_choices(on_inaccurate, assemble=assemble, verify=verify)
         given = {"t_end": t_end, "step": step, "integrator": integrator, "rtol": rtol, "atol": atol,
                  "record_every": record_every, "times": times, "breaks": breaks, "assemble": assemble,
                  "on_inaccurate": on_inaccurate, "verify": verify, **options}  # fmt: skip
-        events = list(events) if isinstance(events, Iterable) else events
+        events = events_of(events)
         watched = compile_events(events, model, lambda t: written.by_others(t))
         written = Written([*model._calls, *calls_of(watched)], _readers(model, events))
-        began = Kept(called(model, {"events": events, "integrator": integrator}).values()) if verify else None
+        by_user = {"events": events, "integrator": integrator}
+        began = Kept(called(model, by_user).values()) if verify is True else None
         prepared = _prepared(model, plan, given, options, watched, start, written, in_file=output is not None)
         _check_output(output, overwrite)
         prepared = _looked_ahead(prepared, output)
@@ -247,7 +247,6 @@ def _prepared(
         checks.check_start(model, system.compiled(), start, known=resume is not None)
     if resume is None:
         known = breaks
-        checks.warn_of_opposed_axes(model, start.q if start is not None else system.model.compiled().q0)
     else:
         system = _as_then(system, model, options, given["assemble"], identity.key)
         known = breakpoints.of_run(model, given["breaks"], resume.checkpoint.t, plan.t_end)
@@ -299,6 +298,7 @@ def what_steps(
     OptionError, ModelError: what cannot be run.
     """
     t_start = checks.start_time(start)
+    checks.check_choices(given)
     checks.check_tables(model, plan.t_end)
     breaks = breakpoints.of_run(model, given["breaks"], t_start, plan.t_end)
     adaptive = isinstance(plan, schedule.Adaptive)
@@ -306,6 +306,8 @@ def what_steps(
     method = _method(plan.usual_integrator if given["integrator"] is None else given["integrator"])
     options = _honored(method, options)
     system, assembly = _system(model, method, options, plan, given["assemble"], start, like)
+    if start is None:
+        checks.warn_of_opposed_axes(model, system.model.compiled().q0)
     return Stepped(method, options, system, assembly, breaks, breakpoints.noted(struck))
 
 
@@ -324,7 +326,8 @@ def prepared(
     model: Model, plan: schedule.Fixed | schedule.Adaptive, given: Mapping[str, Any], options: Options
 ) -> Prepared:
     """A run before its first step. OptionError, ModelError: what cannot be run."""
-    return _prepared(model, plan, given, options, compile_events(given.get("events", ()), model), None)
+    it = _prepared(model, plan, given, options, compile_events(given.get("events"), model), None)
+    return _looked_ahead(it, None)
 
 
 def concluded(it: Prepared, estimator: estimation.ErrorEstimator) -> Result:
@@ -392,22 +395,13 @@ def _carried_out(
     return result, estimator
 
 
-def _readers(model: Model, events: object) -> list[Any] | None:
+def _readers(model: Model, events: Sequence[Event]) -> list[Any] | None:
     """Functions of events, but for those that only log; None: no event changes anything."""
-    listed = events if isinstance(events, list) else [events]
-    if all(getattr(it, "change", None) is None for it in listed):
+    if all(it.change is None for it in events):
         return None
     functions = list(functions_of(events).values())
     among = [*(calls.function for _, calls in model._calls), *functions]
     return [it for it in functions if not callbacks.only_logs(it, among)]
-
-
-def _check_choices(on_inaccurate: object, **switches: object) -> None:
-    """OptionError: a policy that does not exist, or a switch that is neither True nor False."""
-    check_name("on_inaccurate", on_inaccurate, names()["on_inaccurate"])
-    for name, choice in switches.items():
-        if not isinstance(choice, bool):
-            raise OptionError(f"{name} {choice!r:.80} is not True or False", code=name)
 
 
 def _system(

@@ -8,14 +8,21 @@ whose other axis is x_b. Elsewhere it depends on which direction of b is x_b, an
 
 from __future__ import annotations
 
-import numpy as np
+from functools import cache
+from typing import Literal
 
+import numpy as np
+from numpy.typing import NDArray
+
+from linkwork import _core
+from linkwork.equations.branches import shared_axes
 from linkwork.errors import warn
+from linkwork.modeling.elements import KINDS
 from linkwork.motion.header import Header
 from linkwork.results.result import Result
 from linkwork.running.sampled_frames import ELEMENTS, Elements, axes_of, every_of, listed
 
-__all__ = ["warn_of_tilted_axes"]
+__all__ = ["may_tilt", "warn_of_tilted_axes"]
 
 #: Kinds that measure this angle, or its rate.
 ABOUT_AN_AXIS = frozenset(
@@ -25,6 +32,9 @@ ABOUT_AN_AXIS = frozenset(
 
 #: Of x_b out of the plane across z_a: so much [rad], and so many times the violation of the joints, is none.
 NO_TILT, VIOLATIONS = 1e-3, 10.0
+
+#: Axes of a joint and of an element that differ by no more [rad] are one.
+HELD = NO_TILT / 10
 
 #: From here on the angle is about to have no direction [rad].
 UPRIGHT = np.radians(80.0)
@@ -54,6 +64,40 @@ def warn_of_tilted_axes(result: Result) -> None:
         f"on the choice of x axes{ends}; about an axis of a universal joint give its other axis as x_axis, "
         "or take model.joint_force on its angle_a or angle_b; elsewhere a bushing or a bending_spring"
     )
+
+
+def may_tilt(model: _core.Model) -> bool:
+    """Whether x_b may leave the plane across z_a in some motion: no joint of both bodies holds it there."""
+    joints, forces = model.joint_arrays(), model.force_arrays()
+    about = _is_about_an_axis("joint")[joints["kind"]], _is_about_an_axis("force")[forces["kind"]]
+    if not (about[0].any() or about[1].any()):
+        return False
+    bodies, frame = (
+        np.concatenate([joints[name][about[0]], forces[name][about[1]]]) for name in ("bodies", "frame")
+    )
+    hinges = np.flatnonzero(shared_axes(model)[:, 2])
+    pairs, first = np.unique(_pairs(joints["bodies"][hinges]), return_index=True)
+    place, wanted = np.searchsorted(pairs, _pairs(bodies)), _pairs(bodies)
+    if not len(pairs) or (pairs[np.minimum(place, len(pairs) - 1)] != wanted).any():
+        return True
+    beside = hinges[first[place]]
+    axis = joints["frame"][beside, :, :, 2]
+    turned = joints["bodies"][beside, 0] != bodies[:, 0]
+    axis[turned] = axis[turned, ::-1]
+    cosine = np.einsum("ei,ei->e", axis[:, 0], frame[:, 0, :, 2])
+    out = np.einsum("ei,ei->e", axis[:, 1], frame[:, 1, :, 0])
+    return bool((1 - cosine**2 + out**2 > HELD**2).any())
+
+
+@cache
+def _is_about_an_axis(role: Literal["joint", "force"]) -> NDArray[np.bool_]:
+    return np.array([kind in ABOUT_AN_AXIS for kind in KINDS[role]])
+
+
+def _pairs(bodies: NDArray[np.integer]) -> NDArray[np.int64]:
+    """A number of each two, whichever comes first."""
+    found: NDArray[np.int64] = bodies.max(axis=1).astype(np.int64) * 2**32 + bodies.min(axis=1)
+    return found
 
 
 def _about_an_axis(header: Header) -> Elements:

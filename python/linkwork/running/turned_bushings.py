@@ -16,7 +16,10 @@ from linkwork.motion.header import Header
 from linkwork.results.result import Result
 from linkwork.running.sampled_frames import ELEMENTS, Elements, every_of, listed, of_bodies, times_of
 
-__all__ = ["warn_of_turned_bushings"]
+__all__ = ["BUSHINGS", "warn_of_turned_bushings"]
+
+#: Kinds of force elements whose torque goes by the rotation vector.
+BUSHINGS = frozenset({"bushing"})
 
 #: From frame to frame less is roundoff [rad].
 NO_TURN = 1e-6
@@ -47,7 +50,7 @@ def warn_of_turned_bushings(result: Result) -> None:
 
 def _bushings(header: Header) -> Elements:
     """Those that resist turns, or may do so."""
-    places = [k for k, kind in enumerate(header.force_kinds) if kind == "bushing"][:ELEMENTS]
+    places = [k for k, kind in enumerate(header.force_kinds) if kind in BUSHINGS][:ELEMENTS]
     about = [name.startswith("rotational") for name in KINDS["force"]["bushing"].parameters]
     values = [header.parameters("force", k) for k in places]
     places = [k for k, it in zip(places, values, strict=True) if not len(it) or it[about].any()]

@@ -22,6 +22,7 @@ from linkwork.running.leaving_no_memory import called, leaving_no_memory
 from linkwork.running.manifest import platform_facts
 from linkwork.running.remarks import facts_of, remarked
 from linkwork.running.simulation import simulate
+from linkwork.studies.notes import warn_of_notes
 from linkwork.studies.outputs import Output
 from linkwork.studies.variants import Source
 
@@ -105,7 +106,11 @@ class Runner:
                    values=dict(case.values))  # fmt: skip
 
     def kept(self, result: Result | LastState) -> dict[str, Any]:
-        """Status, outputs and verdict of one that came to its end; failed where an output cannot be told."""
+        """Status, outputs and verdict of one that came to its end; failed where an output cannot be told.
+
+        LinkworkWarning: notes on what the outputs are.
+        """
+        warn_of_notes(result, self.outputs)
         return kept(result, self.outputs, self.times)
 
     def result(self, values: Mapping[str, Any]) -> Result:
@@ -120,7 +125,7 @@ class Runner:
 
 
 def kept(result: Result | LastState, outputs: Sequence[Output], times: Floats | None) -> dict[str, Any]:
-    """As Runner.kept."""
+    """As Runner.kept, without the notes."""
     values = {}
     for output in outputs:
         try:
@@ -164,8 +169,10 @@ def check_times(
     OptionError: not ascending, beyond the run, or between the frames of fixed steps.
     """
     wanted = None if times is None else _ascending(times, t_end)
-    made = {"record_every": 1, "on_inaccurate": "pass", **options}
-    if options.get("rtol") is not None or options.get("atol") is not None:
+    fixed = options.get("rtol") is None and options.get("atol") is None
+    at_end = fixed and wanted is None and all(it.at_end for it in outputs)
+    made = {**({} if at_end else {"record_every": 1}), "on_inaccurate": "pass", **options}
+    if not fixed:
         return wanted, {**made, **_frames(wanted, t_end, options, outputs, recording.frame_bytes(model))}
     if wanted is not None:
         apart = float(options.get("step") or t_end) * whole(made["record_every"], 1, "record_every")

@@ -37,6 +37,7 @@ class Collected:
         self._memory: list[str] = []
         self._errors: dict[int, Mapping[str, Any]] = {}
         self._remarks: dict[int, str] = {}
+        self._texts: dict[str, str] = {}  # of remarks, which many cases share
         self._outputs: dict[str, Floats] = {}
         self._others: dict[int, Mapping[str, Any]] = {}  # outputs of other shapes than those that came first
 
@@ -85,7 +86,7 @@ class Collected:
         if run.error:
             self._errors[k] = run.error
         if run.remarks:
-            self._remarks[k] = run.remarks
+            self._remarks[k] = self._texts.setdefault(run.remarks, run.remarks)
         if run.status == "finished":
             self._keep(k, run.outputs)
 

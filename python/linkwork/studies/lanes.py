@@ -6,7 +6,6 @@ whatever processor, in whatever task, shard or rerun: those of its run by itself
 
 from __future__ import annotations
 
-import math
 import time
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -17,7 +16,6 @@ from linkwork.modeling.model import Model
 from linkwork.results.last_state import LastState
 from linkwork.running.estimation import apply_policy
 from linkwork.running.members import (
-    FRAMES,
     Member,
     Method,
     method_of,
@@ -57,8 +55,6 @@ def with_lanes(runner: Runner, given: Mapping[str, Any]) -> Runner | None:
     if any(given.get(name) for name in ALONE):
         return None
     options = {**runner.options, "deterministic": True}
-    if runner.times is None and given.get("record_every") is None and all(it.at_end for it in runner.outputs):
-        options["record_every"] = math.ceil(runner.t_end / given["step"] / FRAMES) if given.get("step") else 1
     return LaneRunner(runner.source, runner.t_end, options, runner.outputs, runner.times)
 
 

@@ -80,6 +80,7 @@ class Output:
     steps: tuple[Step, ...] = ()
     function: Callable[[Result], Any] | None = None
     reduction: str = ""
+    note: str = ""  #: what its values are in all cases, see linkwork.studies.notes
 
     @property
     def over_time(self) -> bool:
@@ -100,6 +101,11 @@ class Output:
     def by_user(self) -> bool:
         """Whether a function of the user's tells it, which may look at anything."""
         return self.function is not None and not self.of_state_alone
+
+    @property
+    def of_reactions(self) -> bool:
+        """Whether it takes those of joints, or may do so."""
+        return self.by_user or self.steps[:1] in ((("get", "reaction"),), (("get", "multipliers"),))
 
     @property
     def at_end(self) -> bool:

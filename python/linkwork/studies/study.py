@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from linkwork.arguments import check_new, optional_package
 from linkwork.arrays import Floats, ReadOnly
-from linkwork.errors import OptionError, unwritable
+from linkwork.errors import OptionError, counted, unwritable
 from linkwork.fingerprints import plain
 from linkwork.replacement import replacing
 from linkwork.results.result import Result
@@ -24,6 +24,7 @@ from linkwork.studies.cases import Runner
 from linkwork.studies.collected import Collected
 from linkwork.studies.datasets import dimensions, for_netcdf, without_groups
 from linkwork.studies.sampling import Cases
+from linkwork.studies.told import lines
 
 if TYPE_CHECKING:
     import pandas
@@ -35,9 +36,6 @@ if TYPE_CHECKING:
     from linkwork.view.page import Page
 
 __all__ = ["Study", "array_of", "assembled"]
-
-#: Causes of failure that a summary lists.
-LISTED = 3
 
 
 @dataclass(frozen=True, repr=False)
@@ -52,10 +50,12 @@ class Study(ReadOnly):
     verdict     (n,) "good", "coarse" or "wrong", see linkwork.Verdict; empty where there is none
     accuracy    (n,) the estimated relative error of the run, Verdict.error; NaN where there is none
     seconds     (n,) wall time
-    remarks     by case: warnings of the run
+    remarks     by case: warnings of the run, and what its summary says of what the outputs are
     units       of parameters and outputs that are known
     times       (k,) [s] of outputs that are arrays over time, whose second axis they are; None: of none
     manifest    what was run: hashes, versions, seed, machines
+    notes       by output: what it is in all cases but those whose remarks say otherwise, such as a reaction
+                that redundant equations leave open
     """
 
     parameters: Mapping[str, NDArray[Any]]
@@ -69,6 +69,7 @@ class Study(ReadOnly):
     units: Mapping[str, str]
     times: Floats | None
     manifest: Mapping[str, Any]
+    notes: Mapping[str, str] = field(default_factory=dict)
     described: Mapping[str, str] = field(default_factory=dict)  #: outputs in words
     over_time: frozenset[str] = frozenset()  #: outputs that are arrays over `times`
     runner: Runner | None = field(default=None, compare=False)  #: what runs a case
@@ -82,9 +83,8 @@ class Study(ReadOnly):
         parts = [f"{counts[name]} {name}" for name in ("finished", "failed", "skipped") if counts[name]]
         doubtful = Counter(self.verdict.tolist())
         parts += [f"{doubtful[name]} of them {name}" for name in ("coarse", "wrong") if doubtful[name]]
-        why = Counter(str(it["message"]) for it in self.errors.values()).most_common(LISTED)
-        lines = [f"<Study: {len(self)} cases of {', '.join(self.parameters)}: {', '.join(parts)}>"]
-        return "\n".join([*lines, *(f"  {count} x {message}" for message, count in why)])
+        head = f"<Study: {len(self)} cases of {', '.join(self.parameters)}: {', '.join(parts)}>"
+        return "\n".join([head, *lines(self.errors, self.remarks, self.notes, counted(len(self), "case"))])
 
     def case(self, number: int) -> dict[str, Any]:
         """Everything of one case.
@@ -210,7 +210,8 @@ class Study(ReadOnly):
         return table
 
     def to_frame(self) -> pandas.DataFrame:
-        """A table of pandas, a row a case; arrays have a column a number: "path[0]". Units in `attrs`.
+        """A table of pandas, a row a case; arrays have a column a number: "path[0]". Units and notes are in
+        `attrs`.
 
             study.to_frame().sort_values("height")
 
@@ -219,8 +220,9 @@ class Study(ReadOnly):
         package = optional_package("pandas", "pandas", "to_frame", instead="to_table needs nothing")
         columns = dict(self._flat())
         frame: pandas.DataFrame = package.DataFrame(columns, index=package.RangeIndex(len(self), name="case"))
-        frame["error"] = [self.errors.get(k, {}).get("message", "") for k in range(len(self))]
-        frame.attrs.update(units=dict(self.units))
+        for name, texts in self._texts():
+            frame[name] = texts
+        frame.attrs.update(units=dict(self.units), notes=dict(self.notes))
         return frame
 
     def to_csv(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
@@ -233,13 +235,17 @@ class Study(ReadOnly):
         FileError: there is a file, it has another suffix, or cannot be written.
         """
         target = check_new(path, "table", overwrite)
-        columns = dict(self._flat())
-        columns["error"] = np.array([self.errors.get(k, {}).get("message", "") for k in range(len(self))])
-        rows = zip(range(len(self)), *(it.tolist() for it in columns.values()), strict=True)
+        columns = {**{name: it.tolist() for name, it in self._flat()}, **dict(self._texts())}
+        rows = zip(range(len(self)), *columns.values(), strict=True)
         with replacing(target, "table") as beside, open(beside, "w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file, lineterminator="\n")
             writer.writerow(["case", *columns])
             writer.writerows(rows)
+
+    def _texts(self) -> Iterator[tuple[str, list[str]]]:
+        """Of each case why it failed, and what is remarked."""
+        yield "error", [self.errors.get(k, {}).get("message", "") for k in range(len(self))]
+        yield "remarks", [self.remarks.get(k, "") for k in range(len(self))]
 
     def _flat(self) -> Iterator[tuple[str, NDArray[Any]]]:
         """Columns (n,) of the table; of arrays one a number. OptionError: two of one name."""
@@ -257,8 +263,8 @@ class Study(ReadOnly):
 
     def to_xarray(self) -> xarray.Dataset:
         """A data set of xarray over the dimension "case": parameters, status, verdict, ... as coordinates,
-        outputs as variables, units as attributes, the manifest as text. Names have "_" for "/", by which
-        files would put them into groups; the attribute `name` has what it was.
+        outputs as variables, units and notes ("comment") as attributes, the manifest as text. Names have "_"
+        for "/", by which files would put them into groups; the attribute `name` has what it was.
 
             study.to_xarray().height.max()
 
@@ -271,7 +277,7 @@ class Study(ReadOnly):
         for name in ("status", "verdict", "accuracy", "seconds"):
             unit = {"seconds": "s", "accuracy": "1"}.get(name)
             coordinates[name] = ("case", getattr(self, name), {"units": unit} if unit else {})
-        coordinates["error"] = "case", [self.errors.get(k, {}).get("message", "") for k in range(len(self))]
+        coordinates |= {name: ("case", np.array(texts, dtype=object)) for name, texts in self._texts()}
         if self.over_time:
             coordinates["time"] = "time", self.times, {"units": "s"}
         variables = {name: self._variable(name, it, self.described.get(name, ""))
@@ -283,7 +289,8 @@ class Study(ReadOnly):
         dims = dimensions(name, values.ndim - 1, {*self.parameters, *self.outputs})
         if name in self.over_time:
             dims[0] = "time"
-        attributes = {"units": self.units.get(name, ""), "long_name": about}
+        attributes = {"units": self.units.get(name, ""), "long_name": about,
+                      "comment": self.notes.get(name, "")}  # fmt: skip
         return ("case", *dims), values, {key: text for key, text in attributes.items() if text}
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None:
@@ -336,6 +343,7 @@ def assembled(
         }.items() if unit},
         times=runner.times,
         manifest=manifest,
+        notes={it.label: it.note for it in runner.outputs if it.note},
         described={it.label: it.about for it in runner.outputs},
         over_time=frozenset(it.label for it in runner.outputs if it.over_time),
         runner=runner,

@@ -27,10 +27,10 @@ from linkwork.errors import FileError, LinkworkError, LinkworkWarning, OptionErr
 from linkwork.fingerprints import canonical, digest, digests, plain
 from linkwork.modeling.model import Model
 from linkwork.motion.header import Header
-from linkwork.options import TABLE, check_name, check_number, check_option, without_threads
-from linkwork.options import names as option_names
+from linkwork.options import TABLE, check_number, check_option, without_threads
 from linkwork.results.result import Result
 from linkwork.running import checks, recording, schedule
+from linkwork.running.events import events_of
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.leaving_no_memory import called, leaving_no_memory
 from linkwork.running.manifest import platform_facts
@@ -43,12 +43,13 @@ from linkwork.studies.chunks import run_cases
 from linkwork.studies.collected import Collected, Todo
 from linkwork.studies.executors import check_executor
 from linkwork.studies.lanes import fits, with_lanes
+from linkwork.studies.notes import noted
 from linkwork.studies.sampling import Cases, cases_of
 from linkwork.studies.store import Store, stored_identity
 from linkwork.studies.study import Study, assembled
 from linkwork.studies.variants import Built, Source, source_of
 
-__all__ = ["check_names", "probe", "sweep"]
+__all__ = ["check_names", "checked_outputs", "probe", "sweep"]
 
 log = logging.getLogger(__name__)
 
@@ -126,8 +127,8 @@ def sweep(
                 any time
     progress    None: a line on a terminal or in a notebook; False: nothing
     options     of linkwork.simulate: step, rtol, integrator, events, ... Without record_every all steps are
-                recorded, with rtol also about 1000 even times, as steps may be long; on_inaccurate is
-                "pass": see Study.verdict
+                recorded, with rtol also about 1000 even times, as steps may be long, or of last values with a
+                fixed step at most about 1000; on_inaccurate is "pass": see Study.verdict
 
     A case has the same bits whatever runs beside it: those of `simulate`, or where lanes of ensembles have
     all that is asked for (`Study.manifest["lanes"]`), of `simulate` with deterministic=True. One that fails
@@ -144,7 +145,7 @@ def sweep(
     _check_places(shard, gather, retry, directory, processes)
     _check_gather(gather, shard=shard, executor=executor, processes=processes, case_seconds=case_seconds,
                   retry=retry or None)  # fmt: skip
-    _check_options(options)
+    options = _checked_options(options)
     drawn = cases_of(parameters, sampler, cases, seed)
     source = source_of(model, drawn.columns)
     drawn = drawn if isinstance(source, Built) else drawn.as_floats()
@@ -157,7 +158,7 @@ def sweep(
     checks.warn_of_opposed_axes(example, example.compiled().q0)
     first = example if number == 0 else None
     _check_run(source, drawn, first, float(t_end), run_options)
-    checked = [wanted.checked(it, probe(example, run_options), wanted_times) for it in asked]
+    checked = checked_outputs(asked, probe(example, run_options), wanted_times)
     _check_times(checked, wanted_times, run_options)
     runner = Runner(source, float(t_end), run_options, checked, wanted_times)
     base = model if isinstance(model, Model) else example
@@ -262,13 +263,16 @@ def _check_kept(cases: Cases) -> None:
                 )
 
 
-def _check_options(options: Mapping[str, Any]) -> None:
-    """OptionError: none of `simulate`, or one that a study has in another way."""
+def _checked_options(options: Mapping[str, Any]) -> dict[str, Any]:
+    """Each as often as there are cases. OptionError: none of `simulate`, or one that a study has in another
+    way."""
     known = [*list(inspect.signature(simulate).parameters)[2:-1], *TABLE]
     for name in options:
         if name in OTHERS:
             raise OptionError(f"option '{name}' is none of a study: {OTHERS[name]}", code="option")
         check_option(name, known)
+    checks.check_choices(options)
+    return {**options, **({"events": events_of(options["events"])} if "events" in options else {})}
 
 
 def _example(model: Any, source: Source, cases: Cases) -> tuple[int, Model]:
@@ -289,7 +293,6 @@ def _check_run(
     source: Source, cases: Cases, first: Model | None, t_end: float, options: Mapping[str, Any]
 ) -> None:
     """OptionError: a choice that does not exist, or that none of some cases can honor."""
-    check_name("on_inaccurate", options["on_inaccurate"], option_names()["on_inaccurate"])
     refused: OptionError | None = None
     for k in sorted({0, len(cases) // 2, len(cases) - 1}):
         try:
@@ -330,6 +333,13 @@ def probe(model: Model, options: Mapping[str, Any]) -> Result:
     frames = {name: np.zeros((1, *shape)) for name, shape in header.frame_shapes().items()}
     frames["q"], frames["v"] = core.q0.reshape(1, -1, 7), core.v0.reshape(1, -1, 6)
     return Result(frames, header, {})
+
+
+def checked_outputs(
+    asked: Sequence[wanted.Output], at_start: Result, times: Floats | None
+) -> list[wanted.Output]:
+    """With units, descriptions and notes. OptionError: one that does not exist."""
+    return [noted(wanted.checked(it, at_start, times), at_start) for it in asked]
 
 
 def _check_times(outputs: Sequence[wanted.Output], times: Floats | None, options: Mapping[str, Any]) -> None:
