@@ -6,10 +6,13 @@ import csv
 import math
 import warnings
 from collections.abc import Callable, Iterator
+from decimal import Decimal
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 import linkwork as lw
+import numpy as np
 import pytest
 from linkwork import functions
 from linkwork.running.seen_in_frames import may_show_in_frames
@@ -134,6 +137,37 @@ def test_a_switch_is_true_or_false(name: str, value: Any) -> None:
     ):  # fmt: skip
         with pytest.raises(lw.OptionError, match=f"^{name} "):
             call(**{name: value})
+
+
+ODD: list[dict[str, Any]] = [
+    {"outputs": {"x": np.array([1.0, 2.0])}}, {"events": np.array(1.0)}, {"times": [10**400]},
+    {"integrator": np.array([1.0, 2.0])}, {"assemble": np.array([1.0, 2.0])},
+    {"threads": np.array([1.0, 2.0])}, {"on_singular": (x for x in "ab")}, {"violation_limit": (x for x in "ab")},
+    {"deterministic": "no"},
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("odd", ODD, ids=[next(iter(it)) for it in ODD])
+def test_arguments_of_another_kind_are_refused_by_name(odd: dict[str, Any]) -> None:
+    (name,) = odd
+    swing, values = lw.mechanisms.pendulum(), {"gravity[2]": [-9.81]}
+    with pytest.raises(lw.OptionError, match=name):
+        lw.sweep(swing, values, **{"outputs": "final", "t_end": 0.1, **STEP, **QUIET, **odd})
+    with pytest.raises(lw.OptionError, match=name):
+        lw.simulate_many(swing, values, 0.1, **{"outputs": "final", "progress": False, **STEP, **odd})
+
+
+@pytest.mark.parametrize("number", [Decimal, Fraction])
+@pytest.mark.parametrize("exact", [{"step": "0.01"}, {"rtol": "1e-6", "atol": "1e-8"}])
+def test_numbers_of_other_kinds_are_numbers(number: Any, exact: dict[str, str]) -> None:
+    swing, values = lw.mechanisms.pendulum(), {"gravity[2]": [0.0]}
+    given, usual = ({name: kind(it) for name, it in exact.items()} for kind in (number, float))
+    for found in (
+        lw.sweep(swing, values, "final", t_end=0.1, case_seconds=number(60), **given, **QUIET),
+        lw.simulate_many(swing, values, 0.1, outputs="final", progress=False, **given),
+    ):
+        result = lw.simulate(swing, 0.1, deterministic=True, **usual)
+        assert_array_equal(found.outputs["final.q"][0], result.q[-1])
 
 
 def falls(w: float = 1.0) -> lw.Model:

@@ -297,9 +297,10 @@ def _checked_options(options: Mapping[str, Any]) -> dict[str, Any]:
         if name in OTHERS:
             raise OptionError(f"option '{name}' is none of an ensemble: {OTHERS[name]}", code="option")
         check_option(name, known)
-    if options.get("deterministic") is False:
+    if (given := options.get("deterministic")) is not None and given is not True:
         raise OptionError(
-            "deterministic: members have the bits of deterministic runs; leave it out", code="deterministic"
+            f"deterministic {given!r:.40}: members have the bits of deterministic runs; leave it out",
+            code="deterministic",
         )
     checks.check_choices(options)
     if options.get("on_inaccurate") == "stop":

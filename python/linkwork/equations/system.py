@@ -75,8 +75,8 @@ class System:
     def __init__(self, model: Model, **options: Unpack[Options]) -> None:
         check_model(model)
         self.model = model
-        self._options: Mapping[str, Any] = copy.deepcopy(options)
         self._given = compile_options(options)
+        self._options: Mapping[str, Any] = copy.deepcopy(options)
         self._dynamics = _core.Dynamics(model.compiled(), self._given)
 
     def of(self, model: Model) -> System:

@@ -166,7 +166,8 @@ def method_of(
     )
     plan = schedule.plan(t_end, step, rtol, atol, every, at, recording.frame_bytes(example), 0.0)
     given = {name: value for name, value in arguments.items() if value is not None or name in TABLE}
-    integrator = arguments.get("integrator") or plan.usual_integrator
+    chosen = arguments.get("integrator")
+    integrator = plan.usual_integrator if chosen is None else chosen
     found = named(integrator) if isinstance(integrator, str) else integrator
     alone = ""
     if not isinstance(found, ButcherTableau if isinstance(plan, schedule.Fixed) else EmbeddedPair):

@@ -261,8 +261,10 @@ def plan(
 ) -> Fixed | Adaptive:
     """The arguments of `simulate` as a schedule. OptionError: a value that makes no sense, or a conflict."""
     check_number("t_end", t_end, positive=False, unit="s")
+    t_end = float(t_end)
     if step is not None:
         check_number("step", step, positive=True, unit="s")
+        step = float(step)
     if record_every is not None:
         _check_record_every(record_every)
     if t_start > t_end:
@@ -320,6 +322,7 @@ def _adaptive(
 ) -> Adaptive:
     rtol = USUAL_RTOL if rtol is None else rtol
     check_number("rtol", rtol, positive=True)
+    rtol = float(rtol)
     if rtol < LEAST_RTOL:
         raise OptionError(
             f"rtol {rtol:g} is below {LEAST_RTOL:g}: double precision holds no more; give a larger one",
@@ -335,7 +338,7 @@ def _adaptive(
     return Adaptive(
         t_end=t_end,
         rtol=rtol,
-        atol=atol,
+        atol=float(atol),
         largest_step=math.inf if step is None else step,
         record_every=int(record_every or 0),
         times=asked,

@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from linkwork import _core
-from linkwork.arguments import whole
+from linkwork.arguments import UNREADABLE, whole
 from linkwork.arrays import Floats
 from linkwork.errors import OptionError
 from linkwork.modeling.model import Model
@@ -183,7 +183,7 @@ def check_times(
 def _ascending(times: Any, t_end: float) -> Floats:
     try:
         wanted = np.atleast_1d(np.array(times, dtype=float))
-    except (TypeError, ValueError) as error:
+    except UNREADABLE as error:
         raise OptionError(f"times {times!r:.80} are no numbers", code="times") from error
     good = wanted.ndim == 1 and len(wanted) and np.isfinite(wanted).all()
     wanted = np.where(np.abs(wanted - t_end) <= ROUNDED * t_end, t_end, wanted)

@@ -190,7 +190,7 @@ def _made(label: Any, what: Any) -> Iterator[Output]:
             (getattr(what, "__doc__", "") or "").split("\n")[0],
             function=what,
         )
-    elif what == "final":
+    elif isinstance(what, str) and what == "final":
         head = label or "final"
         yield Output(f"{head}.q", "m, 1", "last position and Euler parameters of each body",
                      function=_final_q)  # fmt: skip

@@ -164,7 +164,7 @@ def sweep(
     base = model if isinstance(model, Model) else example
     runner = _chosen(runner, with_lanes(runner, options), base, drawn, directory)
     check_executor(executor, processes, runner)
-    _check_case_seconds(case_seconds, executor)
+    case_seconds = _checked_case_seconds(case_seconds, executor)
     identity = _identity(runner, drawn)
     head = digest(identity, _version())
     keys = digests(head, drawn.columns)
@@ -217,10 +217,10 @@ def _check_gather(gather: bool, **others: Any) -> None:
             )
 
 
-def _check_case_seconds(case_seconds: Any, executor: Any) -> None:
+def _checked_case_seconds(case_seconds: Any, executor: Any) -> float | None:
     """OptionError: no time, or one that nobody could keep."""
     if case_seconds is None:
-        return
+        return None
     check_number("case_seconds", case_seconds, positive=True, unit="s")
     if executor is not None or not can_fork():
         where = "an executor's own processes" if executor is not None else "this system"
@@ -229,6 +229,7 @@ def _check_case_seconds(case_seconds: Any, executor: Any) -> None:
             "long; leave it out",
             code="case_seconds",
         )
+    return float(case_seconds)
 
 
 def check_names(own: Mapping[str, str], parameters: Sequence[str], outputs: Sequence[str]) -> None:
