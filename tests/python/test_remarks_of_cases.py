@@ -142,7 +142,8 @@ def test_a_switch_is_true_or_false(name: str, value: Any) -> None:
 ODD: list[dict[str, Any]] = [
     {"outputs": {"x": np.array([1.0, 2.0])}}, {"events": np.array(1.0)}, {"times": [10**400]},
     {"integrator": np.array([1.0, 2.0])}, {"assemble": np.array([1.0, 2.0])},
-    {"threads": np.array([1.0, 2.0])}, {"on_singular": (x for x in "ab")}, {"violation_limit": (x for x in "ab")},
+    {"threads": np.array([1.0, 2.0])},
+    {"on_singular": (x for x in "ab")}, {"violation_limit": (x for x in "ab")},
     {"deterministic": "no"},
 ]  # fmt: skip
 
