@@ -240,6 +240,7 @@ def made_by_exec():
 
 NUMBERS, NUMBER = (ctypes.c_double * 1)(@X@), ctypes.c_double(@X@)
 POINTER = ctypes.pointer(ctypes.c_double(@X@))
+VIEW = memoryview(bytearray(np.array(@X@)))
 WEAK, SPLINE = weakref.ref(CONFIG), scipy.interpolate.UnivariateSpline(range(5), [0, @X@, 0, 1, 0], s=0)
 for name, call in {
     "numbers": lambda: NUMBERS[0], "number_of_c": lambda: NUMBER.value,
@@ -249,6 +250,10 @@ for name, call in {
     FUNCTIONS[name] = call
 
 # what a context holds, what is held weakly, and what was put where others look
+
+@of
+def view_of_memory():
+    return VIEW.cast("d")[0]
 
 DEFAULT, GIVEN = contextvars.ContextVar("default", default=@X@), contextvars.ContextVar("given")
 GIVEN.set(@X@)

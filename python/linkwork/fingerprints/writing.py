@@ -210,6 +210,8 @@ class Writer:
             return [value.__qualname__, *self.of_function(value)]
         if isinstance(value, _FROM_C) and not isinstance(value, ctypes._CFuncPtr):  # type: ignore[attr-defined]
             return [type(value), *_parts_of_c(value)]
+        if isinstance(value, memoryview):
+            return [value.format, value.shape, value.tobytes()]
         if isinstance(value, RESTLESS):
             return [type(value), getattr(value, "__name__", "")]
         if type(value) is SimpleNamespace:
