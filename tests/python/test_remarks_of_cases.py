@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import json
 import math
 import warnings
 from collections.abc import Callable, Iterator
@@ -15,6 +16,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import functions
+from linkwork.cli import run
 from linkwork.running.seen_in_frames import may_show_in_frames
 from numpy.testing import assert_array_equal
 
@@ -234,6 +236,19 @@ def test_what_is_remarked_is_in_every_table_and_in_the_summary(tmp_path: Path) -
     study.save(tmp_path / "cases.nc")
 
 
+def test_the_command_line_tells_of_remarks(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    bushing().save(tmp_path / "bush.yaml")
+    (tmp_path / "study.yaml").write_text(
+        "linkwork_study: 1\nmodel: bush.yaml\nt_end: 0.2\nsimulation: {step: 1e-3}\n"
+        "parameters: {b.mass: [1.0, 2.0]}\noutputs: final\n"
+    )
+    assert run(["sweep", str(tmp_path / "study.yaml"), "--processes", "1"], False) == 0
+    assert "remarks in 2 of 2 cases, such as: 'it': turned beyond" in capsys.readouterr().out
+    assert run(["sweep", str(tmp_path / "study.yaml"), "--gather", "--json"], False) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert sorted(found["remarks"]) == ["0", "1"] and found["notes"] == {}
+
+
 # --- what the summary of a run says of outputs ---
 
 
@@ -294,17 +309,17 @@ def four_bar(w: float = 1.0) -> lw.Model:
 
 
 @pytest.mark.parametrize("more", [{}, {"deterministic": False}])
-@pytest.mark.parametrize(("make", "output", "run", "text"), [
+@pytest.mark.parametrize(("make", "output", "method", "text"), [
     (struck, "reaction('driver').force.max", {"rtol": 1e-8}, "reactions are without the impulses"),
     (struck, "body('b').position.x.final", {"rtol": 1e-8}, ""),
     (pulled_up, "final", STEP, "the plane pulls at the disc"),
     (four_bar, "final", {**STEP, "violation_limit": {"position": 1e-12}}, "violation_limit: passed"),
 ])  # fmt: skip
 def test_notes_of_a_run_are_remarks_where_they_say_what_outputs_are(
-    make: Any, output: str, run: Any, text: str, more: Any
+    make: Any, output: str, method: Any, text: str, more: Any
 ) -> None:
     (w,) = make.__defaults__
-    study = lw.sweep(make, {"w": [w]}, output, t_end=1.0, **run, **QUIET, **more)
-    many = lw.simulate_many(make, {"w": [w]}, 1.0, outputs=output, progress=False, **run)
+    study = lw.sweep(make, {"w": [w]}, output, t_end=1.0, **method, **QUIET, **more)
+    many = lw.simulate_many(make, {"w": [w]}, 1.0, outputs=output, progress=False, **method)
     for found in (study.remarks, many.remarks):
         assert (text in found[0]) if text else not found

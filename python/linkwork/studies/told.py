@@ -34,9 +34,13 @@ def lines(
 
 def _most_frequent(remarks: Mapping[int, str]) -> str:
     """One of them, in short."""
-    kinds = Counter(NUMBERS.sub("0", it) for it in remarks.values())
+    kinds, first_of = Counter[str](), dict[str, str]()
+    for text, count in Counter(remarks.values()).items():
+        kind = NUMBERS.sub("0", text)
+        kinds[kind] += count
+        first_of.setdefault(kind, text)
     kind, many = kinds.most_common(1)[0]
-    first = next(it for it in remarks.values() if NUMBERS.sub("0", it) == kind)
+    first = first_of[kind]
     text = first if len(first) <= CHARACTERS else f"{first[:CHARACTERS]} ..."
     if many == len(remarks):
         return f": {text}" if many == 1 else f", such as: {text}"
