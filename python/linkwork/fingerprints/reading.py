@@ -58,8 +58,8 @@ DATA = (bool, int, float, complex, str, bytes, list, tuple, dict, set, frozenset
 #: Values of the standard library that say all by what they are made of.
 _VALUES = (
     *DATA, slice, range, bytearray, memoryview, array.array, collections.deque, re.Pattern, Decimal, Fraction,
-    Enum, datetime.date, datetime.time, datetime.timedelta, MappingProxyType, SimpleNamespace, functools.partial,
-    MethodType,
+    Enum, datetime.date, datetime.time, datetime.timedelta, MappingProxyType, SimpleNamespace,
+    functools.partial, MethodType,
 )  # fmt: skip
 
 #: Data without parts.
