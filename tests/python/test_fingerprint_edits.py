@@ -251,6 +251,24 @@ for name, call in {
 
 # what a context holds, what is held weakly, and what was put where others look
 
+PLACED = @X@
+
+@of
+def its_own_module():
+    import sys
+    return sys.modules[__name__].PLACED
+
+class Family:
+    pass
+
+class Member(Family):
+    def gain(self):
+        return @X@
+
+@of
+def a_class_by_its_base():
+    return Family.__subclasses__()[0]().gain()
+
 @of
 def view_of_memory():
     return VIEW.cast("d")[0]

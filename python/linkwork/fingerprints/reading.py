@@ -194,6 +194,8 @@ def read_by(function: FunctionType) -> list[tuple[str, Any]]:
             modules.append((name, value, name in handed_on))
         elif _is_read(value, own) and not codes.is_changed(name, value, changes):
             found[name] = _now(value)
+            if isinstance(value, type) and "__subclasses__" in codes.names(code):
+                found[f"{name}.__subclasses__"] = type.__subclasses__(value)
     if codes.globals_read(code) & _READ_ALL - known.keys() and own in sys.modules:
         modules.append(("", sys.modules[own], True))
     for name, value, whole in _imports(function):
@@ -270,9 +272,11 @@ def _imports(function: FunctionType) -> list[tuple[str, Any, bool]]:
             has = getattr(sys.modules.get(name), part, None)
             if has is None or isinstance(has, ModuleType):
                 found.append((f"{name}.{part}", has or imported(f"{name}.{part}"), whole))
-    if codes.names(code) & _IMPORTERS:
+    if codes.names(code) & _IMPORTERS or codes.names(code) >= {"sys", "modules"}:
         texts = (it for it in codes.constants(code) if it.replace(".", "").isidentifier())
         found += [(it, imported(it), True) for it in texts]
+        if "__name__" in codes.globals_read(code):
+            found.append(("__name__", imported(module_of(function)), False))
     return found
 
 
