@@ -157,6 +157,22 @@ inline Evaluation evaluate_initially(const System& system) {
   return at;
 }
 
+/// Two copies of a model whose elements are between bodies: with positions rounded to 2^-20 m, and with the same about
+/// 2^20 m away. Not a digit is lost, so that what bodies do to each other is the same to the last bit.
+struct HereAndAway {
+  explicit HereAndAway(const Model& model) : here(model), away(model) {
+    VectorXd q = model.initial_q(), q_away = q;
+    for (Eigen::Index body = 0; position_size * body < q.size(); ++body) {
+      for (double& x : q.segment<3>(position_size * body)) x = std::ldexp(std::round(std::ldexp(x, 20)), -20);
+      q_away.segment<3>(position_size * body) =
+          q.segment<3>(position_size * body) + Vec3<double>(0x1p20, -0x1p19, 0x1p20);
+    }
+    here = model.with_initial_state(q, model.initial_v());
+    away = model.with_initial_state(q_away, model.initial_v());
+  }
+  Model here, away;
+};
+
 /// D, rows x 6n, from its blocks.
 inline MatrixXd dense_D(const System& system, const Evaluation& at) {
   MatrixXd D = MatrixXd::Zero(system.row_count(), system.v_size());

@@ -103,6 +103,17 @@ TEST_CASE("force elements act with equal and opposite forces and moments on thei
   }
 }
 
+TEST_CASE("forces between bodies are the same to the last bit a thousand kilometers away") {
+  Random random(23);
+  for (const ForceKind& kind : force_kinds()) {
+    CAPTURE(kind.info.name);
+    const HereAndAway models(random_force(kind.info.name, 0, 1, random));
+    const Evaluation here = evaluate_initially(System(models.here)), away = evaluate_initially(System(models.away));
+    CHECK(away.g == here.g);
+    CHECK(away.power == here.power);
+  }
+}
+
 TEST_CASE("a spring-damper pulls with k (l - l_0) + c l_dot + f") {
   Model model(Vec3<double>::Zero());
   Body body;

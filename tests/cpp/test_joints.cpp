@@ -136,6 +136,17 @@ TEST_CASE("every column of D is the derivative of Phi along the unit velocity") 
   });
 }
 
+TEST_CASE("D and gamma between bodies are the same to the last bit a thousand kilometers away") {
+  Random random(42);
+  for (const JointKind& kind : joint_kinds()) {
+    CAPTURE(kind.info.name);
+    const HereAndAway models(Case(kind.info.name, 0, 1, random).model);
+    const Evaluation here = evaluate_initially(System(models.here)), away = evaluate_initially(System(models.away));
+    CHECK(away.D == here.D);
+    CHECK(away.gamma == here.gamma);
+  }
+}
+
 TEST_CASE("Phi_t is the derivative of Phi in time at a fixed pose") {
   for_every_joint([](const Case& c) {
     const Nearby system(c.model, c.t);

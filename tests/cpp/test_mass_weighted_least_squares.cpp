@@ -70,7 +70,7 @@ TEST_CASE("a massless body gets a mass, the mean of the others, so that there is
 TEST_CASE("in the metric of geometry velocities of natural size count alike") {
   Random random(33);
   const System system(random_chain(random, 3, "universal"));
-  MassWeightedLeastSquares solver = MassWeightedLeastSquares::of_geometry(system);
+  MassWeightedLeastSquares solver = MassWeightedLeastSquares::of_geometry(system, system.model().initial_q());
   const VectorXd scale = velocity_scale(system);
   for (int body = 0; body < 3; ++body) {
     CHECK(solver.system().mass(body) * scale[6 * body] * scale[6 * body] == doctest::Approx(1.0).epsilon(1e-14));

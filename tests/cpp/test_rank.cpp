@@ -1,5 +1,8 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "dense_algebra.hpp"
 #include "linkwork/constraints/rank.hpp"
 #include "mechanisms.hpp"
@@ -18,6 +21,23 @@ void check_rank(const Model& model) {
   CHECK(report.rank == dense_rank(D, 1e-9));
   for (const int row : report.dependent_rows) D.row(row).setZero();
   CHECK(dense_rank(D, 1e-9) == report.rank);
+}
+
+/// n hinges about one direction along a circle, links of 1 m between them, in a plane that is turned in space.
+Model ring(int n, const Vec3<double>& center) {
+  const Mat3<double> F = rotation_matrix<double>(Vec4<double>(0.7, 0.3, -0.5, 0.2).normalized());
+  const auto hinge = [&](int k) {
+    const double angle = 2.0 * std::numbers::pi * k / n;
+    return Vec3<double>(center +
+                        n / (2.0 * std::numbers::pi) * (std::cos(angle) * F.col(0) + std::sin(angle) * F.col(1)));
+  };
+  Model model;
+  for (int k = 0; k + 1 < n; ++k) model.add_body("link" + std::to_string(k), body_at(0.5 * (hinge(k) + hinge(k + 1))));
+  for (int k = 0; k < n; ++k) {
+    const int i = k > 0 ? k - 1 : ground, j = k + 1 < n ? k : ground;
+    model.add_joint("revolute", "hinge" + std::to_string(k), i, j, place(model, i, j, hinge(k), hinge(k), F, F));
+  }
+  return model;
 }
 
 }  // namespace
@@ -165,6 +185,16 @@ TEST_CASE("what is left of a door's residual is not told from its rank") {
         INFO(size, " ", off);
         CHECK(examine_rank(System(door(size, off * direction))).rank == 5);
       }
+}
+
+TEST_CASE("a long ring of hinges has three redundant equations wherever it stands") {
+  for (const double off : {0.0, 1e3, 1e4, 1e6}) {
+    INFO(off);
+    const RankReport report = examine_rank(System(ring(1000, off * Vec3<double>(1.0, -2.0, 1.0))));
+    CHECK(report.degrees_of_freedom == 997);
+    CHECK(report.redundant_rows.size() == 3);
+    CHECK(report.singular_rows.empty());
+  }
 }
 
 TEST_CASE("joints that contradict each other leave a rank of at most six for each body") {

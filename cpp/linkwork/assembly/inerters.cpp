@@ -17,6 +17,7 @@ class InerterRow final : public SpecialJoint {
   int history_size() const override { return 0; }
   void evaluate(const BodyState<double>*, const Signal<double>*, const SpecialHistory&,
                 const SpecialRows&) const override {}
+  SpecialJointPtr seen_from(const Vec3<double>&) const override { return std::make_shared<InerterRow>(*this); }
 
  private:
   std::vector<int> bodies_;

@@ -106,6 +106,11 @@ const VectorXd& characteristic_lengths(const System& system) {
       .of_bodies;
 }
 
+void keep_lengths(const System& from, const System& with) {
+  const VectorXd& lengths = characteristic_lengths(from);
+  with.kept().get<CharacteristicLengths>([&] { return CharacteristicLengths{lengths}; });
+}
+
 VectorXd velocity_scale(const System& system) {
   const VectorXd& lengths = characteristic_lengths(system);
   VectorXd scale = VectorXd::Ones(system.v_size());

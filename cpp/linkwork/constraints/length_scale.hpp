@@ -9,6 +9,9 @@ namespace linkwork {
 /// bodies; then a radius of gyration; 1 where there is nothing that has a length. Kept with the system.
 const VectorXd& characteristic_lengths(const System& system);
 
+/// Keeps those of a system with another one of the same bodies and joints.
+void keep_lengths(const System& from, const System& with);
+
 /// Velocities of natural size, 6 per body: the body's length for a translation against 1 for a rotation. Masses do not
 /// count: rank is a fact of geometry.
 VectorXd velocity_scale(const System& system);

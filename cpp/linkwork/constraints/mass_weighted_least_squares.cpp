@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "linkwork/assembly/connected_components.hpp"
 #include "linkwork/constraints/length_scale.hpp"
 #include "linkwork/linear/block/kept_orders.hpp"
 #include "linkwork/math/error.hpp"
@@ -42,6 +43,19 @@ Model with_masses(const System& system, const VectorXd& weights) {
   return model.with_masses(bodies);
 }
 
+/// 3 per body: where the first body of its connected component is.
+VectorXd first_bodies(const System& system, const ConstVector& q) {
+  const ConnectedComponents& components = ConnectedComponents::of(system);
+  std::vector<int> first(static_cast<std::size_t>(components.count()), -1);
+  VectorXd out(3 * std::ptrdiff_t{system.body_count()});
+  for (int body = 0; body < system.body_count(); ++body) {
+    int& found = first[components.of_body(body)];
+    if (found < 0) found = body;
+    out.segment<3>(3 * body) = q.segment<3>(position_size * found);
+  }
+  return out;
+}
+
 }  // namespace
 
 MassWeightedLeastSquares::MassWeightedLeastSquares(const System& system, const VectorXd& weights)
@@ -49,7 +63,7 @@ MassWeightedLeastSquares::MassWeightedLeastSquares(const System& system, const V
                                            ? nullptr
                                            : std::make_unique<System>(with_masses(system, weights))) {}
 
-MassWeightedLeastSquares MassWeightedLeastSquares::of_geometry(const System& system) {
+MassWeightedLeastSquares MassWeightedLeastSquares::of_geometry(const System& system, const ConstVector& q) {
   const VectorXd& lengths = characteristic_lengths(system);
   std::vector<Body> bodies = system.model().bodies();
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -57,15 +71,28 @@ MassWeightedLeastSquares MassWeightedLeastSquares::of_geometry(const System& sys
     bodies[b].mass = 1.0 / (length * length);
     bodies[b].inertia.setIdentity();
   }
-  return {system, std::make_unique<System>(system.model().with_masses(bodies).without_inertances())};
+  VectorXd origins = first_bodies(system, q);
+  const Model model = system.model().with_masses(bodies).without_inertances().seen_from(origins);
+  auto geometry = std::make_unique<System>(model);
+  keep_lengths(system, *geometry);
+  return {system, std::move(geometry), std::move(origins)};
 }
 
-MassWeightedLeastSquares::MassWeightedLeastSquares(const System& system, std::unique_ptr<System> other)
-    : regularized_(std::move(other)),
+MassWeightedLeastSquares::MassWeightedLeastSquares(const System& system, std::unique_ptr<System> other,
+                                                   VectorXd origins)
+    : origins_(std::move(origins)),
+      regularized_(std::move(other)),
       system_(regularized_ ? regularized_.get() : &system),
       saddle_(make_saddle_solver("kkt", linear_solver_info("block"), *system_)) {
   if (regularized_) block::share_orders(system, *regularized_);
   saddle_->analyze(*system_, {});  // block takes none
+}
+
+VectorXd MassWeightedLeastSquares::seen(const ConstVector& q) const {
+  VectorXd out = q;
+  for (Eigen::Index body = 0; 3 * body < origins_.size(); ++body)
+    out.segment<3>(position_size * body) -= origins_.segment<3>(3 * body);
+  return out;
 }
 
 bool MassWeightedLeastSquares::factorize(const Evaluation& at, const VectorXd& e) {

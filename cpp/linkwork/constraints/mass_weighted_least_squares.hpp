@@ -16,10 +16,14 @@ class MassWeightedLeastSquares {
  public:
   explicit MassWeightedLeastSquares(const System& system, const VectorXd& weights = {});
   /// The metric of geometry: instead of the masses the velocities of natural size (see velocity_scale) count alike.
-  static MassWeightedLeastSquares of_geometry(const System& system);
+  /// Positions are counted from where one body of each connected component is in a pose: as a rule they are then as
+  /// large as the mechanism, wherever it stands, and no digits of what joints say of them are lost.
+  static MassWeightedLeastSquares of_geometry(const System& system, const ConstVector& q);
 
   /// The given system, or one with the same bodies, joints and rows that has a regular mass matrix.
   const System& system() const { return *system_; }
+  /// A pose of the given system as that one sees it.
+  VectorXd seen(const ConstVector& q) const;
 
   /// False where the matrix is singular; `e` as in SaddleSolver.
   bool factorize(const Evaluation& at, const VectorXd& e);
@@ -30,8 +34,9 @@ class MassWeightedLeastSquares {
   void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda);
 
  private:
-  MassWeightedLeastSquares(const System& system, std::unique_ptr<System> other);
+  MassWeightedLeastSquares(const System& system, std::unique_ptr<System> other, VectorXd origins = {});
 
+  VectorXd origins_;  ///< 3 per body, or nothing
   std::unique_ptr<System> regularized_;
   const System* system_;
   std::unique_ptr<SaddleSolver> saddle_;

@@ -113,15 +113,20 @@ void find_redundancy(MassWeightedLeastSquares& solver, const ClosedLoops& loops,
   find_unique(solver, loops, assembled.at, perturbed.at, report);
 }
 
-/// Looks at the loops from the evaluation `at` of the pose in the report on. Where that satisfies all constraints it is
-/// the assembled pose; else `at` becomes the evaluation of that.
+/// Looks at the loops from the evaluation `at` of the initial pose on. Where that satisfies all constraints it is the
+/// assembled pose; else `at` becomes the evaluation of that. What is to be told of it or found near by is so small that
+/// it would be lost in the digits of positions far from the origin.
 void examine_loops(const System& given, const ClosedLoops& loops, double tolerance, Evaluation& at,
                    RankReport& report) {
   std::optional<MassWeightedLeastSquares> solver;
   std::vector<char> reached(loops.component_count(), 1);
+  const auto look_closely = [&]() -> const System& {
+    solver = MassWeightedLeastSquares::of_geometry(given, report.q);
+    report.q = solver->seen(report.q);
+    return solver->system();
+  };
   if (!(residuals(given, at).maxCoeff() <= assembled)) {
-    solver = MassWeightedLeastSquares::of_geometry(given);
-    const System& system = solver->system();
+    const System& system = look_closely();
     ConsistentPose start = project_positions(*solver, loops, {0.0, report.q, system.initial_history()}, at);
     report.q = std::move(start.q);
     reached = std::move(start.reached);
@@ -130,7 +135,7 @@ void examine_loops(const System& given, const ClosedLoops& loops, double toleran
   }
   LoopPose pose(loops, std::move(at), tolerance);
   if (!pose.dependent.empty()) {
-    if (!solver) solver = MassWeightedLeastSquares::of_geometry(given);
+    if (!solver) look_closely();
     find_redundancy(*solver, loops, pose, reached, tolerance, report);
   }
   at = std::move(pose.at);
@@ -204,11 +209,12 @@ bool same_geometry(const System& a, const System& b) {
 std::vector<DependentGroup> dependent_groups(const System& given, const RankReport& report, std::size_t most) {
   std::vector<DependentGroup> groups;
   if (report.redundant_rows.empty()) return groups;
-  MassWeightedLeastSquares solver = MassWeightedLeastSquares::of_geometry(given);
+  const VectorXd start = given.model().initial_q();
+  MassWeightedLeastSquares solver = MassWeightedLeastSquares::of_geometry(given, start);
   const System& system = solver.system();
   Evaluation at = system.make_evaluation();
   system.evaluate_constraints(0.0, report.q, VectorXd::Zero(system.v_size()), system.initial_history(), at);
-  const ClosedLoops loops(system, at, std::max(rank_tolerance, roundoff_of_positions(system, report.q)));
+  const ClosedLoops loops(system, at, std::max(rank_tolerance, roundoff_of_positions(given, start)));
   const auto kernel = make_kernel(solver, loops, at, report);
   for (std::size_t k = 0; k < std::min(most, report.redundant_rows.size()); ++k) {
     const auto& dependent = kernel->dependent();

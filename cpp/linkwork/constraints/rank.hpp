@@ -31,7 +31,8 @@ struct RankReport {
   std::vector<int> redundant_rows;  ///< permanently redundant, ascending: the others imply them in every pose
   std::vector<int> singular_rows;   ///< of the others, those that depend on the rest in the assembled pose
   std::vector<char> unique;         ///< per joint: its multipliers, and so its reaction, follow from the motion
-  VectorXd q;                       ///< pose at which dependent groups are found: perturbed where that was possible
+  VectorXd q;  ///< pose, as MassWeightedLeastSquares::of_geometry sees it, at which dependent groups are found:
+               ///< perturbed where that was possible
 };
 
 /// The rank at the assembled pose (t = 0, projected onto the constraints first) and at a randomly perturbed consistent
@@ -39,7 +40,7 @@ struct RankReport {
 /// others best conditioned, at both poses, are chosen. A component of loops that cannot be perturbed though it has a
 /// free velocity (its assembled pose is a dead center) has no redundant rows, and singular ones instead. The least
 /// `tolerance` becomes larger where the roundoff of positions or a residual that assembly leaves is of that size: what
-/// the given geometry does not say is not told from its rank.
+/// the given geometry does not say is not told from its rank. Where the mechanism stands makes no other difference.
 RankReport examine_rank(const System& system, double tolerance = rank_tolerance);
 /// The same with an evaluation of the system's, whatever it holds, as scratch memory.
 RankReport examine_rank(const System& system, Evaluation& scratch, double tolerance = rank_tolerance);

@@ -79,19 +79,29 @@ std::vector<int> choose_here(MassWeightedLeastSquares& solver, const ClosedLoops
   return rows.size() == redundant.size() ? rows : std::vector<int>();
 }
 
+ClosedLoops loops_at(const MassWeightedLeastSquares& solver, const TimedPose& here) {
+  const System& system = solver.system();
+  Evaluation at = system.make_evaluation();
+  system.evaluate_constraints(here.t, solver.seen(here.q), VectorXd::Zero(system.v_size()), here.history, at);
+  return {system, at, rank_tolerance};
+}
+
+/// The nearest pose that satisfies the constraints.
+LoopPose assembled(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const TimedPose& here) {
+  const VectorXd q = solver.seen(here.q);
+  const ConsistentPose found = project_positions(solver, loops, {here.t, q, here.history});
+  return {solver.system(), loops, {here.t, found.q, here.history}, rank_tolerance};
+}
+
 }  // namespace
 
 PoseExamination examine_pose(const System& given, const TimedPose& here, const std::vector<int>& redundant,
                              double near) {
-  MassWeightedLeastSquares solver = MassWeightedLeastSquares::of_geometry(given);
-  const System& system = solver.system();
-  Evaluation at = system.make_evaluation();
-  system.evaluate_constraints(here.t, here.q, VectorXd::Zero(system.v_size()), here.history, at);
-  const ClosedLoops loops(system, at, rank_tolerance);
+  MassWeightedLeastSquares solver = MassWeightedLeastSquares::of_geometry(given, here.q);
   PoseExamination out;
+  const ClosedLoops loops = loops_at(solver, here);
   if (loops.row_count() == 0) return out;
-  const VectorXd q = project_positions(solver, loops, here).q;
-  LoopPose pose(system, loops, {here.t, q, here.history}, rank_tolerance);
+  LoopPose pose = assembled(solver, loops, here);
   out.rows = near_rows(loops, pose.D, redundant, near);
   if (out.rows.empty()) return out;
   out.joints = involved_joints(solver, loops, pose.at, redundant, out.rows);
@@ -103,12 +113,9 @@ PoseExamination examine_pose(const System& given, const TimedPose& here, const s
 }
 
 std::vector<int> choose_redundant_rows(const System& given, const TimedPose& here, const std::vector<int>& present) {
-  MassWeightedLeastSquares solver = MassWeightedLeastSquares::of_geometry(given);
-  const System& system = solver.system();
-  Evaluation at = system.make_evaluation();
-  system.evaluate_constraints(here.t, here.q, VectorXd::Zero(system.v_size()), here.history, at);
-  const ClosedLoops loops(system, at, rank_tolerance);
-  LoopPose pose(system, loops, {here.t, project_positions(solver, loops, here).q, here.history}, rank_tolerance);
+  MassWeightedLeastSquares solver = MassWeightedLeastSquares::of_geometry(given, here.q);
+  const ClosedLoops loops = loops_at(solver, here);
+  LoopPose pose = assembled(solver, loops, here);
   return choose_here(solver, loops, pose, present);
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "linkwork/assembly/connected_components.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
@@ -84,7 +85,30 @@ class RestSearch {
     } catch (const Error&) {
       return false;
     }
-    return fastest(v_dot) <= balanced * rest_.speed * rest_.speed / length_;
+    const VectorXd least = roundoff_of(lambda).cwiseMax(balanced * rest_.speed * rest_.speed / length_);
+    const ConnectedComponents& components = ConnectedComponents::of(system());
+    for (int body = 0; body < system().body_count(); ++body)
+      if (!(speed_of(v_dot, body) <= least[components.of_body(body)])) return false;
+    return true;
+  }
+
+  /// Accelerations that roundoff leaves of forces that cancel, of each connected component: where the weight of a long
+  /// row of bodies hangs on each joint, they are larger than those of an equilibrium that is not exact. They spread from
+  /// the body at which they are largest.
+  VectorXd roundoff_of(const VectorXd& lambda) const {
+    const Evaluation& at = dynamics_.evaluation();
+    VectorXd forces = at.g.head(system().v_size()).cwiseAbs(), accelerations(forces.size());
+    for (const ConstraintBlock& block : system().blocks())
+      forces.segment<velocity_size>(velocity_size * block.body) +=
+          block_of(at, block).cwiseAbs().transpose() * lambda.segment(block.row, block.rows).cwiseAbs();
+    system().multiply_inverse_mass(forces, accelerations);
+    const ConnectedComponents& components = ConnectedComponents::of(system());
+    VectorXd out = VectorXd::Zero(components.count());
+    for (int body = 0; body < system().body_count(); ++body) {
+      double& largest = out[components.of_body(body)];
+      largest = std::max(largest, roundoff * speed_of(accelerations, body));
+    }
+    return out;
   }
 
   /// By drivers: constraints hold as well as at the beginning, and demand no other velocity.
@@ -100,9 +124,13 @@ class RestSearch {
   /// Largest of any body, of turning by the size.
   double fastest(const ConstVector& v) const {
     double largest = 0.0;
-    for (Eigen::Index k = 0; k < v.size(); k += velocity_size)
-      largest = std::max({largest, v.segment<3>(k).norm(), length_ * v.segment<3>(k + 3).norm()});
+    for (int body = 0; body < system().body_count(); ++body) largest = std::max(largest, speed_of(v, body));
     return v.allFinite() ? largest : INFINITY;
+  }
+
+  double speed_of(const ConstVector& v, int body) const {
+    const auto own = v.segment<velocity_size>(velocity_size * body);
+    return std::max(own.head<3>().norm(), length_ * own.tail<3>().norm());
   }
 
   Dynamics& dynamics_;

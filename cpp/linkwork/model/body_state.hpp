@@ -1,6 +1,7 @@
 #pragma once
 
 #include "linkwork/math/elementary_series.hpp"
+#include "linkwork/math/inline.hpp"
 #include "linkwork/math/types.hpp"
 
 namespace linkwork {
@@ -18,6 +19,21 @@ struct BodyState {
   }
 };
 
+/// The way from the center of mass of i to the point s_j of j [m], inertial. What arms and directions are made of are such
+/// differences, those of centers first: of bodies that are near each other it is exact however far from the origin they
+/// are, where the coordinates of a point would be rounded to what is left of digits there.
+template <class Real>
+LINKWORK_PRIMITIVE Vec3<Real> way_to(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& s_j) {
+  return j.r - i.r + j.A * s_j;
+}
+
+/// The way from the point s_i of i to the point s_j of j [m], inertial.
+template <class Real>
+LINKWORK_PRIMITIVE Vec3<Real> way_between(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& s_i,
+                                          const Vec3<Real>& s_j) {
+  return way_to(i, j, s_j) - i.A * s_i;
+}
+
 /// Where a joint or force element sits on bodies i and j, in body coordinates.
 template <class Real>
 struct Attachment {
@@ -31,6 +47,13 @@ struct Attachment {
   Vec3<Real> y_j() const { return C_j.col(1); }
   Vec3<Real> z_j() const { return C_j.col(2); }
 };
+
+/// The same where positions are counted from `origin`: what moves is a point on the ground (-1).
+inline Attachment<double> seen_from(const Vec3<double>& origin, Attachment<double> at, int i, int j) {
+  if (i < 0) at.s_i -= origin;
+  if (j < 0) at.s_j -= origin;
+  return at;
+}
 
 /// A quantity given as a function of time, with its first two derivatives.
 template <class Real>

@@ -393,6 +393,19 @@ Model Model::without_inertances() const {
   return out;
 }
 
+Model Model::seen_from(const VectorXd& origins) const {
+  Model out = *this;
+  std::vector<Body>& list = out.bodies_.own();
+  const auto origin = [&](int body) { return Vec3<double>(origins.segment<3>(3 * std::ptrdiff_t{body})); };
+  for (std::size_t b = 0; b < list.size(); ++b) list[b].position -= origin(static_cast<int>(b));
+  for (Element& joint : out.joints_.own())
+    if (joint.i == ground || joint.j == ground)
+      joint.at = linkwork::seen_from(origin(std::max(joint.i, joint.j)), joint.at, joint.i, joint.j);
+  for (auto& [joint, special] : out.special_joints_)
+    special = special->seen_from(origin(*std::ranges::max_element(special->bodies())));
+  return out;
+}
+
 Model Model::with_weights(const Vec3<double>& gravity, const std::vector<int>& bodies,
                           const std::vector<double>& masses, const std::vector<Mat3<double>>& inertias) const {
   if (!gravity.allFinite()) throw ModelError("gravity", "gravity must be finite");

@@ -138,6 +138,9 @@ class Model {
   Model without_inertances() const;
   /// A copy with other masses and inertias of all bodies; nothing else of `bodies` counts.
   Model with_masses(const std::vector<Body>& bodies) const;
+  /// A copy in which the bodies are at their places less `origins` (3 per body, the same for all that joints connect),
+  /// with the joints' points on the ground: joints say the same of it. Forces stay where they are.
+  Model seen_from(const VectorXd& origins) const;
   /// A copy with another gravity, and with other masses and inertias of some bodies. ModelError: no body has them.
   Model with_weights(const Vec3<double>& gravity, const std::vector<int>& bodies, const std::vector<double>& masses,
                      const std::vector<Mat3<double>>& inertias) const;

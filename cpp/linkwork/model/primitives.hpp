@@ -121,7 +121,7 @@ class RelativePoint {
                                    const Vec3<Real>& s_j)
       : i_(i), j_(j), s_j_(s_j) {
     const Vec3<Real> across = j.omega.cross(s_j);
-    u_ = i.A.transpose() * (j.r + j.A * s_j - i.r);
+    u_ = i.A.transpose() * way_to(i, j, s_j);
     d_ = u_ - s_i;
     const Vec3<Real> V = i.A.transpose() * (j.r_dot + j.A * across - i.r_dot);
     turned_ = i.omega.cross(Real(2) * V - i.omega.cross(u_));
@@ -167,7 +167,7 @@ template <class Real>
 LINKWORK_PRIMITIVE void separation(const BodyState<Real>& i, const BodyState<Real>& j, const Vec3<Real>& s_i,
                                    const Vec3<Real>& s_j, const Signal<Real>& length, Rows<Real, 1> out) {
   using std::sqrt;
-  const Vec3<Real> d = j.r + j.A * s_j - i.r - i.A * s_i;
+  const Vec3<Real> d = way_between(i, j, s_i, s_j);
   const Vec3<Real> d_dot = j.r_dot + j.A * j.omega.cross(s_j) - i.r_dot - i.A * i.omega.cross(s_i);
   const Real distance = sqrt(d.squaredNorm());
   const Vec3<Real> u = d / distance;

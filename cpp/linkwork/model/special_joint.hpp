@@ -26,6 +26,9 @@ struct SpecialHistory {
   double *next, *rate;
 };
 
+class SpecialJoint;
+using SpecialJointPtr = std::shared_ptr<const SpecialJoint>;
+
 /// A constraint among any number of bodies, with data of its own. Few of them: each is evaluated alone.
 class SpecialJoint {
  public:
@@ -36,9 +39,9 @@ class SpecialJoint {
   virtual int history_size() const = 0;
   virtual void evaluate(const BodyState<double>* bodies, const Signal<double>* parameters,
                         const SpecialHistory& history, const SpecialRows& out) const = 0;
+  /// The same whose points on the ground are counted from `origin`, as those of the bodies then are.
+  virtual SpecialJointPtr seen_from(const Vec3<double>& origin) const = 0;
 };
-
-using SpecialJointPtr = std::shared_ptr<const SpecialJoint>;
 
 /// All registered special joints, in the order of special_joints.def.
 const std::vector<KindInfo>& special_joint_kinds();

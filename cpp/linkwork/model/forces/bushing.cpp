@@ -38,9 +38,9 @@ struct Bushing {
     // u = F_i^T d, u_dot = F_i^T d_dot - w_i x u in the frame F_i = A_i C_i;  R = F_i^T F_j = exp(phi), phi_dot = J w
     // with w = F_j^T (omega_j - omega_i) and J = 1 + phi~/2 + (1/a^2 - (1 + cos a) / (2 a sin a)) phi~^2, a = |phi|.
     const Mat3<Real> F_i = i.A * at.C_i, F_j = j.A * at.C_j;
-    const Vec3<Real> P_i = i.r + i.A * at.s_i, P_j = j.r + j.A * at.s_j, d = P_j - P_i;
+    const Vec3<Real> arm_i = i.A * at.s_i, arm_j = j.A * at.s_j, d = way_between(i, j, at.s_i, at.s_j);
     const Vec3<Real> omega_i = i.A * i.omega, omega_j = j.A * j.omega;
-    const Vec3<Real> d_dot = j.r_dot + omega_j.cross(P_j - j.r) - i.r_dot - omega_i.cross(P_i - i.r);
+    const Vec3<Real> d_dot = j.r_dot + omega_j.cross(arm_j) - i.r_dot - omega_i.cross(arm_i);
     const Vec3<Real> u = F_i.transpose() * d, u_dot = F_i.transpose() * (d_dot - omega_i.cross(d));
     const Vec3<Real> phi = rotation_vector<Real>(F_i.transpose() * F_j);
     const Mat3<Real> tilde = skew<Real>(phi);
@@ -66,9 +66,9 @@ struct Bushing {
     }
     const Vec3<Real> F = F_i * force, T = F_j * (J.transpose() * moment);
     out.force_j = F;
-    out.torque_j = j.A.transpose() * ((P_j - j.r).cross(F) + T);
+    out.torque_j = j.A.transpose() * (arm_j.cross(F) + T);
     out.force_i = -F;
-    out.torque_i = -(i.A.transpose() * ((P_j - i.r).cross(F) + T));
+    out.torque_i = -(i.A.transpose() * ((arm_i + d).cross(F) + T));
   }
 };
 

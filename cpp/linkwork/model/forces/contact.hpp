@@ -36,21 +36,32 @@ inline std::vector<ParameterInfo> contact_parameters(std::vector<ParameterInfo> 
   return own;
 }
 
-/// At the point C in space, with the unit normal n from i to j and the depth d; `history` is the speed at which
-/// contact began, which counts as `transition` where it was smaller; where the last accepted state was not in contact
-/// it is the speed now.
+/// A body in contact: the way from its center of mass to a point of the line of the normal, such as the center of a
+/// sphere, and how far from there along the normal the place of contact is [m]. No force along the normal acts by the
+/// latter.
 template <class Real>
-void contact(const ForceParameters<Real>& parameters, int first, const BodyState<Real>& i, const BodyState<Real>& j,
-             const Vec3<Real>& C, const Vec3<Real>& n, Real depth, HistoryVariable<Real>& history,
-             Wrenches<Real>& out) {
+struct Touching {
+  const BodyState<Real>& body;
+  Vec3<Real> to_line;
+  Real along;
+};
+
+/// With the unit normal n from i to j and the depth d; `history` is the speed at which contact began, which counts as
+/// `transition` where it was smaller; where the last accepted state was not in contact it is the speed now.
+template <class Real>
+void contact(const ForceParameters<Real>& parameters, int first, const Touching<Real>& on_i, const Touching<Real>& on_j,
+             const Vec3<Real>& n, Real depth, HistoryVariable<Real>& history, Wrenches<Real>& out) {
   const bool begins = std::isnan(history.last);
   out.switches[0] = depth;
   if (!(depth > Real(0)) && !begins) return;
   const Real stiffness = parameters[first].value, exponent = parameters[first + 1].value;
   const Real hysteresis = parameters[first + 2].value, friction = parameters[first + 3].value;
   const Real transition = parameters[first + 4].value;
-  const Vec3<Real> arm_i = C - i.r, arm_j = C - j.r, omega_i = i.A * i.omega, omega_j = j.A * j.omega;
-  const Vec3<Real> u = j.r_dot + omega_j.cross(arm_j) - i.r_dot - omega_i.cross(arm_i);
+  const auto velocity = [&](const Touching<Real>& on) {
+    const BodyState<Real>& body = on.body;
+    return Vec3<Real>(body.r_dot + (body.A * body.omega).cross(on.to_line + on.along * n));
+  };
+  const Vec3<Real> u = velocity(on_j) - velocity(on_i);
   const Real rate = -n.dot(u);
   history.next = begins || history.last == Real(0) ? std::max(rate, transition) : history.last;
   if (!(depth > Real(0))) return;
@@ -59,10 +70,13 @@ void contact(const ForceParameters<Real>& parameters, int first, const BodyState
   const Vec3<Real> slip = u + rate * n;
   const Vec3<Real> tangential = -friction * normal / std::sqrt(slip.squaredNorm() + transition * transition) * slip;
   const Vec3<Real> F = normal * n + tangential;
+  const auto torque = [&](const Touching<Real>& on) {
+    return Vec3<Real>(on.body.A.transpose() * (on.to_line.cross(F) + on.along * n.cross(tangential)));
+  };
   out.force_j = F;
-  out.torque_j = j.A.transpose() * arm_j.cross(F);
+  out.torque_j = torque(on_j);
   out.force_i = -F;
-  out.torque_i = -(i.A.transpose() * arm_i.cross(F));
+  out.torque_i = -torque(on_i);
   out.potential = elastic * depth / (exponent + Real(1));
   out.power = (elastic - normal) * rate + tangential.dot(slip);
 }

@@ -23,9 +23,9 @@ struct Drag {
                                           const BodyState<Real>& i, const BodyState<Real>& j, HistoryVariable<Real>&,
                                           Wrenches<Real>& out) {
     using std::sqrt;
-    const Vec3<Real> arm = j.A * at.s_j, point = j.r + arm;
+    const Vec3<Real> arm = j.A * at.s_j;
     const Vec3<Real> point_dot = j.r_dot + j.A * j.omega.cross(at.s_j);
-    const Vec3<Real> u = point_dot - i.r_dot - (i.A * i.omega).cross(point - i.r);
+    const Vec3<Real> u = point_dot - i.r_dot - (i.A * i.omega).cross(way_to(i, j, at.s_j));
     const Vec3<Real> F = -parameters[0].value * sqrt(u.squaredNorm()) * u;
     out.force_j = F;
     out.torque_j = j.A.transpose() * arm.cross(F);

@@ -31,7 +31,8 @@ struct LinearDamping {
   LINKWORK_PRIMITIVE static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters,
                                           const BodyState<Real>& i, const BodyState<Real>& j, HistoryVariable<Real>&,
                                           Wrenches<Real>& out) {
-    const Vec3<Real> omega_i = i.A * i.omega, omega_j = j.A * j.omega, arm = j.A * at.s_j, arm_i = j.r + arm - i.r;
+    const Vec3<Real> omega_i = i.A * i.omega, omega_j = j.A * j.omega;
+    const Vec3<Real> arm = j.A * at.s_j, arm_i = way_to(i, j, at.s_j);
     const Vec3<Real> u = j.r_dot + omega_j.cross(arm) - i.r_dot - omega_i.cross(arm_i), w = omega_j - omega_i;
     const Vec3<Real> F = -parameters[0].value * u, N = -parameters[1].value * w;
     out.force_j = F;

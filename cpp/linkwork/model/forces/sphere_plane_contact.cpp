@@ -22,9 +22,10 @@ struct SpherePlaneContact {
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
                        const BodyState<Real>& j, HistoryVariable<Real>& history, Wrenches<Real>& out) {
-    const Vec3<Real> n = i.A * at.z_i(), center = j.r + j.A * at.s_j;
-    const Real height = n.dot(center - i.r - i.A * at.s_i);
-    contact<Real>(parameters, 1, i, j, center - height * n, n, parameters[0].value - height, history, out);
+    const Vec3<Real> n = i.A * at.z_i(), to_center = way_to(i, j, at.s_j);
+    const Real height = n.dot(to_center - i.A * at.s_i);
+    contact<Real>(parameters, 1, {i, to_center, -height}, {j, j.A * at.s_j, -height}, n, parameters[0].value - height,
+                  history, out);
   }
 };
 

@@ -23,10 +23,11 @@ struct SphereSphereContact {
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const ForceParameters<Real>& parameters, const BodyState<Real>& i,
                        const BodyState<Real>& j, HistoryVariable<Real>& history, Wrenches<Real>& out) {
-    const Vec3<Real> P_i = i.r + i.A * at.s_i, d = j.r + j.A * at.s_j - P_i;
+    const Vec3<Real> d = way_between(i, j, at.s_i, at.s_j);
     const Real distance = d.norm(), depth = parameters[0].value + parameters[1].value - distance;
     const Vec3<Real> n = distance > Real(0) ? Vec3<Real>(d / distance) : Vec3<Real>(i.A * at.z_i());
-    contact<Real>(parameters, 2, i, j, P_i + (parameters[0].value - Real(0.5) * depth) * n, n, depth, history, out);
+    const Real half = Real(0.5) * depth, to_i = parameters[0].value - half, to_j = half - parameters[1].value;
+    contact<Real>(parameters, 2, {i, i.A * at.s_i, to_i}, {j, j.A * at.s_j, to_j}, n, depth, history, out);
   }
 };
 

@@ -31,7 +31,7 @@ struct SpringDamper {
                                           Wrenches<Real>& out) {
     using std::sqrt;
     const Real stiffness = parameters[0].value, damping = parameters[1].value, actuator = parameters[3].value;
-    const Vec3<Real> d = j.r + j.A * at.s_j - i.r - i.A * at.s_i;
+    const Vec3<Real> d = way_between(i, j, at.s_i, at.s_j);
     const Real l = sqrt(d.squaredNorm());
     const Real extension = l - parameters[2].value;
     out.potential = Real(0.5) * stiffness * extension * extension;

@@ -20,9 +20,9 @@ struct KnifeEdge {
   template <class Real>
   static void evaluate(const Attachment<Real>& at, const Signal<Real>*, const BodyState<Real>& i,
                        const BodyState<Real>& j, Rows<Real, rows> out) {
-    const Vec3<Real> across = j.A * at.z_j(), point = j.r + j.A * at.s_j;
+    const Vec3<Real> across = j.A * at.z_j();
     const Vec3<Real> point_dot = j.r_dot + j.A * j.omega.cross(at.s_j);
-    const Vec3<Real> rho_i = i.A.transpose() * (point - i.r);
+    const Vec3<Real> rho_i = i.A.transpose() * way_to(i, j, at.s_j);
     const Vec3<Real> rho_i_dot = i.A.transpose() * (point_dot - i.r_dot) - i.omega.cross(rho_i);
     no_slip<Real>(i, j, across, j.A * j.omega.cross(at.z_j()), rho_i, rho_i_dot, at.s_j, Vec3<Real>::Zero(), out);
   }

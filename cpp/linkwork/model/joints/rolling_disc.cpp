@@ -45,9 +45,10 @@ struct RollingDisc {
     contact.Phi[0] = height.Phi - radius * w;
     contact.gamma[0] -= radius * (kappa_dot * kappa_dot + w_dot * w_dot) / w;
 
-    const Vec3<Real> C = j.r + j.A * at.s_j + radius * e;
     const Vec3<Real> C_dot = j.r_dot + j.A * j.omega.cross(at.s_j) + radius * e_dot;
-    const auto place = [&](const BodyState<Real>& body) { return Vec3<Real>(body.A.transpose() * (C - body.r)); };
+    const auto place = [&](const BodyState<Real>& body) {
+      return Vec3<Real>(body.A.transpose() * (way_to(body, j, at.s_j) + radius * e));
+    };
     const auto place_dot = [&](const BodyState<Real>& body, const Vec3<Real>& rho) {
       return Vec3<Real>(body.A.transpose() * (C_dot - body.r_dot) - body.omega.cross(rho));
     };

@@ -93,6 +93,12 @@ void Coupler::evaluate(const BodyState<double>* bodies, const Signal<double>* pa
   if (begins) out.Phi[0] = choose_turns(out.Phi[0], history.next);
 }
 
+SpecialJointPtr Coupler::seen_from(const Vec3<double>& origin) const {
+  auto out = std::make_shared<Coupler>(*this);
+  for (Term& term : out->terms_) term.at = linkwork::seen_from(origin, term.at, bodies_[term.i], bodies_[term.j]);
+  return out;
+}
+
 /// At the first pose, such as the last one of another run: the fewest turns of two of the angles with which the
 /// relation holds, and what is left of its violation, which with a ratio near to a whole number is small without them,
 /// too. None where it never holds: such a pose is to be corrected. None either where all angles are zero, as in the pose in which joints are made: there nothing has

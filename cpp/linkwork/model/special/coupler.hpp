@@ -21,6 +21,7 @@ class Coupler final : public SpecialJoint {
   int history_size() const override { return angles_; }
   void evaluate(const BodyState<double>* bodies, const Signal<double>* parameters, const SpecialHistory& history,
                 const SpecialRows& out) const override;
+  SpecialJointPtr seen_from(const Vec3<double>& origin) const override;
 
  private:
   struct Term {

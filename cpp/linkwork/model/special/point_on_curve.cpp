@@ -137,7 +137,7 @@ double PointOnCurve::nearest_of_all(const Vec3<double>& d) const {
 void PointOnCurve::evaluate(const BodyState<double>* bodies, const Signal<double>*, const SpecialHistory& history,
                             const SpecialRows& out) const {
   const BodyState<double>&i = bodies[0], &j = bodies[1];
-  const Vec3<double> place = i.A.transpose() * (j.r + j.A * at_.s_j - i.r) - at_.s_i;
+  const Vec3<double> place = i.A.transpose() * way_to(i, j, at_.s_j) - at_.s_i;
   const Vec3<double> d = at_.C_i.transpose() * place;
   const double s = nearest(d, std::isnan(history.last[0]) ? nearest_of_all(d) : history.last[0]);
   history.next[0] = s;
@@ -165,6 +165,12 @@ void PointOnCurve::evaluate(const BodyState<double>* bodies, const Signal<double
       out.D[velocity_size * (2 + k) + c] = G.D_j[c] + by_s * F.D_j[c];
     }
   }
+}
+
+SpecialJointPtr PointOnCurve::seen_from(const Vec3<double>& origin) const {
+  auto out = std::make_shared<PointOnCurve>(*this);
+  out->at_ = linkwork::seen_from(origin, at_, bodies_[0], bodies_[1]);
+  return out;
 }
 
 }  // namespace linkwork

@@ -26,6 +26,7 @@ class PointOnCurve final : public SpecialJoint {
   int history_size() const override { return 1; }
   void evaluate(const BodyState<double>* bodies, const Signal<double>* parameters, const SpecialHistory& history,
                 const SpecialRows& out) const override;
+  SpecialJointPtr seen_from(const Vec3<double>& origin) const override;
 
  private:
   struct Point;
