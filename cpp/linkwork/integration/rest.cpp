@@ -15,6 +15,7 @@ constexpr double slowest = 1e-9;   // of the speed of a fall: a velocity at the 
 constexpr double balanced = 1e-8;  // of what gravity does: forces that balance, as an equilibrium leaves them
 
 constexpr double roundoff = 32.0 * std::numeric_limits<double>::epsilon();
+constexpr double left_of_forces = 256.0 * std::numeric_limits<double>::epsilon();  // by roundoff, where they cancel
 
 const KeptStep& earliest(const std::vector<const KeptStep*>& steps) {
   return **std::min_element(steps.begin(), steps.end(),
@@ -93,8 +94,8 @@ class RestSearch {
   }
 
   /// Accelerations that roundoff leaves of forces that cancel, of each connected component: where the weight of a long
-  /// row of bodies hangs on each joint, they are larger than those of an equilibrium that is not exact. They spread from
-  /// the body at which they are largest.
+  /// row of bodies hangs on each joint, they are larger than those of an equilibrium that is not exact. From the body at
+  /// which they are largest they spread, a rotation by the size of the component.
   VectorXd roundoff_of(const VectorXd& lambda) const {
     const Evaluation& at = dynamics_.evaluation();
     VectorXd forces = at.g.head(system().v_size()).cwiseAbs(), accelerations(forces.size());
@@ -103,13 +104,20 @@ class RestSearch {
           block_of(at, block).cwiseAbs().transpose() * lambda.segment(block.row, block.rows).cwiseAbs();
     system().multiply_inverse_mass(forces, accelerations);
     const ConnectedComponents& components = ConnectedComponents::of(system());
-    VectorXd out = VectorXd::Zero(components.count());
+    VectorXd size = VectorXd::Constant(components.count(), length_), linear = VectorXd::Zero(size.size()),
+             turning = linear;
+    std::vector<int> first(size.size(), -1);
     for (int body = 0; body < system().body_count(); ++body) {
-      double& largest = out[components.of_body(body)];
-      largest = std::max(largest, roundoff * speed_of(accelerations, body));
+      const int c = components.of_body(body);
+      if (first[c] < 0) first[c] = body;
+      size[c] = std::max(size[c], (place(body) - place(first[c])).norm());
+      linear[c] = std::max(linear[c], accelerations.segment<3>(velocity_size * body).norm());
+      turning[c] = std::max(turning[c], accelerations.segment<3>(velocity_size * body + 3).norm());
     }
-    return out;
+    return left_of_forces * linear.cwiseMax(size.cwiseProduct(turning));
   }
+
+  Vec3<double> place(int body) const { return pose_.segment<3>(position_size * body); }
 
   /// By drivers: constraints hold as well as at the beginning, and demand no other velocity.
   bool is_left_alone(const VectorXd& y) {
