@@ -228,8 +228,8 @@ def record(
     """
     spent, before, warned = 0.0, time.perf_counter(), 0
     violation: float | None = None
-    short_steps = ShortSteps(run.t, run.steps_done, t_end)
-    for frames in pieces:
+    short_steps = ShortSteps(run.t, run.steps_done, t_end, lambda: run.last_state)
+    for frames in short_steps.explained(pieces):
         spent += time.perf_counter() - before
         to.note(_occurrences(run, labels))
         to.write(frames)
