@@ -370,23 +370,23 @@ def test_what_stays_at_rest_is_judged_by_its_size() -> None:
     assert found is not None and found.level == "good" and found.error < 1e-4
 
 
-@pytest.mark.parametrize("rtol", [1e-6, 1e-8, 1e-10])
 def test_a_long_ring_that_bears_its_weight_across_its_hinges_is_at_rest() -> None:
     """Roundoff of moments of 1e5 N m gives links of 1e-3 kg m^2 accelerations, and there is nothing else."""
     n = 300
     angles = 2 * np.pi * np.arange(n) / n
     points = n / (2 * np.pi) * np.column_stack((np.cos(angles), np.sin(angles), 0 * angles))
     along = np.diff(points, axis=0)
-    turned = np.array([lw.rotation.from_axes(x=x, z=(0, 0, 1)) for x in along])
+    turned = np.array([lw.rotation.from_axes(x=x, y=(-x[1], x[0], 0)) for x in along])
     model = lw.Model()
     middles = (points[1:] + points[:-1]) / 2
     links = model.bodies("link", mass=1, inertia=(1e-3, 1 / 12, 1 / 12), position=middles, orientation=turned)
     model.joints("revolute", ["ground", *links], [*links, "ground"], at=points, axis=(0, 0, 1), name="pin")
-    result = lw.simulate(model, 5e-3, 1e-3, progress=False)
-    assert result.verdict.error < 1e-6
+    result = lw.simulate(model, 0.1, 0.01, progress=False)
+    assert result.verdict.error < 1e-4
     assert np.abs(result.q[-1] - result.q[0]).max() < 1e-9
 
 
+@pytest.mark.parametrize("rtol", [1e-6, 1e-8, 1e-10])
 @pytest.mark.parametrize("drop", [0.5, 0.3])
 def test_a_step_that_ends_where_a_contact_begins_is_no_error(rtol: float, drop: float) -> None:
     """A bounce by the law with hysteresis: its height follows the tolerance, and so does the verdict."""

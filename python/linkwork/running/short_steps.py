@@ -24,8 +24,8 @@ LOOKS, STEPS = 10, 5000
 #: The usual reason.
 JUMPS = ". A force that jumps to and fro does so"
 
-#: Of the way of a step: rounding of a larger part is felt. Of the size of a mechanism, or of the way that it has
-#: come: where it is farther from the origin, that is why.
+#: Of the way of a step: rounding of a larger part is felt. Of the size of a mechanism, or of the way that it
+#: has come: where it is farther from the origin, that is why.
 FELT, FAR = 1e-5, 1e2
 
 
@@ -54,8 +54,8 @@ class Places:
             return ""
         return (
             f"positions {self.distance:.2g} m from the origin are rounded to {rounding:.1g} m, where bodies "
-            f"move {way:.1g} m in a step: stiff forces feel that. Place the mechanism nearer to the origin, or "
-            "give larger rtol and atol"
+            f"move {way:.1g} m in a step: stiff forces feel that. Place the mechanism nearer to the origin, "
+            "or give larger rtol and atol"
         )
 
 
