@@ -383,7 +383,7 @@ def test_a_long_ring_that_bears_its_weight_across_its_hinges_is_at_rest() -> Non
     model.joints("revolute", ["ground", *links], [*links, "ground"], at=points, axis=(0, 0, 1), name="pin")
     result = lw.simulate(model, 0.1, 0.01, progress=False)
     assert result.verdict.error < 1e-4
-    assert np.abs(result.q[-1] - result.q[0]).max() < 1e-9
+    assert np.abs(result.q[-1] - result.q[0]).max() < 1e-6
 
 
 @pytest.mark.parametrize("rtol", [1e-6, 1e-8, 1e-10])
