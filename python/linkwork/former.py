@@ -17,6 +17,7 @@ __all__ = ["PLACES", "install"]
 
 #: By the former module, those that have its names now.
 PLACES = {
+    "linkwork.analyses.equations": ("constraints.equations",),
     "linkwork.assembly": ("equations.assembly",),
     "linkwork.comparison.measures": ("accuracy.measures",),
     "linkwork.contact": ("modeling.contact",),

@@ -25,7 +25,7 @@ def matrices(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) ->
     if request.param != "compiled":
         only_careful(monkeypatch)
     if request.param == "sparse":
-        monkeypatch.setattr("linkwork.analyses.constraint_solver.DENSE", 0)
+        monkeypatch.setattr("linkwork.constraints.solver.DENSE", 0)
 
 
 every_way = pytest.mark.usefixtures("matrices")

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from linkwork.analyses.equations import Equations
 from linkwork.analyses.stiffness import damping, stiffness
-from linkwork.analyses.tangent import between, displaced, to_body_axes
 from linkwork.arrays import Floats
+from linkwork.constraints.equations import Equations
+from linkwork.constraints.tangent import between, displaced, to_body_axes
 from scipy.optimize import brentq
 from scipy.special import jn_zeros
 

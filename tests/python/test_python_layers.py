@@ -15,9 +15,9 @@ import linkwork as lw
 #: Modules and packages in python/linkwork; "linkwork" itself, the public names, stands before the commands.
 ROOMS = [
     "_core", "former", "arrays", "memory", "errors", "replacement", "fingerprints", "arguments",
-    "rotation", "functions", "integrators", "options", "modeling", "equations", "motion", "accuracy",
-    "plots", "view", "results", "running", "analyses", "importers", "mechanisms", "comparison", "studies",
-    "ensemble", "validation", "benchmark", "linkwork", "cli",
+    "rotation", "functions", "integrators", "options", "modeling", "equations", "motion", "constraints",
+    "accuracy", "plots", "view", "results", "running", "analyses", "importers", "mechanisms", "comparison",
+    "studies", "ensemble", "validation", "benchmark", "linkwork", "cli",
     "__main__",
 ]  # fmt: skip
 

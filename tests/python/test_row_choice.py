@@ -49,7 +49,7 @@ def test_a_plate_on_three_cranks_hangs_wherever_it_starts(angle: float) -> None:
 def test_rows_of_large_parts_are_chosen_by_sparse_factors(
     angle: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("linkwork.analyses.row_choice.FEW", 0)
+    monkeypatch.setattr("linkwork.constraints.row_choice.FEW", 0)
     rest = lw.equilibrium(cranks(angle, 4))
     assert rest.stability == "stable"
     assert lw.linearize(rest.model).frequencies == pytest.approx([frequency(4)], rel=1e-8)

@@ -50,7 +50,7 @@ def test_rest_folded_flat_is_refused_and_its_pose_is_told(angle: float, redundan
 @pytest.mark.parametrize("sparse", [False, True])
 def test_a_start_folded_flat_is_refused(sparse: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     if sparse:
-        monkeypatch.setattr("linkwork.analyses.constraint_solver.DENSE", 0)
+        monkeypatch.setattr("linkwork.constraints.solver.DENSE", 0)
     with pytest.raises(lw.ModelError, match="the pose of the model 'fold' is singular") as caught:
         lw.linearize(parallelogram(0.5, X), start=state(parallelogram(0.0, X)))
     assert caught.value.code == "singular_pose" and len(caught.value.joints) == 4
@@ -68,7 +68,7 @@ def test_beside_a_singular_pose_small_motions_are_told_as_long_as_there_are_digi
     sparse: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     if sparse:
-        monkeypatch.setattr("linkwork.analyses.constraint_solver.DENSE", 0)
+        monkeypatch.setattr("linkwork.constraints.solver.DENSE", 0)
     expected = [np.sqrt(STIFFNESS / INERTIA)]
     near = parallelogram(1e-3, stiffness=STIFFNESS)
     assert lw.linearize(near).frequencies == pytest.approx(expected, rel=1e-6)

@@ -132,8 +132,8 @@ def test_a_pendulum_swings_on_a_carriage_that_glides_as_on_one_that_rests() -> N
 
 def test_a_stiff_torsion_spring_between_two_tilted_shafts_bends_them_by_nothing() -> None:
     """Its coupling with soft tilts is the rounding of a stiffness, and not that of the steps."""
-    from linkwork.analyses.equations import Equations
     from linkwork.analyses.stiffness import stiffness
+    from linkwork.constraints.equations import Equations
 
     model, k = lw.Model(gravity=(0, 0, 0)), 4.4e6
     turned = lw.rotation.about((1, -2, 3), 0.9)

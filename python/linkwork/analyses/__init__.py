@@ -6,7 +6,5 @@ equilibrium       where the mechanism stays at rest, and whether it returns ther
 linearization     frequencies, damping and shapes of small vibrations
 sensitivity       derivatives of the results of a run by parameters of the model
 
-Beneath them: equations (the terms of the equations of motion, sparse), row_choice (independent rows of D),
-constraint_solver (the motions that constraints leave), tangent (small motions of bodies, derivatives along
-them).
+Beneath them is linkwork.constraints.
 """

@@ -6,11 +6,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from linkwork.analyses.constraint_solver import DENSE, balance, null_space
-from linkwork.analyses.equations import LAST_DIGITS, Equations, Sparse
 from linkwork.analyses.stiffness import Stiffness, damping, stiffness_and_parts
-from linkwork.analyses.tangent import to_inertial_axes
 from linkwork.arrays import Floats
+from linkwork.constraints.equations import LAST_DIGITS, Equations, Sparse
+from linkwork.constraints.solver import DENSE, balance, null_space
+from linkwork.constraints.tangent import to_inertial_axes
 from linkwork.equations.system import System
 from linkwork.errors import ModelError
 from linkwork.motion.records import Snapshot

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork.analyses.damped_modes import damped_modes
-from linkwork.analyses.equations import Sparse
 from linkwork.arrays import Complex, Floats
+from linkwork.constraints.equations import Sparse
 from linkwork.errors import ModelError, NotConvergedError
 
 __all__ = [

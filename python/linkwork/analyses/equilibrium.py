@@ -8,14 +8,14 @@ from typing import Literal, NamedTuple, TypeVar
 
 import numpy as np
 
-from linkwork.analyses.constraint_solver import balance, check_regular, saddle_point, shared
-from linkwork.analyses.equations import LAST_DIGITS, Equations, Sparse
-from linkwork.analyses.rolling import rolled
 from linkwork.analyses.softest import softest
 from linkwork.analyses.step_limits import LONGEST_STEP, LONGEST_TURN, StepLimits
 from linkwork.analyses.stiffness import stiffness
-from linkwork.analyses.tangent import between, displaced
 from linkwork.arrays import Floats, ReadOnly
+from linkwork.constraints.equations import LAST_DIGITS, Equations, Sparse
+from linkwork.constraints.rolling import rolled
+from linkwork.constraints.solver import balance, check_regular, saddle_point, shared
+from linkwork.constraints.tangent import between, displaced
 from linkwork.errors import (
     ModelError,
     NotConvergedError,

@@ -10,17 +10,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
-from linkwork.analyses.equations import called
 from linkwork.analyses.kinematics import kinematics
 from linkwork.arguments import is_iterable
 from linkwork.arrays import Floats, ReadOnly
+from linkwork.constraints.equations import called
 from linkwork.equations.system import System
 from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.modeling.elements import KINDS
-from linkwork.modeling.model import Model
+from linkwork.modeling.model import Model, check_bodies
 from linkwork.motion import summary
 from linkwork.results.result import Result
-from linkwork.running import checks
 
 __all__ = ["Drive", "InverseDynamics", "inverse_dynamics"]
 
@@ -106,7 +105,7 @@ def inverse_dynamics(
     Errors as for `kinematics`. ModelError: a driver that does not exist, or with more than one equation.
     OptionError: drivers that are no names.
     """
-    checks.check_bodies(model)
+    check_bodies(model)
     core = model.compiled()
     if drivers is not None:
         _check_names(drivers)

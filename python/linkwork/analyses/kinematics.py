@@ -11,14 +11,15 @@ from numpy.typing import ArrayLike
 
 from linkwork import _core
 from linkwork.accuracy.verdict import WRONG, Energies
-from linkwork.analyses.continuation import SINGULAR, SUSPICIOUS, Continuation, MotionState, named
-from linkwork.analyses.equations import Equations, Sparse
-from linkwork.analyses.tangent import to_inertial_axes
 from linkwork.arguments import array, one_of
 from linkwork.arrays import Floats
+from linkwork.constraints.continuation import SINGULAR, SUSPICIOUS, Continuation, MotionState, named
+from linkwork.constraints.equations import Equations, Sparse
+from linkwork.constraints.solver import strongest
+from linkwork.constraints.tangent import to_inertial_axes
 from linkwork.equations.system import System
 from linkwork.errors import LinkworkError, OptionError, SingularSystemError, carry, warn
-from linkwork.modeling.model import Model
+from linkwork.modeling.model import Model, check_bodies
 from linkwork.motion.header import Header
 from linkwork.motion.records import Snapshot
 from linkwork.results.result import Result
@@ -62,7 +63,7 @@ def kinematics(
     functions of the model remember calls.
     """
     one_of(on_singular, ("pass", "warn", "stop"), "on_singular")
-    checks.check_bodies(model)
+    check_bodies(model)
     with told_of_memory(model, "kinematics"):
         return _motion(model, _times(times), on_singular)
 
@@ -138,7 +139,7 @@ class _CompiledContinuation:
         eq = continuation.equations
         self.continuation, self.frames, self.ready = continuation, frames, False
         self.motion = None
-        if eq.holonomic.all() and eq.core.row_count >= continuation.freedoms:
+        if eq.holonomic.all() and eq.core.row_count >= continuation.rank:
             dynamics = frames.system.compiled()
             self.motion = _core.DrivenMotion(
                 dynamics, eq.length, eq.row_lengths, eq.rounding, continuation.unit
@@ -182,7 +183,7 @@ class _Watch:
     def look(self, first: MotionState, second: MotionState) -> None:
         """SingularSystemError: there is one, with on_singular="stop"."""
         continuation = self.continuation
-        eq, count = continuation.equations, continuation.freedoms
+        eq, count = continuation.equations, continuation.rank
         if first is not second and first.constraints.smallest(count) < SINGULAR:  # which has been noted
             return
         found: MotionState | None = None
@@ -192,7 +193,7 @@ class _Watch:
             found = _crossing(continuation, first, second)
         if found is None:
             return
-        names = eq.joints(found.constraints.weakest_rows(count))
+        names = eq.joints(strongest(found.constraints.weakest(count)))
         continuation.crossings.append(
             {"t": found.t, "joints": names[:16], "pivot": found.constraints.smallest(count),
              "rows_changed": False, "fallback_evaluations": int(found is second)}
@@ -221,12 +222,12 @@ def _crossing(continuation: Continuation, first: MotionState, second: MotionStat
         if middle is None:
             break
         best = middle
-        if middle.constraints.smallest(continuation.freedoms) < SINGULAR:
+        if middle.constraints.smallest(continuation.rank) < SINGULAR:
             return best
         low, high = (low, middle) if low.constraints.turns(middle.constraints) else (middle, high)
         if not low.constraints.turns(high.constraints):
             return None
-    return best if best.constraints.smallest(continuation.freedoms) < SUSPICIOUS else None
+    return best if best.constraints.smallest(continuation.rank) < SUSPICIOUS else None
 
 
 class _Frames:

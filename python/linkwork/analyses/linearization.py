@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork.analyses.coefficients import Coefficients, coefficients, refuse_imbalance
-from linkwork.analyses.constraint_solver import DENSE, check_regular, null_space
 from linkwork.analyses.eigenmodes import (
     by_arnoldi,
     by_dense_matrices,
@@ -16,12 +15,13 @@ from linkwork.analyses.eigenmodes import (
     nearest_to,
     one_of_each_pair,
 )
-from linkwork.analyses.equations import Equations, Sparse, Terms
 from linkwork.analyses.steadiness import Steadiness
 from linkwork.analyses.stiffness import Stiffness
-from linkwork.analyses.tangent import displaced
 from linkwork.arguments import is_number
 from linkwork.arrays import Complex, Floats, ReadOnly
+from linkwork.constraints.equations import Equations, Sparse, Terms
+from linkwork.constraints.solver import DENSE, check_regular, null_space
+from linkwork.constraints.tangent import displaced
 from linkwork.errors import ModelError, OptionError, warn
 from linkwork.modeling.model import Model
 from linkwork.modeling.tables import Table

@@ -13,9 +13,8 @@ from linkwork.accuracy.verdict import Verdict
 from linkwork.arguments import UNREADABLE, check_takes, reals
 from linkwork.arrays import Floats, ReadOnly
 from linkwork.errors import ModelError, OptionError, nearest
-from linkwork.modeling.model import Model
+from linkwork.modeling.model import Model, check_bodies
 from linkwork.results.result import Result
-from linkwork.running.checks import check_bodies
 from linkwork.running.leaving_no_memory import called, leaving_no_memory
 from linkwork.running.simulation import simulate
 

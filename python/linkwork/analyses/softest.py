@@ -6,11 +6,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from linkwork.analyses.constraint_solver import DENSE, null_space
 from linkwork.analyses.eigenmodes import softest_by_lanczos
-from linkwork.analyses.equations import Equations, Sparse
 from linkwork.analyses.stiffness import stiffness_and_parts
 from linkwork.arrays import Floats
+from linkwork.constraints.equations import Equations, Sparse
+from linkwork.constraints.solver import DENSE, null_space
 from linkwork.errors import NotFiniteError
 
 __all__ = ["Softest", "softest"]

@@ -21,9 +21,9 @@ from numpy.typing import NDArray
 
 from linkwork.analyses.coefficients import NEAR, Coefficients, coefficients, refuse_imbalance
 from linkwork.analyses.eigenmodes import constrained_solver, of_unit_masses
-from linkwork.analyses.equations import Equations, Sparse
-from linkwork.analyses.tangent import displaced, to_inertial_axes
 from linkwork.arrays import Complex, Floats
+from linkwork.constraints.equations import Equations, Sparse
+from linkwork.constraints.tangent import displaced, to_inertial_axes
 from linkwork.errors import ModelError
 from linkwork.motion.records import Snapshot
 

@@ -1,6 +1,6 @@
 """Stiffness and damping of a mechanism: derivatives of its forces by small motions, sparse.
 
-Over motions x in inertial axes (see linkwork.analyses.tangent); torques, too, in inertial axes, turned by the
+Over motions x in inertial axes (see constraints.tangent); torques, too, in inertial axes, turned by the
 T of before the motion:
 
     K = -T^T d(g + D^T lambda)/dx,   C = -T^T dg/dv T + T^T M T',   T' = diag(0, -omega~ A^T)
@@ -20,9 +20,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import _core
-from linkwork.analyses.equations import LAST_DIGITS, Equations, Sparse
-from linkwork.analyses.tangent import displaced
 from linkwork.arrays import Complex, Floats
+from linkwork.constraints.equations import LAST_DIGITS, Equations, Sparse
+from linkwork.constraints.tangent import displaced
 
 __all__ = ["Stiffness", "damping", "stiffness", "stiffness_and_parts"]
 

@@ -19,10 +19,9 @@ from linkwork.comparison.store import Store
 from linkwork.comparison.table import Comparison
 from linkwork.comparison.workers import Lost, in_processes, processor_count
 from linkwork.errors import LinkworkError, OptionError, warn
-from linkwork.modeling.model import Model
+from linkwork.modeling.model import Model, check_bodies
 from linkwork.options import TABLE, Policy, check_name, check_number, check_option, names
 from linkwork.results.result import Result
-from linkwork.running.checks import check_bodies
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.manifest import platform_facts
 from linkwork.running.progress import ShowOption, counting

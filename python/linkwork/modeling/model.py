@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from linkwork.modeling.handles import Body, Force, Joint
     from linkwork.view.page import Page
 
-__all__ = ["Model", "check_model", "model_of"]
+__all__ = ["Model", "check_bodies", "check_model", "model_of"]
 
 #: What others call our joints and forces.
 SYNONYMS = {
@@ -335,6 +335,13 @@ def check_model(model: object) -> None:
     if not isinstance(model, Model):
         what = f"the function {model.__name__}: call it" if isfunction(model) else f"{model!r:.80}"
         raise ModelError(f"a linkwork.Model is wanted, not {what}", code="not_a_model")
+
+
+def check_bodies(model: Model) -> None:
+    """ModelError: no model, or nothing to simulate in it."""
+    check_model(model)
+    if not model.body_count:
+        raise ModelError(f"model '{model.name}': has no bodies", code="empty")
 
 
 def _history(core: _core.Model) -> Floats:

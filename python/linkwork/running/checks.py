@@ -18,7 +18,7 @@ from linkwork.errors import ModelError, OptionError, warn
 from linkwork.functions import Callback
 from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.integrators.growth import added_growth
-from linkwork.modeling.model import Model, check_model
+from linkwork.modeling.model import Model
 from linkwork.motion.records import Snapshot
 from linkwork.options import check_name, names
 from linkwork.running.recording import PythonStep
@@ -73,13 +73,6 @@ STABLE = 1e-9
 
 #: Imaginary parts, relative to |s|, that are none.
 REAL = 1e-6
-
-
-def check_bodies(model: Model) -> None:
-    """ModelError: no model, or nothing to simulate in it."""
-    check_model(model)
-    if not model.body_count:
-        raise ModelError(f"model '{model.name}': has no bodies", code="empty")
 
 
 def check_choices(given: Mapping[str, Any]) -> None:

@@ -14,12 +14,12 @@ from linkwork.equations.system import System
 from linkwork.errors import LinkworkError
 from linkwork.functions import check_breaks
 from linkwork.integrators import ButcherTableau, EmbeddedPair, Integrator, named
-from linkwork.modeling.model import Model
+from linkwork.modeling.model import Model, check_bodies
 from linkwork.motion.header import Header
 from linkwork.options import TABLE
 from linkwork.results.last_state import LastState
 from linkwork.results.result import Result
-from linkwork.running import checks, estimation, forecast, recording, schedule
+from linkwork.running import estimation, forecast, recording, schedule
 from linkwork.running.events import events_of
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.leaving_no_memory import (
@@ -244,7 +244,7 @@ def _changes_by_itself(models: Mapping[int, Model], method: Method, memory: Memo
     deterministic = method.options.get("deterministic") is True
     with remarked(), contextlib.suppress(Exception), _core.OnePath(deterministic):  # errors come again
         model = models[min(models)]
-        checks.check_bodies(model)
+        check_bodies(model)
         run = prepared(model, method.plan, method.given, method.options).run
         while not (run.finished or memory.is_changed(logs=method.looked_at)):
             with Interrupts() as interrupts, interrupts.computing():
@@ -278,7 +278,7 @@ def _side_by_side(models: Mapping[int, Model], method: Method) -> dict[int, Memb
         with remarked() as remarks:
             try:
                 with _core.OnePath(method.options.get("deterministic") is True):
-                    checks.check_bodies(model)
+                    check_bodies(model)
                     given = {"on_inaccurate": "pass", **method.given}
                     it = prepared(model, method.plan, given, method.options)
                     it = replace(it, facts={**it.facts, "lane": True})
@@ -329,7 +329,7 @@ def _prepared(place: int, model: Model, method: Method, like: System | None) -> 
 
 def _stepped(model: Model, method: Method, like: System | None = None) -> Stepped:
     with _core.OnePath(method.options.get("deterministic") is True):
-        checks.check_bodies(model)
+        check_bodies(model)
         return what_steps(model, method.plan, method.given, method.options, like=like)
 
 

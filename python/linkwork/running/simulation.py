@@ -19,7 +19,7 @@ from linkwork.equations.assembly import Assembly
 from linkwork.equations.system import System
 from linkwork.errors import OptionError, unwritable
 from linkwork.integrators import HalfExplicit, Integrator
-from linkwork.modeling.model import Model
+from linkwork.modeling.model import Model, check_bodies
 from linkwork.motion.header import Header
 from linkwork.motion.records import Snapshot
 from linkwork.options import TABLE, Options, Policy, check_option
@@ -41,6 +41,7 @@ from linkwork.running.kept import Kept
 from linkwork.running.leaving_no_memory import called
 from linkwork.running.manifest import manifest
 from linkwork.running.progress import ProgressOption, check_progress, preparing, reporting, sharing
+from linkwork.running.reach import telling_of_reach
 from linkwork.running.recording import PythonStep
 from linkwork.running.seen_in_frames import warn_of_what_frames_show
 from linkwork.running.written import Written
@@ -130,8 +131,9 @@ def simulate(
     on_singular="stop", or a matrix that no method here can factorize. NotConvergedError, NotFiniteError: the
     run failed. StepSizeError: no step is small enough for rtol and atol. FileError: `output` cannot be
     written. ViolationError: on_violation="stop", or joints and drivers contradict each other. AccuracyError:
-    on_inaccurate="stop". An error of a run has its `result` up to there and the last `state`. ModelError:
-    initial poses or velocities do not satisfy the joints, see `assemble`.
+    on_inaccurate="stop". An error of a run has its `result` up to there and the last `state`; with code
+    "dead_point" its drivers ask for more than its joints allow. ModelError: initial poses or velocities do
+    not satisfy the joints, see `assemble`.
     LinkworkWarning: they were corrected; the run is inaccurate; redundant equations contradict the others a
     little; elements about an axis measured an angle that depends on their x axes.
     Ctrl-C ends the run; what `output` has by then stays readable.
@@ -141,7 +143,7 @@ def simulate(
     check_progress(progress)
     with (Interrupts() as interrupts, interrupts.computing(), recording.StopIterationIsError(), path,
           preparing(progress, "preparing the run")):  # fmt: skip
-        checks.check_bodies(model)
+        check_bodies(model)
         for name in options:
             check_option(name, TABLE)
         t_start = checks.start_time(start)
@@ -374,7 +376,7 @@ def _carried_out(
     if it.forecast is not None:
         forecast.announce(it.forecast, progress)
     labels, warns = it.facts["events"], it.system.options["on_singular"] == "warn"
-    with recording.kept(run, recorder, labels, checkpoints):
+    with telling_of_reach(model), recording.kept(run, recorder, labels, checkpoints):
         with reporting(progress, plan.t_end, run.steps_total, t_start, spent["setup_seconds"]) as report:
             pieces = recording.pieces(run, interrupts, it.method, it.system)
             spent["driver_seconds"] = recording.record(

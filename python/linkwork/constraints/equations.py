@@ -11,10 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork import _core, rotation
-from linkwork.analyses.row_choice import RowChoice
 from linkwork.arrays import Floats
-from linkwork.modeling.model import Model
-from linkwork.running import checks
+from linkwork.constraints.row_choice import RowChoice
+from linkwork.modeling.model import Model, check_bodies
 
 __all__ = ["LAST_DIGITS", "Equations", "Sparse", "Terms", "called"]
 
@@ -64,7 +63,7 @@ class Equations:
     """
 
     def __init__(self, model: Model) -> None:
-        checks.check_bodies(model)
+        check_bodies(model)
         self.model, self.core = model, model.compiled()
         options = _core.Options()
         options.formulation = "augmented_lagrangian"  # takes redundant joints and massless bodies, too

@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from linkwork.analyses.tangent import rate_of_change
 from linkwork.arrays import Floats
+from linkwork.constraints.tangent import rate_of_change
 
 __all__ = ["rolled"]
 

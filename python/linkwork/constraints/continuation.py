@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -10,20 +12,22 @@ from typing import Any
 import numpy as np
 
 from linkwork import _core
-from linkwork.analyses import constraint_solver
-from linkwork.analyses.constraint_solver import (
+from linkwork.arrays import Floats
+from linkwork.constraints import solver
+from linkwork.constraints.equations import LISTED, Equations, Sparse
+from linkwork.constraints.rolling import rolled
+from linkwork.constraints.solver import (
     Constraints,
     SparseConstraints,
     constraints_of,
     free_motions,
+    strongest,
 )
-from linkwork.analyses.equations import LISTED, Equations, Sparse
-from linkwork.analyses.rolling import rolled
-from linkwork.analyses.tangent import displaced, to_body_axes, to_inertial_axes
-from linkwork.arrays import Floats
+from linkwork.constraints.tangent import displaced, to_body_axes, to_inertial_axes
 from linkwork.errors import ModelError, NotConvergedError
+from linkwork.motion.records import Snapshot
 
-__all__ = ["SINGULAR", "SUSPICIOUS", "Continuation", "MotionState", "named"]
+__all__ = ["SINGULAR", "SUSPICIOUS", "Continuation", "Impasse", "MotionState", "named"]
 
 AnyConstraints = Constraints | SparseConstraints
 
@@ -46,7 +50,10 @@ HARDLY, INSIDE = 1e-2, 0.618
 #: From where a singular pose takes the velocity that it leaves open, as a part of the step.
 NEARBY = 1e-2
 
-#: The shortest step, as a part of the time between two frames.
+#: Of the largest rate that a driver asks for: what no velocity gives, where that is no rounding.
+ASKED = 1e-3
+
+#: The shortest step, as a part of the way, which is the time between two frames in `kinematics`.
 SHORTEST_STEP = 2.0**-40
 
 #: Of times, relative.
@@ -83,6 +90,27 @@ class MotionState:
         return to_inertial_axes(self.q, self.a)
 
 
+@dataclass(frozen=True)
+class Impasse:
+    """The pose beyond which no motion was found."""
+
+    time: float  # [s]
+    joints: list[str]  # whose equations depend on each other there, the strongest first
+    sigma: float  # the smallest singular value
+    driven: bool  # whether a driver asks for a velocity that they do not allow: u D = 0, and u Phi_t is not
+
+    @property
+    def dead(self) -> bool:
+        return self.sigma < SUSPICIOUS
+
+    def __str__(self) -> str:
+        pose = "a dead point" if self.dead else "a pose"
+        return (
+            f"{pose} where the equations of {named(self.joints)} depend on each other (smallest singular "
+            f"value {self.sigma:.2g})"
+        )
+
+
 @dataclass
 class Continuation:
     """Follows the motion in steps that the predictor can answer for."""
@@ -91,6 +119,8 @@ class Continuation:
     t_end: float
     at: MotionState = field(init=False)
     unit: float = 1.0  # of singular values
+    shortest: float = SHORTEST_STEP  # as a part of the way
+    most_seconds: float = math.inf  # from now on
     beside: bool = False  # a singular pose, which is left on both of its sides
     watch: Callable[[MotionState, MotionState], None] | None = None  # told of the ends of each step
     crossings: list[dict[str, Any]] = field(default_factory=list)
@@ -99,14 +129,21 @@ class Continuation:
     )
 
     @property
-    def freedoms(self) -> int:
-        return 6 * self.equations.core.body_count
+    def rank(self) -> int:
+        """How many rows of D are independent away from singular poses; 6n, or freedoms are left."""
+        return 6 * self.equations.core.body_count - self.equations.rank.degrees_of_freedom
 
     def _accept(self, state: MotionState) -> None:
         self.at = state
         self.equations.dynamics.history = state.history
 
+    def __post_init__(self) -> None:
+        self._ends = time.monotonic() + self.most_seconds
+
     def _constraints(self, D: Sparse) -> AnyConstraints:
+        """TimeoutError: the time for all of them is over."""
+        if time.monotonic() > self._ends:
+            raise TimeoutError
         self.counts["factorizations"] += 1
         return constraints_of(self.equations, D, self.unit)
 
@@ -121,8 +158,13 @@ class Continuation:
         q0 = np.array(eq.core.q0)
         if eq.rank.degrees_of_freedom > 0:
             self._refuse_freedoms(q0)
-        if self.freedoms > constraint_solver.DENSE:
-            start = SparseConstraints.of(eq, eq.terms(0.0, q0).D)
+        self.measure()
+
+    def measure(self) -> None:
+        """The unit of singular values. SingularSystemError: a large model in a singular pose."""
+        eq = self.equations
+        if self.rank > solver.DENSE:
+            start = SparseConstraints.of(eq, eq.terms(0.0, np.array(eq.core.q0)).D)
             self.unit = float(np.clip(start.sigma / USUAL, 1e-6, 1.0))
 
     def begin(self) -> None:
@@ -135,17 +177,30 @@ class Continuation:
             raise self._no_start()
         self._accept(self._state(0.0, q, None))
 
+    def begin_near(self, state: Snapshot, largest: float) -> bool:
+        """Onto the constraints by a correction up to `largest` [rad, sizes]; False: that takes more."""
+        t, q, v = state.t, np.ravel(state.q), np.ravel(state.v)
+        self.equations.dynamics.history = np.asarray(state.history, dtype=float)
+        found = self._corrected(t, q, self._constraints(self.equations.terms(t, q).D), largest)
+        if found is not None:
+            self._accept(self._completed(t, found, to_inertial_axes(found, v), np.zeros(v.size)))
+        return found is not None
+
+    def way_to(self, t: float) -> float:
+        """How far bodies come until then as they move now, at most [rad, sizes]."""
+        return _reach((t - self.at.t) * self.at.x_dot, self.equations.length)
+
     def go_to(self, t: float) -> None:
         """NotConvergedError: there is no way to go on."""
-        start, h = self.at.t, t - self.at.t
-        smallest, soon = SHORTEST_STEP * h, max(LIMITS.touch_part * h, ROUNDING_OF_TIMES * t)
+        h = t - self.at.t
+        smallest, soon = self.shortest * h, max(LIMITS.touch_part * h, ROUNDING_OF_TIMES * t)
         while self.at.t < t:
             last = self.at.t + h >= t - smallest
             found = self._step(t if last else self.at.t + h)
             if found is None or (h > soon and self._touches(found)):
                 h = min(h, t - self.at.t) / 2
                 if h < smallest:
-                    self._refuse_to_go_on(start, t)
+                    self._refuse_to_go_on(t)
             else:
                 before = self.at
                 self._accept(found)
@@ -185,9 +240,9 @@ class Continuation:
         if q is None:
             return None
         state = self._state(t, q, at)
-        if state.constraints.rank == self.freedoms:
+        if state.constraints.rank == self.rank:
             return state
-        if self.beside or at.constraints.rank < self.freedoms:
+        if self.beside or at.constraints.rank < self.rank:
             return None  # singular poses one after the other: no step, however short, leaves them
         return self._singular(state, h) if h > 1e-6 * max(t, 1e-3 * self.t_end) else state
 
@@ -259,7 +314,8 @@ class Continuation:
     def _state(self, t: float, q: Floats, last: MotionState | None) -> MotionState:
         """With velocities and accelerations; what a singular pose leaves open goes on as before."""
         if last is None:
-            return self._completed(t, q, np.zeros(self.freedoms), np.zeros(self.freedoms))
+            still = np.zeros(6 * self.equations.core.body_count)
+            return self._completed(t, q, still, still)
         return self._completed(t, q, last.x_dot + (t - last.t) * last.x_ddot, last.x_ddot)
 
     def _completed(self, t: float, q: Floats, x_dot: Floats, x_ddot: Floats) -> MotionState:
@@ -301,22 +357,28 @@ class Continuation:
             time=0.0,
         )
 
-    def _refuse_to_go_on(self, start: float, t: float) -> None:
-        eq, at = self.equations, self.at
-        sigma = at.constraints.smallest(self.freedoms)
-        names = eq.joints(at.constraints.weakest_rows(self.freedoms))
-        dead = "a dead point" if sigma < SUSPICIOUS else "a pose"
+    def impasse(self) -> Impasse:
+        """Where it is, after there was no way to go on."""
+        at, count = self.at, self.rank
+        constraints = at.constraints
+        left, rates = constraints.weakest(count), self.equations.terms(at.t, at.q).Phi_t
+        asked = constraints.row_scale * rates
+        driven = abs(left @ asked) > ASKED * np.abs(asked).max(initial=0.0)
+        names = self.equations.joints(strongest(left))
+        return Impasse(at.t, names, constraints.smallest(count), bool(driven))
+
+    def _refuse_to_go_on(self, t: float) -> None:
+        it = self.impasse()
         remedy = "end before it, or drive another joint"
-        if at.t == 0.0:
+        if it.time == 0.0:
             remedy = "begin in a pose beside it, which says how the motion goes on, or drive another joint"
         raise NotConvergedError(
-            f"kinematics: the mechanism cannot follow its drivers beyond t = {at.t:.9g} s (asked for "
-            f"{t:.9g} s): {dead} where the equations of {named(names)} depend on each other (smallest "
-            f"singular value {sigma:.2g}); {remedy}",
+            f"kinematics: the mechanism cannot follow its drivers beyond t = {it.time:.9g} s (asked for "
+            f"{t:.9g} s): {it}; {remedy}",
             code="dead_point",
-            joints=names,
-            time=at.t,
-            residuals={"smallest_singular_value": sigma},
+            joints=it.joints,
+            time=it.time,
+            residuals={"smallest_singular_value": it.sigma},
         )
 
 

@@ -13,14 +13,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork.analyses.equations import LAST_DIGITS, LISTED, Equations, Sparse
-from linkwork.analyses.row_choice import scaled_rows
 from linkwork.arrays import Floats
+from linkwork.constraints.equations import LAST_DIGITS, LISTED, Equations, Sparse
+from linkwork.constraints.row_choice import scaled_rows
 from linkwork.errors import LinkworkError, SingularSystemError, warn
 
 __all__ = [
     "DENSE", "Constraints", "SparseConstraints", "balance", "check_regular", "constraints_of", "free_motions",
-    "null_space", "saddle_point", "shared",
+    "null_space", "saddle_point", "shared", "strongest",
 ]  # fmt: skip
 
 #: Up to so many columns of D dense matrices are the faster ones.
@@ -89,12 +89,10 @@ class Constraints:
         poses; 0 where one of them is missing."""
         return float(self.sigma[count - 1]) if 0 < count <= len(self.sigma) else 0.0
 
-    def weakest_rows(self, count: int) -> NDArray[np.intp]:
-        """Rows that nearly depend on each other, the strongest first: left vector of that singular value."""
-        share = np.abs(self.U[:, count - 1])
-        order = np.argsort(-share, kind="stable")
-        chosen: NDArray[np.intp] = order[share[order] > 0.1 * share[order[0]]]
-        return chosen
+    def weakest(self, count: int) -> Floats:
+        """Left vector (m,) of that singular value, in scaled rows: how they nearly depend on each other."""
+        left: Floats = self.U[:, count - 1]
+        return left
 
     def turns(self, other: Any) -> bool:
         """Whether D may have lost its rank between two poses that are near: singular values that passed
@@ -171,18 +169,25 @@ class SparseConstraints:
         """The smallest singular value, in units of `unit`."""
         return self.sigma / self.unit
 
-    def weakest_rows(self, count: int) -> NDArray[np.intp]:
-        """Rows that nearly depend on each other, the strongest first: left vector of that singular value."""
-        share = np.abs(self.left)
-        order = np.argsort(-share, kind="stable")
-        chosen: NDArray[np.intp] = self.rows[order[share[order] > 0.1 * share[order[0]]]]
-        return chosen
+    def weakest(self, count: int) -> Floats:
+        """As that of Constraints; zero in rows that are redundant."""
+        left = np.zeros(len(self.row_scale))
+        left[self.rows] = self.left
+        return left
 
     def turns(self, other: Any) -> bool:
         """As that of Constraints, by the smallest singular value, of the same rows."""
         same = np.array_equal(self.rows, other.rows)
         there = other.factor if same else _factor(other.scaled[self.rows])
         return float(self.left @ there.solve(self.right, "T")) < 0
+
+
+def strongest(left: Floats) -> NDArray[np.intp]:
+    """The rows that count in such a left vector, the strongest first."""
+    share = np.abs(left)
+    order = np.argsort(-share, kind="stable")
+    chosen: NDArray[np.intp] = order[share[order] > 0.1 * share[order[0]]]
+    return chosen
 
 
 def _factor(scaled: Sparse) -> Any:
@@ -294,9 +299,7 @@ def check_regular(equations: Equations, t: float, q: Floats, pose: str, error: t
     delta = min(off, DRIFT) + LAST_DIGITS * max(places, 1.0)
     if delta <= INEXACT * sigma**2:
         return
-    share = np.abs(left)
-    order = np.argsort(-share, kind="stable")
-    names = equations.joints(rows[order[share[order] > 0.1 * share[order[0]]]])
+    names = equations.joints(rows[strongest(left)])
     what = f"{pose} of {equations.called}"
     value = f"(smallest singular value {sigma:.1e})"
     why = f"the equations of {_listed(names)} depend on others for the moment"

@@ -1,0 +1,8 @@
+"""What constraints leave and ask for, pose by pose.
+
+equations     the terms of the equations of motion, sparse
+row_choice    independent rows of D
+solver        the motions that constraints leave
+continuation  the motion that drivers prescribe, followed on one branch
+tangent       small motions of bodies, derivatives along them
+"""
