@@ -247,7 +247,9 @@ def nearest(word: str, known: Iterable[str]) -> str:
     """The end of a message about an unknown `word`: `; the nearest is 'rk4'`, or what there is."""
     names, word = list(islice(known, MOST_LOOKED_AT)), str(word)
     likely = [name for name in names if len(name) <= 3 * len(word)] if len(word) <= LONG_NAME else []
-    close = difflib.get_close_matches(word, likely, n=1, cutoff=NEAR)
+    by_letters = {name.casefold(): name for name in reversed(likely)}
+    same = [by_letters[word.casefold()]] if word.casefold() in by_letters else []
+    close = same or difflib.get_close_matches(word, likely, n=1, cutoff=NEAR)
     if close:
         return f"; the nearest is '{close[0]}'"
     listed = ", ".join(repr(name) for name in names[:LISTED])

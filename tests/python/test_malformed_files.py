@@ -180,7 +180,9 @@ CASES: list[Case] = [
     ("    stiffness: 100", "    stiffness: true", 42, "forces[0].stiffness", "true is not a number"),
     ("simulation: {t_end: 0.1, step: 1e-3}", "simulation: 3", 4, "simulation", "is not a mapping"),
     ("simulation: {t_end: 0.1, step: 1e-3}", "simulation: {t_end: two}", 4, "simulation.t_end",
-     "t_end 'two' must be a finite number, positive"),
+     "t_end 'two' s must be a finite number, zero or positive"),
+    ("simulation: {t_end: 0.1, step: 1e-3}", "simulation: {t_end: 1, times: [0.1]}", 4, "simulation.times",
+     "is no argument of simulate"),
     ("simulation: {t_end: 0.1, step: 1e-3}", "simulation: {t_end: 1, formulation: foo}", 4,
      "simulation.formulation", "formulation 'foo' does not exist"),
     ("simulation: {t_end: 0.1, step: 1e-3}", "simulation: {t_end: [1]}", 4, "simulation.t_end", ""),
@@ -420,6 +422,54 @@ def test_a_wrong_file_is_refused(
     (found,) = faults(path)
     assert (found.line, found.field) == (line, field)
     assert words in found.message
+
+
+SETTINGS: list[tuple[dict[str, Any], str]] = [
+    ({"integrator": "RK4"}, "integrator"),
+    ({"on_inaccurate": "nix"}, "on_inaccurate"),
+    ({"record_every": 0}, "record_every"),
+    ({"record_every": 1.5}, "record_every"),
+    ({"verify": "maybe"}, "verify"),
+    ({"assemble": 3}, "assemble"),
+    ({"atol": "a"}, "atol"),
+    ({"breaks": "x"}, "breaks"),
+    ({"breaks": [0.1, "x"]}, "breaks"),
+    ({"rtol": 2}, "rtol"),
+    ({"rtol": 1e-14}, "rtol"),
+    ({"t_end": -1.0}, "t_end"),
+    ({"step": 0}, "step"),
+    ({"step": 0.2}, "step"),  # the run is shorter
+    ({"threads": 1.5}, "threads"),
+    ({"baumgarte_alpha": 5.0}, "baumgarte_alpha"),
+    ({"penalty": 10.0}, "penalty"),
+    ({"matrix_form": "normal"}, "matrix_form"),
+    ({"matrix_form": "kkt", "linear_solver": "cholmod"}, "linear_solver"),
+    ({"integrator": "rk4", "rtol": 1e-6}, "rtol"),
+    ({"integrator": "hem4", "stabilization": "baumgarte"}, "integrator"),
+]
+
+
+@pytest.mark.parametrize(("settings", "field"), SETTINGS, ids=str)
+def test_settings_that_a_run_refuses_are_faults_of_the_file_in_its_words(
+    settings: dict[str, Any], field: str, tmp_path: Path
+) -> None:
+    settings = {"t_end": 0.1, "step": 1e-3, **settings}
+    with pytest.raises(lw.OptionError) as refused:
+        lw.simulate(lw.mechanisms.rod_pendulum(), progress=False, **settings)
+    path = tmp_path / "model.yaml"
+    path.write_text(replaced("simulation: {t_end: 0.1, step: 1e-3}", f"simulation: {json.dumps(settings)}"))
+    (found,) = faults(path)
+    assert (found.line, found.field, found.message) == (4, f"simulation.{field}", str(refused.value))
+
+
+def test_all_wrong_settings_are_told_each_with_its_line(tmp_path: Path) -> None:
+    wrong = ["integrator: RK4", "record_every: 0", "verify: maybe", "linear_solver: cholesky"]
+    path = tmp_path / "model.yaml"
+    lines = "\n  ".join(["simulation:", *wrong])
+    path.write_text(replaced("simulation: {t_end: 0.1, step: 1e-3}", lines))
+    assert [(it.line, it.field.split(".")[1]) for it in faults(path)] == [
+        (5 + k, it.split(":")[0]) for k, it in enumerate(wrong)
+    ]
 
 
 def json_of_cases() -> Iterator[tuple[Case, str]]:

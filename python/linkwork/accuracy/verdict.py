@@ -31,10 +31,11 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 
 from linkwork.arrays import Floats
+from linkwork.options import LEAST_RTOL
 
 __all__ = [
-    "LEAST_RTOL", "WRONG", "Energies", "Method", "StepEstimate", "Verdict", "cut_short", "estimate",
-    "leaping", "passing", "say", "without_steps",
+    "WRONG", "Energies", "Method", "StepEstimate", "Verdict", "cut_short", "estimate", "leaping",
+    "passing", "say", "without_steps",
 ]  # fmt: skip
 
 #: Errors up to here are good, beyond the second the motion is wrong.
@@ -45,9 +46,6 @@ AIM = 1e-4
 
 #: Of an error: the part of runs before that no step of this one could mend.
 INHERITED = 0.5
-
-#: The smallest rtol that double precision holds.
-LEAST_RTOL = 1e-13
 
 #: Speed of a mechanism as a whole, relative to what happens in it: beyond, tolerances are for that speed.
 FAST = 10.0

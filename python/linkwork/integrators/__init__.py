@@ -7,7 +7,7 @@ it can be given to `simulate` directly, or added to METHODS.
 
 from __future__ import annotations
 
-from linkwork.errors import OptionError, nearest
+from linkwork.arguments import one_of
 from linkwork.integrators.adams import AdamsBashforth, AdamsBashforthMoulton
 from linkwork.integrators.adams_bashforth import AB2, AB3, AB4, AB5
 from linkwork.integrators.adams_bashforth_moulton import ABM4
@@ -49,8 +49,4 @@ def named(name: str) -> Integrator:
 
     OptionError: there is none.
     """
-    if name not in METHODS:
-        raise OptionError(
-            f"integrator '{name}' does not exist{nearest(name, METHODS)}", code="unknown_option"
-        )
-    return METHODS[name]
+    return METHODS[one_of(name, METHODS, "integrator")]

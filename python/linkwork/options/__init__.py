@@ -3,4 +3,5 @@
 What there is to choose is said once, in the compiled module's table (formulation/options.def).
 """
 
+from linkwork.options.settings import *
 from linkwork.options.table import *

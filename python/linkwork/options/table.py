@@ -14,8 +14,8 @@ from linkwork.errors import OptionError, nearest
 from linkwork.options.types import Level, Options
 
 __all__ = [
-    "LEVELS", "Options", "Policy", "RENAMED", "RUN_SETTINGS", "TABLE", "check_name", "check_number",
-    "check_option", "check_setting", "compile_options", "names", "renamed", "without_threads",
+    "LEVELS", "Options", "Policy", "RENAMED", "TABLE", "check_name", "check_number", "check_option",
+    "checked", "compile_options", "names", "renamed", "without_threads",
 ]  # fmt: skip
 
 LEVELS: tuple[Level, ...] = get_args(Level)
@@ -24,15 +24,6 @@ LEVELS: tuple[Level, ...] = get_args(Level)
 Policy = Literal["pass", "warn", "stop"]
 
 TABLE: Mapping[str, _core.OptionInfo] = {option.name: option for option in _core.options()}
-
-#: Arguments of `simulate` beside the options that are data: a model file may recommend them.
-RUN_SETTINGS = (
-    "t_end", "step", "integrator", "rtol", "atol", "record_every", "breaks", "assemble", "on_inaccurate",
-    "verify",
-)  # fmt: skip
-
-#: Those of them that are one number.
-NUMBERS = ("t_end", "step", "rtol")
 
 #: Former names and those of today: files are still read with them, code is told.
 RENAMED = {"system": "matrix_form"}
@@ -69,16 +60,8 @@ def compile_options(choices: Mapping[str, Any]) -> _core.Options:
         options.stabilization = "baumgarte"
     for name, value in chosen.items():
         check_option(name, TABLE)
-        setattr(options, name, _checked(TABLE[name], value))
+        setattr(options, name, checked(TABLE[name], value))
     return options.resolved()
-
-
-def check_setting(name: str, value: Any) -> None:
-    """Of a file, as far as it can be told without the run. OptionError: a value that cannot be."""
-    if name in TABLE and value is not None:
-        _checked(TABLE[name], value)
-    elif name in NUMBERS and value is not None:
-        check_number(name, value, positive=name != "rtol")
 
 
 def check_option(name: str, known: Iterable[str]) -> None:
@@ -101,7 +84,7 @@ def check_name(what: str, name: Any, known: Iterable[str]) -> None:
     arguments.one_of(name, known, what)
 
 
-def _checked(option: _core.OptionInfo, value: Any) -> Any:
+def checked(option: _core.OptionInfo, value: Any) -> Any:
     """As the compiled module takes it. OptionError: another type, or a number that cannot be."""
     if option.type == "name":
         check_name(option.name, value, option.choices)

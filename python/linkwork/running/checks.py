@@ -20,7 +20,7 @@ from linkwork.integrators import HalfExplicit, Integrator
 from linkwork.integrators.growth import added_growth
 from linkwork.modeling.model import Model
 from linkwork.motion.records import Snapshot
-from linkwork.options import check_name, names
+from linkwork.options import check_setting
 from linkwork.running.recording import PythonStep
 
 #: Residuals of the initial state that are more than rounding, relative to the size of what is placed.
@@ -77,10 +77,9 @@ REAL = 1e-6
 
 def check_choices(given: Mapping[str, Any]) -> None:
     """OptionError: a policy that does not exist, or a switch that is neither True nor False."""
-    check_name("on_inaccurate", given.get("on_inaccurate", "warn"), names()["on_inaccurate"])
-    for name in ("assemble", "verify"):
-        if not isinstance(given.get(name, False), bool):
-            raise OptionError(f"{name} {given[name]!r:.80} is not True or False", code=name)
+    for name in ("on_inaccurate", "assemble", "verify"):
+        if name in given:
+            check_setting(name, given[name])
 
 
 def check_tables(model: Model, t_end: float) -> None:

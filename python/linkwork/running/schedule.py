@@ -11,15 +11,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
-from linkwork.accuracy.verdict import LEAST_RTOL
 from linkwork.arguments import array
 from linkwork.arrays import Floats
 from linkwork.equations.system import System
 from linkwork.errors import OptionError
-from linkwork.integrators import METHODS, EmbeddedPair, Integrator
+from linkwork.integrators import EmbeddedPair, Integrator
 from linkwork.modeling.model import Model
 from linkwork.motion.records import Snapshot
-from linkwork.options import check_number
+from linkwork.options import LEAST_RTOL, check_estimate, check_setting, check_step
 from linkwork.running import breakpoints, checks
 from linkwork.running.recording import PythonStep
 
@@ -172,16 +171,7 @@ class Adaptive:
 
     def check(self, method: Integrator | PythonStep, system: System) -> None:
         """OptionError: an integrator without an error estimate."""
-        if not isinstance(method, EmbeddedPair):
-            able = ", ".join(
-                f"'{name}'" for name, known in METHODS.items() if isinstance(known, EmbeddedPair)
-            )
-            name = getattr(method, "name", "of your own")
-            raise OptionError(
-                f"rtol and atol need an error estimate, which integrator '{name}' does not have: choose from "
-                f"{able}, or give a fixed step without rtol and atol",
-                code="conflict",
-            )
+        check_estimate(method)
 
     def run(
         self,
@@ -260,13 +250,13 @@ def plan(
     t_start: float = 0.0,
 ) -> Fixed | Adaptive:
     """The arguments of `simulate` as a schedule. OptionError: a value that makes no sense, or a conflict."""
-    check_number("t_end", t_end, positive=False, unit="s")
+    check_setting("t_end", t_end)
     t_end = float(t_end)
     if step is not None:
-        check_number("step", step, positive=True, unit="s")
+        check_setting("step", step)
         step = float(step)
     if record_every is not None:
-        _check_record_every(record_every)
+        check_setting("record_every", record_every)
     if t_start > t_end:
         raise OptionError(f"the start, at {t_start:g} s, is after t_end {t_end:g} s", code="start")
     if rtol is None and atol is None:
@@ -301,12 +291,8 @@ def _fixed(
             code="conflict",
         )
     goes_on = t_start != 0.0  # its steps are those of the run before, of which this may be less than one
-    if not goes_on and step > t_end * (1 + SAME_TIME) > 0.0:
-        raise OptionError(
-            f"step {step:g} s is longer than the run, from 0 to {t_end:g} s: give a step of {t_end:g} s or "
-            "less",
-            code="step",
-        )
+    if not goes_on:
+        check_step(step, t_end)
     every = record_every or max(1, math.ceil(min((t_end - t_start) / step, MOST_STEPS) / most_frames))
     return Fixed(t_end=t_end, step=step, record_every=int(every))
 
@@ -321,19 +307,10 @@ def _adaptive(
     t_start: float,
 ) -> Adaptive:
     rtol = USUAL_RTOL if rtol is None else rtol
-    check_number("rtol", rtol, positive=True)
+    check_setting("rtol", rtol)
     rtol = float(rtol)
-    if rtol < LEAST_RTOL:
-        raise OptionError(
-            f"rtol {rtol:g} is below {LEAST_RTOL:g}: double precision holds no more; give a larger one",
-            code="rtol",
-        )
-    if rtol >= 1:
-        raise OptionError(
-            f"rtol {rtol:g} allows errors as large as the motion: give 1e-3 or less", code="rtol"
-        )
     atol = USUAL_RATIO * rtol if atol is None else atol
-    check_number("atol", atol, positive=True)
+    check_setting("atol", atol)
     asked = np.zeros(0) if times is None else _checked_times(times, t_start, t_end)
     return Adaptive(
         t_end=t_end,
@@ -355,10 +332,3 @@ def _checked_times(times: ArrayLike, t_start: float, t_end: float) -> NDArray[np
             code="times",
         )
     return asked
-
-
-def _check_record_every(given: Any) -> None:
-    if isinstance(given, bool) or not isinstance(given, int | np.integer) or not 1 <= given < 2**63:
-        raise OptionError(
-            f"record_every {given!r} is not a positive whole number of steps", code="record_every"
-        )

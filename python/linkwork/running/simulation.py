@@ -9,7 +9,7 @@ import textwrap
 import time
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, NamedTuple, Unpack
+from typing import Any, NamedTuple, Unpack, cast
 
 from numpy.typing import ArrayLike
 
@@ -18,11 +18,11 @@ from linkwork.arguments import check_new
 from linkwork.equations.assembly import Assembly
 from linkwork.equations.system import System
 from linkwork.errors import OptionError, unwritable
-from linkwork.integrators import HalfExplicit, Integrator
+from linkwork.integrators import Integrator
 from linkwork.modeling.model import Model, check_bodies
 from linkwork.motion.header import Header
 from linkwork.motion.records import Snapshot
-from linkwork.options import TABLE, Options, Policy, check_option
+from linkwork.options import TABLE, Options, Policy, check_option, honored
 from linkwork.options.types import IntegratorName, described
 from linkwork.results.result import Result
 from linkwork.running import (
@@ -306,7 +306,7 @@ def what_steps(
     adaptive = isinstance(plan, schedule.Adaptive)
     struck = breakpoints.check_drivers(model, t_start, plan.t_end, adaptive=adaptive)
     method = _method(plan.usual_integrator if given["integrator"] is None else given["integrator"])
-    options = _honored(method, options)
+    options = cast(Options, honored(method, options))
     system, assembly = _system(model, method, options, plan, given["assemble"], start, like)
     if start is None:
         checks.warn_of_opposed_axes(model, system.model.compiled().q0)
@@ -422,13 +422,6 @@ def _system(
         return system, None
     assembly = checks.consistent(model, system.compiled(), correct=assemble)
     return (system, None) if assembly is None else (System(assembly.model, **options), assembly)
-
-
-def _honored(method: Integrator | PythonStep, options: Options) -> Options:
-    """Half-explicit methods have no acceleration to which to add a correction."""
-    if isinstance(method, HalfExplicit) and options.get("stabilization") is None:
-        return {**options, "stabilization": "projection"}
-    return options
 
 
 def _as_then(system: System, model: Model, options: Options, assemble: bool, key: str) -> System:

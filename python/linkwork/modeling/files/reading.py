@@ -36,7 +36,7 @@ from linkwork.modeling.files.syntax import Syntax, Where, field, parse
 from linkwork.modeling.files.writing import normalized_from
 from linkwork.modeling.shapes import Shape
 from linkwork.modeling.user_forces import UserForce
-from linkwork.options import RENAMED, check_setting, renamed
+from linkwork.options import RENAMED, check_setting, check_together, renamed
 
 if TYPE_CHECKING:
     from linkwork.modeling.model import Model
@@ -78,8 +78,8 @@ def _checked(
     checker = _Checker(path, syntax)
     if not isinstance(syntax.data, dict):
         raise ModelFileError(path, [Fault(1, "", "a model file is a mapping: linkwork: 1, bodies: ...")])
+    _check_settings(syntax.data, checker)
     document = _validated(syntax.data, checker)
-    _check_settings(document, checker)
     _check_names(document, checker, held)
     checker.finish()
     return ModelFile(_build(document, checker, kind, held), renamed(document.simulation))
@@ -237,16 +237,27 @@ class _Checker:
             raise ModelFileError(self._path, found)
 
 
-def _check_settings(document: schema.Document, checker: _Checker) -> None:
-    known = schema.setting_names()
-    for name, value in document.simulation.items():
+def _check_settings(data: Mapping[str, Any], checker: _Checker) -> None:
+    """What no run takes: names, values, or all of them together."""
+    settings = data.get("simulation")
+    if not isinstance(settings, dict):
+        return
+    known, taken = schema.setting_names(), {}
+    for name, value in settings.items():
         if name not in known and name not in RENAMED:
             checker.add(("simulation", name), f"is no argument of simulate{nearest(name, known)}")
             continue
         try:
             check_setting(RENAMED.get(name, name), value)
+            taken[name] = value
         except OptionError as error:
             checker.add(("simulation", name), str(error))
+    if len(taken) == len(settings):
+        try:
+            check_together(renamed(taken))
+        except OptionError as error:
+            meant = [name for name in (error.code, *re.findall(r"\w+", str(error))) if name in settings]
+            checker.add(("simulation", *meant[:1]), str(error))
 
 
 def _check_names(document: schema.Document, checker: _Checker, held: Functions) -> None:

@@ -17,7 +17,16 @@ from operator import or_
 from typing import Annotated, Any, Literal, get_origin, get_type_hints
 
 from annotated_types import Len
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, Tag, create_model
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Discriminator,
+    Field,
+    Tag,
+    WithJsonSchema,
+    create_model,
+)
 from pydantic_core import PydanticCustomError
 
 from linkwork import _core, functions
@@ -464,7 +473,11 @@ def _shape_type(kind: str) -> type[Record]:
 
 # --- the whole ----------------------------------------------------------------------------------------------
 
-Setting = Annotated[bool | int | float | str | dict[str, float], Field(union_mode="smart")]
+#: What a run takes is looked at as a run does it; what editors are told.
+Setting = Annotated[
+    Any,
+    WithJsonSchema({"anyOf": [{"type": it} for it in ("boolean", "number", "string", "object", "array")]}),
+]
 
 
 def setting_names() -> list[str]:
