@@ -54,10 +54,11 @@ SUFFIXES = {
 UNREADABLE = (TypeError, ValueError, OverflowError)
 
 
-def array(given: Any, what: str, error: type[LinkworkError] = OptionError) -> Floats:
-    """As numbers, in any shape; NaN where they are masked. `error`: it is not made of real numbers."""
+def array(given: Any, what: str, error: type[LinkworkError] = OptionError, *, texts: bool = True) -> Floats:
+    """As numbers, in any shape; NaN where they are masked. `error`: it is not made of real numbers, with
+    `texts` of such that are numbers, too."""
     try:
-        return reals(given, texts=True)
+        return reals(given, texts=texts)
     except UNREADABLE as cause:
         uneven = isinstance(cause, ValueError) and "inhomogeneous" in str(cause)
         why = "has rows of different lengths" if uneven else "is not made of numbers"
@@ -111,6 +112,20 @@ def check_takes(function: Callable[..., Any], names: Iterable[str], who: str) ->
         raise OptionError(
             f"parameters {', '.join(names)}: the function {who} does not take them ({error})",
             code="parameters",
+        ) from error
+
+
+def check_called(function: Callable[..., Any], names: Sequence[str], who: str) -> None:
+    """ModelError: `function` cannot be called with these arguments, by their places."""
+    try:
+        signature = inspect.signature(function)
+    except (TypeError, ValueError):  # of what has none the call tells
+        return
+    try:
+        signature.bind(*names)
+    except TypeError as error:
+        raise ModelError(
+            f"{who}: its function does not take ({', '.join(names)}): {error}", code="signature"
         ) from error
 
 

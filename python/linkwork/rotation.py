@@ -29,7 +29,7 @@ def matrix(p: ArrayLike) -> Floats:
     A = (2 e0^2 - 1) I + 2 (e e^T + e0 e~)
     ModelError: p of another length.
     """
-    p = _vectors(p, 4, "p")
+    p = _vectors(p, 4, "matrix: p")
     if p.size and np.abs(np.einsum("...i,...i->...", p, p) - 1).max() > ORTHONORMAL:
         raise ModelError(f"rotation.matrix: p {p!r:.80} is no unit quaternion: divide it by its length",
                          code="euler_parameters")  # fmt: skip
@@ -47,7 +47,7 @@ def about(axis: ArrayLike, angle: ArrayLike) -> Floats:
 
         p = lw.rotation.about((0, 0, 1), np.pi / 2)
     """
-    half = array(angle, "rotation.about: angle", ModelError)[..., None] / 2
+    half = _numbers(angle, "about: angle")[..., None] / 2
     if not np.isfinite(half).all():
         raise ModelError(f"rotation.about: angle {angle!r:.80} is not finite", code="not_finite")
     e = np.sin(half) * _unit(_vectors(axis, 3, "about: axis"), "about: axis")
@@ -63,7 +63,7 @@ def from_matrix(A: ArrayLike) -> Floats:
     4 p p^T follows from the entries of A; its longest column is the one to divide by (Shepperd 1978).
     ModelError: another matrix, a reflection among them, as eigenvectors may be.
     """
-    A = array(A, "rotation.from_matrix: A", ModelError)
+    A = _numbers(A, "from_matrix: A")
     if A.shape[-2:] != (3, 3) or not (np.abs(A @ np.swapaxes(A, -1, -2) - np.eye(3)) <= ORTHONORMAL).all():
         raise ModelError(
             f"rotation.from_matrix: A {A!r:.80} is no rotation matrix (..., 3, 3)", code="rotation"
@@ -136,11 +136,16 @@ def between(a: ArrayLike, b: ArrayLike) -> Floats:
     return turn
 
 
+def _numbers(given: ArrayLike, what: str) -> Floats:
+    """ModelError: it is not made of numbers; text is none, which would have a unit."""
+    return array(given, f"rotation.{what}", ModelError, texts=False)
+
+
 def _vectors(given: ArrayLike, size: int, what: str) -> Floats:
     """ModelError: no numbers, or not so many along the last axis."""
-    vectors = array(given, f"rotation: {what}", ModelError)
+    vectors = _numbers(given, what)
     if vectors.shape[-1:] != (size,):
-        raise ModelError(f"rotation: {what} has shape {vectors.shape}, not (..., {size})", code="shape")
+        raise ModelError(f"rotation.{what} has shape {vectors.shape}, not (..., {size})", code="shape")
     return vectors
 
 

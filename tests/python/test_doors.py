@@ -183,6 +183,13 @@ def test_a_frame_that_is_not_there_is_refused(frame: Any) -> None:
         lambda result: result.recorded(3),
         lambda result: result.sampled_positions(0),
         lambda result: result.sampled_positions("x"),
+        lambda result: result.recorded("q", 999),
+        lambda result: result.recorded("q", "x"),
+        lambda result: result.recorded_of("q", [5]),
+        lambda result: result.recorded_of("q", [0.5]),
+        lambda result: result.recorded_of("q", [True]),
+        lambda result: result.view(other=3),
+        lambda result: result.view(labels=["a", "b"]),
         lambda result: result.sampled_reactions(-1),
         lambda result: result.body(None),
         lambda result: result.body(7),
@@ -397,3 +404,62 @@ NO_ARGUMENTS: dict[str, Callable[[], object]] = {
 def test_what_is_no_argument_is_an_error_of_linkwork(which: str) -> None:
     with pytest.raises(lw.LinkworkError):
         NO_ARGUMENTS[which]()
+
+
+def hinged() -> lw.Model:
+    model = lw.Model()
+    body = model.body("rod", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+    model.revolute("ground", body, at=(0, 0, 0), axis=(0, 1, 0), name="pin")
+    return model
+
+
+WORDS: dict[str, tuple[Callable[[], object], str]] = {
+    "a law of one joint that takes too little": (
+        lambda: hinged().joint_force("pin", lambda t, x: 0.0, name="controller 7"),  # type: ignore[misc, arg-type]
+        r"joint force 'controller 7': its function does not take \(t, x, x_dot\)",
+    ),
+    "a force that takes too little": (
+        lambda: hinged().user_force(lambda t: np.zeros(6), "rod", name="wind"),
+        r"user force 'wind': its function does not take \(t, q, v\)",
+    ),
+    "two functions": (
+        lambda: hinged().drive("pin", velocity=(lambda t: 1.0, lambda t: 0.0)),
+        r"velocity: 2 functions in a tuple: give one, or three \(f, df, ddf\)",
+    ),
+    "ends without an order": (
+        lambda: hinged().distance("ground", "rod", at={(0, 0, 1), (1, 0, 0)}),
+        "at must be a pair",
+    ),
+    "a folder that is True": (
+        lambda: lw.compare(hinged(), 0.02, steps=[1e-2], integrators=["rk4"], resume=True),  # type: ignore[arg-type]
+        "resume True is no path",
+    ),
+    "a step beyond all numbers": (
+        lambda: lw.sensitivity(lambda x: hinged(), {"x": 1.0}, {"t": len}, steps=10**400),
+        "sensitivity: steps 1000.* is not a finite number",
+    ),
+    "times beyond all numbers": (
+        lambda: lw.sweep(hinged(), {"rod.mass": [1.0]}, ["final"], t_end=0.1, times=10**400, step=0.01),
+        "times 1000.* are no numbers",
+    ),
+    "a rod with a side in words": (lambda: lw.mechanisms.square_rod(1, 1, "a"), "square_rod: side 'a'"),  # type: ignore[arg-type]
+    "a rod of negative mass": (lambda: lw.mechanisms.thin_rod(-1, 1), "thin_rod: mass -1 .* at least 0"),
+    "strokes beyond reach": (
+        lambda: lw.mechanisms.stewart_platform(amplitude=0.7),
+        "amplitude 0.7 is out of its bounds: from -0.63 to 0.63",
+    ),
+    "an angle in words": (lambda: lw.rotation.about((0, 0, 1), "90"), "rotation.about: angle '90' is not"),
+    "an axis in words": (lambda: lw.rotation.about("z", 1.0), "rotation.about: axis 'z' is not"),
+    "a restitution in words": (
+        lambda: lw.contact_hysteresis("flores", "0.5"),  # type: ignore[arg-type]
+        "restitution '0.5' is not a finite number",
+    ),
+    "a name in capitals": (lambda: run(integrator="RK4"), "the nearest is 'rk4'"),
+}
+
+
+@pytest.mark.parametrize("which", WORDS)
+def test_what_is_wrong_with_an_argument_is_told(which: str) -> None:
+    wrong, words = WORDS[which]
+    with pytest.raises(lw.LinkworkError, match=words):
+        wrong()

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork.accuracy.verdict import Verdict
-from linkwork.arguments import UNREADABLE, check_takes, reals
+from linkwork.arguments import UNREADABLE, check_takes, number, reals
 from linkwork.arrays import Floats, ReadOnly
 from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.modeling.model import Model, check_bodies
@@ -209,9 +209,7 @@ def _steps(at: Mapping[str, float], steps: Mapping[str, float] | float) -> dict[
 
 def _number(value: object, what: str) -> float:
     """OptionError: not a finite number."""
-    if isinstance(value, int | float | np.integer | np.floating) and np.isfinite(value):
-        return float(value)
-    raise OptionError(f"sensitivity: {what} {value!r:.80} is not a finite number", code="not_a_number")
+    return number(value, f"sensitivity: {what}")
 
 
 def _check_functions(

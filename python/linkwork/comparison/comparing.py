@@ -9,6 +9,7 @@ import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
+from linkwork.arguments import path
 from linkwork.arrays import Floats
 from linkwork.comparison import runs
 from linkwork.comparison.choices import Cell, Choice, Entry, cells, choices
@@ -265,6 +266,7 @@ def _store(folder: str | os.PathLike[str] | None, model: Model, t_end: float, re
     if folder is None:
         return None
     given = None if reference is None else str(getattr(reference, "manifest", {}).get("started", reference))
+    folder = path(folder, "resume", folder=True)
     return Store(folder, {"model_hash": model.hash(), "t_end": t_end, "reference": given})
 
 

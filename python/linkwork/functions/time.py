@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from linkwork import _core
 from linkwork.arguments import UNREADABLE, array, is_number, number, reals
 from linkwork.arrays import Floats, ReadOnly
-from linkwork.errors import ModelError
+from linkwork.errors import ModelError, counted
 from linkwork.fingerprints import law
 from linkwork.functions.calls import Calls
 
@@ -549,6 +549,12 @@ def as_time_function(x: TimeFunctionLike, what: str) -> float | TimeFunction:
 
             _check_derivatives(*x, what, STARTS)
         return Callback(*x, what=what)  # type: ignore[misc]
+    if isinstance(x, tuple) and x and all(map(callable, x)):
+        raise ModelError(
+            f"{what}: {counted(len(x), 'function')} in a tuple: give one, or three (f, df, ddf), a function "
+            "of time and its derivatives",
+            code="time_function",
+        )
     return _finite(x, what)
 
 

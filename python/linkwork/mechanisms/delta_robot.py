@@ -55,7 +55,7 @@ def delta_robot(driven: bool = True, amplitude: float = 0.4, rate: float = 6.0) 
     each other, so that it goes round. Gravity along -z.
 
     driven     motors turn the arms; otherwise they are free, and the platform falls
-    amplitude  of the arms [rad], up to 0.6
+    amplitude  of the arms [rad]
     rate       of the arms [rad/s]
 
         model = lw.mechanisms.delta_robot()

@@ -45,7 +45,7 @@ def double_wishbone(amplitude: float = 0.02, rate: float = 8.0) -> Model:
     three degrees of freedom: the chassis, the suspension, and the wheel's spin. Gravity along -z; it starts
     at rest in equilibrium, and the post goes as amplitude (1 - cos(rate t)).
 
-    amplitude  of the post [m], up to 0.05
+    amplitude  of the post [m]
     rate       of the post [rad/s]
 
         model = lw.mechanisms.double_wishbone()

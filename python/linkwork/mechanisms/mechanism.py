@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import math
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -11,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from linkwork import memory
+from linkwork.arguments import is_number
 from linkwork.errors import ModelError
 from linkwork.mechanisms.recommended import beside
 from linkwork.modeling.model import Model
@@ -80,6 +82,15 @@ class Mechanism:
         described = dict(re.findall(r"^(\w+)  +(\S.*)$", text, re.MULTILINE))
         arguments = inspect.signature(self.function).parameters.values()
         return tuple(Parameter(p.name, p.default, described.get(p.name, "")) for p in arguments)
+
+
+def between(least: float, value: float, most: float, what: str) -> None:
+    """ModelError: no number, or one out of these bounds."""
+    if not is_number(value):
+        raise ModelError(f"{what} {value!r:.80} is not a finite number", code="not_a_number")
+    if not least <= value <= most:
+        wanted = f"from {least:g} to {most:g}" if math.isfinite(most) else f"at least {least:g}"
+        raise ModelError(f"{what} {value:g} is out of its bounds: {wanted}", code="out_of_bounds")
 
 
 def at_least(least: int, value: int, what: str) -> None:

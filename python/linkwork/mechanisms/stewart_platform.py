@@ -8,7 +8,7 @@ from linkwork import Model
 from linkwork.arrays import Floats
 from linkwork.equations.assembly import assemble
 from linkwork.functions import TimeFunction, harmonic
-from linkwork.mechanisms.mechanism import Mechanism
+from linkwork.mechanisms.mechanism import Mechanism, between
 from linkwork.rotation import from_axes
 
 HEIGHT = 2.1  # of the platform at the start [m]
@@ -16,6 +16,10 @@ CYLINDER, PISTON = 1.3, 1.5  # lengths of the two halves of a leg, from its ends
 
 PLATFORM, CYLINDER_MASS, PISTON_MASS = 3000.0, 90.0, 45.0  # [kg]
 PLATFORM_INERTIA = (3000.0, 3500.0, 2500.0)  # [kg m2]
+
+
+#: Of strokes with which the platform goes round [m]; from 0.64 on it comes to a dead point.
+LONGEST = 0.63
 
 
 def base_points() -> Floats:
@@ -47,11 +51,12 @@ def stewart_platform(driven: bool = True, amplitude: float = 0.15, rate: float =
     legs go in a wave, so that the platform tilts around. Gravity along -z.
 
     driven     legs follow their strokes; otherwise they are free, and the platform sinks
-    amplitude  of the strokes [m], up to 0.5
+    amplitude  of the strokes [m], up to 0.63 either way: beyond, the legs do not reach
     rate       of the strokes [rad/s]
 
         model = lw.mechanisms.stewart_platform()
     """
+    between(-LONGEST, amplitude, LONGEST, "stewart_platform: amplitude")
     model = Model(gravity=(0, 0, -9.81), name="stewart_platform")
     lower, upper = base_points(), platform_points() + np.array([0.0, 0.0, HEIGHT])
     platform = model.body("platform", mass=PLATFORM, inertia=PLATFORM_INERTIA, position=(0, 0, HEIGHT))

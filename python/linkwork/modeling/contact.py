@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from linkwork.arguments import is_number, one_of
+from linkwork.arguments import number, one_of
 from linkwork.errors import OptionError
 
 __all__ = ["contact_hysteresis"]
@@ -28,7 +28,8 @@ def contact_hysteresis(law: str, restitution: float) -> float:
     OptionError: another law, or a coefficient that is not in (0, 1].
     """
     one_of(law, LAWS, "contact law")
-    if not is_number(restitution) or not 0 < restitution <= 1:
+    restitution = number(restitution, "restitution", code="restitution")
+    if not 0 < restitution <= 1:
         raise OptionError(
             f"restitution {restitution!r:.80} is not between 0 (exclusive) and 1", code="restitution"
         )

@@ -8,7 +8,7 @@ on some thousand: what is computed on the way then fits into a cache.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from typing import Any, Literal, NoReturn
 
@@ -439,8 +439,8 @@ def _wrong_angle(z_a: Floats, z_b: Floats) -> str:
 
 
 def _length(value: Any) -> int:
-    """0 of what has none, and of text."""
+    """0 of what has none, of text, and of what has no order."""
     try:
-        return 0 if isinstance(value, str) else len(value)
+        return 0 if isinstance(value, str | Set | Mapping) else len(value)
     except TypeError:
         return 0

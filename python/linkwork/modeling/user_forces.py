@@ -102,7 +102,7 @@ class UserForceMethods:
         All its power counts as work. Python in the loop costs microseconds an evaluation and keeps other
         threads out: see `compiled_force`.
 
-        ModelError: not a function, no such body; at run time: a wrong shape.
+        ModelError: not a function of (t, q, v), no such body; at run time: a wrong shape.
         """
         model = cast("ModelBuilder", self)
         name = model._named(name, "user force", len(model._user_forces))
@@ -112,6 +112,7 @@ class UserForceMethods:
             raise ModelError(
                 f"user force '{name}': vectorized is {vectorized!r:.80}, not True or False", code="vectorized"
             )
+        arguments.check_called(function, ("t", "q", "v"), f"user force '{name}'")
         calls = Calls(function)
         whole, place, chosen = calls.ask, "", []
         named: str | list[str] | None = None
@@ -153,13 +154,16 @@ class UserForceMethods:
         All its power counts as work. A Python function costs about a microsecond an evaluation, a function of
         time much less. For compiled laws see the force elements and `compiled_force`.
 
-        ModelError: no such joint or coordinate, no law; at run time: it returned no number.
+        ModelError: no such joint or coordinate, no law, or one of other arguments; at run time: it returned
+        no number.
         """
         model = cast("ModelBuilder", self)
         index, text = model._joint_named(joint, "joint_force")
         name = model._named(name, "joint force", len(model._user_forces))
         which = coordinate_of(model._core.joint_kind(index), text, coordinate)
         law: Any = function if callable(function) else _effort(function, name)
+        if not isinstance(law, TimeFunction):
+            arguments.check_called(law, ("t", "x", "x_dot"), f"joint force '{name}'")
         calls = None if isinstance(law, TimeFunction) else Calls(law)
         compiled = law.compiled() if calls is None else calls.ask
         times = functions.check_breaks(breaks, f"joint force '{name}'")

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from linkwork import rotation
 from linkwork.accuracy.verdict import Verdict
 from linkwork.accuracy.verification import Finer, band, difference
-from linkwork.arguments import check_new, one_of
+from linkwork.arguments import array, check_new, one_of
 from linkwork.arguments import path as path_of
 from linkwork.arrays import Floats, read_only
 from linkwork.errors import ModelError, OptionError, counted, nearest, warn
@@ -434,13 +434,19 @@ class Result:
 
             last = result.recorded("q", -1)
 
-        OptionError: there is no such field.
+        OptionError: there is no such field, or no such part of it.
         """
         known = self._header.frame_shapes()
         one_of(name, known, "field", "unknown_name")
         if name in ("reaction_force", "reaction_torque"):
             self._need_reactions()
-        return self._field(name, part)
+        try:
+            return self._field(name, part)
+        except (IndexError, TypeError, ValueError) as error:  # of arrays, and of datasets of a file
+            shape = (len(self), *known[name])
+            raise OptionError(
+                f"{name}: the part {part!r:.80} is none of what is recorded, of shape {shape}", code="part"
+            ) from error
 
     def recorded_of(self, name: str, places: ArrayLike, every: int = 1) -> Floats:
         """Of some bodies or joints, by index, (k, places, ...) of a recorded field such as "q".
@@ -449,13 +455,13 @@ class Result:
 
         every  of every so manyth frame
 
-        Of few places nothing else is read; of many some frames at a time. OptionError: no such field, or
-        `every` is not a positive whole number.
+        Of few places nothing else is read; of many some frames at a time. OptionError: no such field or
+        place, or `every` is not a positive whole number.
         """
         _check_every(every)
         known = {field: shape for field, shape in self._header.frame_shapes().items() if shape}
         shape = known[one_of(name, known, "field", "unknown_name")]
-        chosen = np.arange(shape[0])[np.asarray(places, dtype=int)]
+        chosen = _places(places, shape[0])
         unique, back = np.unique(chosen, return_inverse=True)
         if not len(unique):
             return np.zeros((len(self.t[::every]), 0, *shape[1:]))
@@ -775,11 +781,12 @@ class Result:
         limit   of the recorded numbers in the page [bytes]; frames beyond are left out evenly, and it says so
 
         In a notebook the page shows itself; `result.view().open()` shows it in the browser.
-        OptionError: there are no frames, or not two of them fit `limit`. FileError: `path` cannot be written.
+        OptionError: there are no frames, or not two of them fit `limit`; what is no other result, or more
+        labels than runs. FileError: `path` cannot be written.
         """
         from linkwork.view import view
 
-        page = view([self] if other is None else [self, other], labels, limit)
+        page = view(self._laid_over(other), labels, limit)
         if path is not None:
             page.save(path)
         return page
@@ -798,7 +805,7 @@ class Result:
         """
         from linkwork.view.serving import Server
 
-        return Server([self] if other is None else [self, other], labels, port)
+        return Server(self._laid_over(other), labels, port)
 
     def report(self, path: str | os.PathLike[str] | None = None) -> Page:
         """A page on the run: model, method, diagnostics, plots, viewer; written to `path` when given.
@@ -854,6 +861,12 @@ class Result:
         values: Floats = read_only(self._frames[name][part])
         return values
 
+    def _laid_over(self, other: Result | None) -> list[Result]:
+        """OptionError: `other` is no result."""
+        if other is not None and not isinstance(other, Result):
+            raise OptionError(f"other {other!r:.80} is no result of a run", code="other")
+        return [self] if other is None else [self, other]
+
     def _need_reactions(self) -> None:
         """Evaluate the reactions of a result in memory, once."""
         if "reaction_force" not in self._frames:
@@ -894,6 +907,17 @@ def _quantity(result: Result, what: str, name: tuple[Any, ...], how: Mapping[str
         )
     found = getattr(result, what)
     return found(*name, **how) if callable(found) else found
+
+
+def _places(given: ArrayLike, count: int) -> NDArray[np.intp]:
+    """Of `count` that there are, from 0 on. OptionError: others, or no whole numbers."""
+    places = array(given, "places").ravel()
+    if not ((places == np.floor(places)) & (places >= -count) & (places < count)).all():
+        raise OptionError(
+            f"places {given!r:.80} are not whole numbers from 0 to {count - 1}, or from the end from -1 on",
+            code="places",
+        )
+    return np.arange(count)[places.astype(int)]
 
 
 def _check_every(every: object) -> None:

@@ -16,7 +16,7 @@ import numpy as np
 
 from linkwork.arguments import check_suffix, is_number
 from linkwork.arrays import Floats
-from linkwork.errors import OptionError, warn
+from linkwork.errors import OptionError, counted, warn
 from linkwork.replacement import replacing
 from linkwork.view.poses import page_origin
 from linkwork.view.run import LIMIT, Document, document
@@ -128,8 +128,11 @@ def _labelled(results: Sequence[Result], labels: Sequence[str]) -> Iterator[tupl
     """OptionError: the labels are no names."""
     if not isinstance(labels, Iterable) or isinstance(labels, np.ndarray | str):
         raise OptionError(f"labels {labels!r:.80} are no names of runs", code="labels")
-    names = [*map(str, labels), *("" for _ in results)]
-    return zip(results, names, strict=False)
+    names = [*map(str, labels)]
+    if len(names) > len(results):
+        told = f"{counted(len(names), 'name')} for {counted(len(results), 'run')}"
+        raise OptionError(f"labels {labels!r:.80}: {told}; give one each", code="labels")
+    return zip(results, [*names, *("" for _ in results)], strict=False)
 
 
 def _page(documents: Sequence[Document]) -> Page:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from typing import Any
 
@@ -59,7 +60,15 @@ def _message(details: ErrorDetails, where: Where, data: Any) -> str:
     if kind not in _WANTED:
         text = details["msg"]
         return text[:1].lower() + text[1:]
-    return f"{_shown(given)} is not {_WANTED[kind].format(**context)}"
+    hint = decimal_point(given) if kind == "float_type" else ""
+    return f"{_shown(given)} is not {_WANTED[kind].format(**context)}{hint}"
+
+
+def decimal_point(given: Any) -> str:
+    """The end of a message about what is no number: "; decimals follow a point: 1.5" of "1,5"."""
+    if isinstance(given, str) and re.fullmatch(r"[+-]?\d+,\d+([eE][+-]?\d+)?", given.strip()):
+        return f"; decimals follow a point: {given.strip().replace(',', '.')}"
+    return ""
 
 
 _WANTED = {
@@ -86,10 +95,9 @@ def _unknown_form(where: Where, given: Any) -> str:
         kind = _shown(given.get("kind")) if isinstance(given, dict) else _shown(given)
         return f"{kind} is no kind of shape; there are {', '.join(SHAPES)}"
     if len(where) != 2 or role not in KINDS:
-        names = ", ".join(given) if isinstance(given, dict) and given else None
-        hint = nearest(names.split(", ")[0], schema.constructors()) if names else ""
-        known = ", ".join(schema.constructors())
-        return f"{_shown(given)} is no function of time; there are {known}{hint}"
+        names = [str(it) for it in given] if isinstance(given, dict) else []
+        what = _shown(names[0]) if len(names) == 1 else _shown(given)
+        return f"{what} is no function of time{nearest(names[0] if names else '', schema.constructors())}"
     if not isinstance(given, dict):
         return f"{_shown(given)} is not a mapping"
     if "kind" not in given:

@@ -31,7 +31,7 @@ from linkwork.modeling.elements import KINDS
 from linkwork.modeling.files import packed, schema
 from linkwork.modeling.files.batches import Placed, add_batch, batch_key
 from linkwork.modeling.files.collection import collection_paused
-from linkwork.modeling.files.messages import faults_of_schema
+from linkwork.modeling.files.messages import decimal_point, faults_of_schema
 from linkwork.modeling.files.syntax import Syntax, Where, field, parse
 from linkwork.modeling.files.writing import normalized_from
 from linkwork.modeling.shapes import Shape
@@ -302,7 +302,7 @@ def _check_joints(joints: Sequence[Any], checker: _Checker) -> None:
 
 
 def _no_function(name: str, functions: Iterable[str]) -> str:
-    hint = nearest(name, functions)
+    hint = decimal_point(name) or nearest(name, functions)
     if re.search(r"[-+*/().]", name):
         hint = f"; a formula of t is written {{expression: {json.dumps(name)}}}"
     return f"{name!r} is neither a number nor in functions{hint}"
