@@ -249,6 +249,8 @@ class Comparison:
         A page that needs nothing but a browser: table, pictures, definitions; also written to `path`.
 
             comparison.to_html("methods.html")
+
+        FileError: `path` has another suffix, or cannot be written. A page that is there is replaced.
         """
         from linkwork.comparison import page
 

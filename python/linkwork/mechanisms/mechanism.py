@@ -13,6 +13,7 @@ import numpy as np
 
 from linkwork import memory
 from linkwork.arguments import is_number
+from linkwork.arrays import Number
 from linkwork.errors import ModelError
 from linkwork.mechanisms.recommended import beside
 from linkwork.modeling.model import Model
@@ -84,7 +85,7 @@ class Mechanism:
         return tuple(Parameter(p.name, p.default, described.get(p.name, "")) for p in arguments)
 
 
-def between(least: float, value: float, most: float, what: str) -> None:
+def between(least: float, value: Number, most: float, what: str) -> None:
     """ModelError: no number, or one out of these bounds."""
     if not is_number(value):
         raise ModelError(f"{what} {value!r:.80} is not a finite number", code="not_a_number")

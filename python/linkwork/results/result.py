@@ -917,7 +917,8 @@ def _places(given: ArrayLike, count: int) -> NDArray[np.intp]:
             f"places {given!r:.80} are not whole numbers from 0 to {count - 1}, or from the end from -1 on",
             code="places",
         )
-    return np.arange(count)[places.astype(int)]
+    found: NDArray[np.intp] = np.arange(count)[places.astype(int)]
+    return found
 
 
 def _check_every(every: object) -> None:

@@ -117,8 +117,9 @@ def simulate(
                   False: the run starts from them as they are, with a warning
     on_inaccurate what an estimated error of more than 1 % means to the run. "pass", "warn" or "stop", see
                   `Result.verdict`; "stop" looks after it ever doubled the number of its steps, too
-    verify        a second run at half the step, and a tenth of the tolerances: `Result.error_of` then tells
-                  the error of whatever was recorded, and plots have error bands
+    verify        a second run at half the step, a little less where contacts begin, or a tenth of the
+                  tolerances: `Result.error_of` then tells the error of whatever was recorded, and plots have
+                  error bands
     options       by name; what is left out, or None, has its default
 
     Redundant constraint equations are found and left out of the solution; the reactions that they leave open

@@ -72,7 +72,7 @@ model.sphere_plane_contact(ground, b, at=((0, 0, 0), tip), normal=z, radius=0.1,
 model.sphere_sphere_contact(a, b, at=((0, 0, 0), tip), radius_a=0.1, radius_b=length, stiffness=1e5)
 model.force(a, force=(0, 0, lambda t: np.sin(t)), at=tip, frame="body")
 model.joint_force("pin", lambda t, angle, rate: -0.1 * rate)
-model.user_force(lambda t, r, p, v, omega: np.zeros(6), c)
+model.user_force(lambda t, q, v: np.zeros(6), c)
 rows = model.forces("drag", "ground", row, at=np.eye(3), coefficient=0.2)
 
 count: int = (
