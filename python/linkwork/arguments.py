@@ -22,9 +22,9 @@ from linkwork.arrays import Floats
 from linkwork.errors import FileError, LinkworkError, ModelError, OptionError, about, nearest
 
 __all__ = [
-    "UNREADABLE", "array", "check_called", "check_new", "check_suffix", "check_takes", "folders", "is_iterable",
-    "is_number", "is_one_of", "is_text", "number",
-    "one_of", "optional_package", "path", "reals", "refuse_dash", "whole",
+    "UNREADABLE", "array", "check_called", "check_new", "check_suffix", "check_takes", "folders",
+    "is_iterable", "is_number", "is_one_of", "is_text", "number", "one_of", "optional_package", "path",
+    "reals", "refuse_dash", "whole",
 ]  # fmt: skip
 
 #: A shape (size,) of an array; None stands for any length.

@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 from pathlib import Path
 from typing import Any
 
@@ -50,13 +51,13 @@ def test_a_file_that_may_not_grow_is_told_wherever_the_limit_is(tmp_path: Path) 
 
 
 @pytest.mark.filterwarnings("ignore:the run takes")
-@pytest.mark.parametrize("seconds", [0.0, 0.05, 0.4])
-def test_termination_ends_a_run_also_where_it_is_set_up(tmp_path: Path, seconds: float) -> None:
+@pytest.mark.parametrize("seconds", [0.0, 0.05, None], ids=["at once", "soon", "with its output"])
+def test_termination_ends_a_run_also_where_it_is_set_up(tmp_path: Path, seconds: float | None) -> None:
     output = tmp_path / "run.h5"
     lw.simulate(lw.mechanisms.four_bar(), 0.01, 1e-3, output=tmp_path / "imports.h5", progress=False)
     before = signal.getsignal(signal.SIGTERM)
     honor_termination()
-    soon = threading.Timer(seconds, os.kill, (os.getpid(), signal.SIGTERM))
+    soon = threading.Timer(seconds or 0.0, _terminate, [None if seconds is not None else output])
     try:
         with pytest.raises(Terminated):
             soon.start()
@@ -65,7 +66,16 @@ def test_termination_ends_a_run_also_where_it_is_set_up(tmp_path: Path, seconds:
         soon.cancel()
         soon.join()
         signal.signal(signal.SIGTERM, before)
+    assert output.exists() or seconds is not None
     assert not output.exists() or lw.Result.load(output).status == "interrupted"
+
+
+def _terminate(output: Path | None) -> None:
+    """This process, once it has begun to write this file."""
+    until = time.monotonic() + 60
+    while output is not None and not output.exists() and time.monotonic() < until:
+        time.sleep(0.01)
+    os.kill(os.getpid(), signal.SIGTERM)
 
 
 def test_termination_of_a_command_is_a_line_and_its_exit_code(tmp_path: Path) -> None:

@@ -30,6 +30,21 @@ def lifted(
     return model
 
 
+def side_by_side(*shares: float) -> lw.Model:
+    """Such discs, 1 m apart across their way."""
+    model = lw.Model()
+    upright = lw.rotation.about((1, 0, 0), np.pi / 2)
+    for k, share in enumerate(shares):
+        center = (0.0, float(k), RADIUS)
+        disc = model.body(f"body {k}", mass=MASS, inertia=(0.005, 0.005, 0.01), position=center,
+                          orientation=upright, velocity=(0.5, 0, 0), omega=(0, 0, -0.5 / RADIUS))  # fmt: skip
+        ends = ((0, float(k), 0), center)
+        axes = ((0, 0, 1), (0, 1, 0))
+        model.rolling_disc("ground", disc, at=ends, axes=axes, radius=RADIUS, name=f"disc {k}")
+        model.force(disc, force=[0.0, 0.0, lw.functions.polynomial(0.0, share * MASS * GRAVITY)])
+    return model
+
+
 def told(call: Any) -> list[str]:
     result = call()
     found = [line[10:] for line in result.summary().splitlines() if line.startswith("discs")]
@@ -62,3 +77,31 @@ def test_kinematics_says_so() -> None:
                                displacement=lw.functions.polynomial(0.0, 0.5))  # fmt: skip
     driven.parallel_axes("ground", "disc", axis=(0, 1, 0), name="upright")
     assert told(lambda: lw.kinematics(driven, np.linspace(0, 1, 101)))
+
+
+@pytest.mark.parametrize(
+    ("shares", "who", "first", "most"),
+    [((2.0, 4.0), "'disc 0', 'disc 1'", 0.25, 3.0), ((0.5, 2.0), "'disc 1'", 0.5, 1.0)],
+)
+def test_of_several_discs_those_that_lift_off_are_told_with_the_first_time_and_the_largest_pull(
+    shares: tuple[float, float], who: str, first: float, most: float
+) -> None:
+    (text,) = told(lambda: lw.simulate(side_by_side(*shares), 1.0, rtol=1e-8, on_inaccurate="pass"))
+    names, rest = text.split(": by t = ")
+    assert names == who
+    assert float(rest.split()[0]) == pytest.approx(first, abs=5e-3)
+    assert float(rest.split(PULLS)[1].split()[0]) == pytest.approx(most * MASS * GRAVITY, rel=1e-2)
+
+
+@pytest.mark.parametrize("speeds_up", [False, True])
+@pytest.mark.parametrize("part", [0.96, 1.04])
+def test_a_pull_counts_from_a_thousandth_of_the_largest_force_and_little_of_its_inertia_on(
+    part: float, speeds_up: bool
+) -> None:
+    """Of m g at the start, and of m g + m v^2 / R a ten thousandth: at 3 m/s, the highest speed, ten m g."""
+    speed = 3.0
+    counts = 1e-3 + 1e-4 * (1 + speed**2 / RADIUS / GRAVITY)  # parts of m g
+    model = lifted(1.0 + part * counts, speed=0.0 if speeds_up else speed)
+    if speeds_up:  # in 1 s, with its inertia J = 0.01 kg m2
+        model.force("disc", force=(speed * (MASS + 0.01 / RADIUS**2), 0, 0), name="push")
+    assert bool(told(lambda: lw.simulate(model, 1.0, rtol=1e-9, on_inaccurate="pass"))) == (part > 1)

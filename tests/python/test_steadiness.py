@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+from typing import Any, cast
+
 import linkwork as lw
 import numpy as np
 import pytest
+from linkwork.analyses import steadiness
+from linkwork.constraints.equations import Equations
 
 Z = (0.0, 0.0, 1.0)
 
@@ -167,3 +172,24 @@ def test_without_damping_the_growing_one_of_a_pair_is_listed() -> None:
     assert lw.linearize(model).eigenvalues == pytest.approx([s], rel=1e-9)
     model.rotational_spring_damper("ground", "bob", axis=(0, 1, 0), damping=1e-6)
     assert np.sort(lw.linearize(model).eigenvalues.real) == pytest.approx([-s, s], rel=1e-5)
+
+
+@pytest.mark.parametrize(("length", "creeps", "counts"), [(1e3, 1e-4, False), (1e-3, 1e-4, True)])
+def test_a_creep_counts_by_the_size_of_the_mechanism(length: float, creeps: float, counts: bool) -> None:
+    """Beside a body that turns at 1 rad/s, another moves so many of its own sizes in a second."""
+    x_dot = np.zeros(12)
+    x_dot[3], x_dot[6] = 1.0, creeps  # [rad/s], [m/s]
+    left = steadiness._without_rests(cast(Any, SimpleNamespace(length=length)), x_dot, 1.0)
+    assert left[3] == 1.0
+    assert left[6] == (creeps if counts else 0.0)
+
+
+@pytest.mark.parametrize("size", [0.01, 1.0])
+def test_a_body_that_slides_is_looked_at_again_when_it_has_moved_by_its_own_sizes(size: float) -> None:
+    model, speed = lw.Model(gravity=(0, 0, 0)), 3.0
+    block = model.body("block", mass=1.0, inertia=(size**2 / 6,) * 3, velocity=(speed, 0, 0))
+    model.translational("ground", block, at=(0, 0, 0), axis=(1, 0, 0))
+    eq = Equations(model)
+    (time,) = steadiness._times(eq, np.array([speed, 0, 0, 0, 0, 0]), speed / eq.arms[0])
+    assert eq.arms[0] == pytest.approx(size / 2)  # the radius of gyration, sqrt(tr J / 2 m)
+    assert time * speed == pytest.approx(steadiness.TURN * eq.arms[0])

@@ -43,6 +43,22 @@ def test_a_run_says_when_a_bushing_passes_half_a_turn(axis: Any, on: str, method
     assert float(text.removeprefix(BEYOND).split()[0]) == pytest.approx(passes, abs=2e-2)
 
 
+@pytest.mark.parametrize("other", ["ground", "rotor that turns the other way"])
+def test_it_says_so_of_its_first_body_too(other: str) -> None:
+    """Of two that turn against each other by w0 sqrt(J / 2k) sin(sqrt(2k / J) t) each, about one axis."""
+    axis, omega, both = np.array((1.0, -2.0, 0.5)) / np.sqrt(5.25), 12.0, other != "ground"
+    model = lw.Model(gravity=(0, 0, 0))
+    names = ["rotor", other][: 1 + both]
+    for name, sign in zip(names, (1, -1), strict=False):
+        model.body(name, mass=1.0, inertia=(INERTIA,) * 3, omega=sign * omega * axis)
+    stiffness = (STIFFNESS,) * 3
+    model.bushing("rotor", other, at=(0, 0, 0), name="bushing", rotational_stiffness=stiffness)
+    (text,) = told(lambda: lw.simulate(model, 1.0, rtol=1e-8, on_inaccurate="pass"))
+    rate = np.sqrt((1 + both) * STIFFNESS / INERTIA)
+    passes = np.arcsin(np.pi / (1 + both) * rate / omega) / rate
+    assert float(text.removeprefix(BEYOND).split()[0]) == pytest.approx(passes, abs=5e-3)
+
+
 @pytest.mark.parametrize("reach", [0.95, 0.999])
 def test_swings_that_stay_below_are_silent(reach: float) -> None:
     omega = reach * np.pi * np.sqrt(STIFFNESS / INERTIA)
