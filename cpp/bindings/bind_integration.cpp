@@ -63,7 +63,7 @@ SecondTake second_take(const py::object& method, bool other, bool inside) {
 }
 
 /// With `steps` one by one, or none of them.
-py::dict to_dict(const AccumulatedError& found, bool steps_too) {
+py::dict to_dict(const AccumulatedError& found, const System& system, bool steps_too) {
   py::list steps;
   for (const JudgedStep& it : steps_too ? std::span<const JudgedStep>(found.steps) : std::span<const JudgedStep>())
     steps.append(py::make_tuple(it.t, it.h, it.state,
@@ -81,9 +81,16 @@ py::dict to_dict(const AccumulatedError& found, bool steps_too) {
   out["seconds"] = found.seconds;
   out["kinetic_share"] = found.kinetic_share;
   out["carried"] = found.carried;
-  out["rest_length"] = found.rest ? found.length : 0.0;
-  out["rest_speed"] = found.rest ? found.rest->speed : 0.0;
-  out["rest_energy"] = found.rest ? found.rest->energy : 0.0;
+  out["body"] = found.body;
+  const ConnectedParts& parts = ConnectedParts::of(system);
+  VectorXd length(system.body_count()), speed(system.body_count());
+  for (int body = 0; body < system.body_count(); ++body) {
+    length[body] = found.rest[parts.of_body(body)].length;
+    speed[body] = found.rest[parts.of_body(body)].speed;
+  }
+  out["rest_length"] = length;
+  out["rest_speed"] = speed;
+  out["rest_energy"] = found.rest_energy;
   return out;
 }
 
@@ -99,11 +106,10 @@ py::dict judged(const Dynamics& run, double end_violation, Dynamics& dynamics, b
   AccumulatedError found;
   {
     const py::gil_scoped_release release;
-    const double length = RelativeViolation::length_of(dynamics.system());
-    found = accumulate(errors(), length);
+    found = accumulate(errors());
     found.violation = std::max(found.violation, end_violation);
   }
-  return to_dict(found, steps);
+  return to_dict(found, dynamics.system(), steps);
 }
 
 py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, bool other,

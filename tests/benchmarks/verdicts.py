@@ -206,7 +206,8 @@ def growth(model: lw.Model, best: lw.Result) -> float:
     scales = Scales.of(reference, Bodies.of(best.header))
     start = best.snapshot(0)
     push = np.random.default_rng(1).standard_normal(start.v.shape) * PERTURBATION
-    push *= [scales.speed] * 3 + [scales.speed / scales.length] * 3
+    speed, length = (it[scales.part, None] for it in (scales.speed, scales.length))
+    push *= np.concatenate([speed, speed, speed, *3 * [speed / length]], axis=1)
     twin = exact(model, best.t[-1], best.t, start=start._replace(v=start.v + push))
     apart = Differences.between(Sampled.of(twin), reference).state(scales)
     return float(apart.max() / max(apart[1], 1e-3 * PERTURBATION))
@@ -308,7 +309,7 @@ def study(seed: int, count: int) -> tuple[str, list[Found]]:
         return f"no reference: {type(error).__name__}: {error}", []
     scales = Scales.of(Sampled.of(truth.result), Bodies.of(truth.result.header))
     fastest = np.abs(truth.result.v).max(axis=(0, 1))
-    if not max(fastest[:3].max() / scales.length, fastest[3:].max()) > STILL:
+    if not max(fastest[:3].max() / scales.length.max(), fastest[3:].max()) > STILL:
         return "at rest", []
     if not truth.growth < GROWTH:
         return "chaotic", []

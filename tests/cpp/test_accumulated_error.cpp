@@ -12,31 +12,47 @@ namespace {
 
 constexpr double size = 2.0, speed = 10.0;  // m, m/s
 
-/// Two parts of a run, of a second and 100 steps each, with one step that is known of each.
+/// Two parts of a run of a connected mechanism, of a second and 100 steps each, with one step that is known of each.
 RunErrors run(const StateDifference& in_first, const StateDifference& in_second, double first_speed = speed) {
   RunErrors out;
-  out.diagonal = 2.0 * size;
+  out.connected_parts.resize(1);
+  out.connected_parts[0].length = size;
   for (int k = 0; k < 2; ++k) {
     RunPart part;
     part.steps = 100;
     part.t = k;
     part.seconds = 1.0;
-    part.sum_of_changes = 100.0;
+    part.sums_of_changes = VectorXd::Constant(1, 100.0);
     out.parts.push_back(part);
     StepError step;
     step.t = k + 0.5;
     step.h = 0.01;
-    step.change = 1.0;
-    step.speed = k == 0 ? first_speed : speed;
-    step.end = k == 0 ? in_first : in_second;
-    step.force = NAN;
+    step.of_part.resize(1);
+    step.of_part[0].change = 1.0;
+    step.of_part[0].speed = k == 0 ? first_speed : speed;
+    step.of_part[0].end = k == 0 ? in_first : in_second;
     out.steps.push_back(step);
     out.part_of.push_back(k);
   }
   return out;
 }
 
-double state(const RunErrors& errors) { return accumulate(errors, 0.1).state; }
+JudgedPart part_of(int first_body) {
+  JudgedPart out;
+  out.first_body = first_body;
+  out.length = size;
+  return out;
+}
+
+PartError off_by(const StateDifference& apart) {
+  PartError out;
+  out.end = apart;
+  out.speed = speed;
+  out.change = 1.0;
+  return out;
+}
+
+double state(const RunErrors& errors) { return accumulate(errors).state; }
 
 }  // namespace
 
@@ -44,7 +60,7 @@ TEST_CASE("errors of poses add up over all steps, relative to the size of the mo
   StateDifference apart;
   apart.position = 1e-6;
   CHECK(state(run(apart, apart)) == doctest::Approx(200 * 1e-6 / size));
-  CHECK(accumulate(run(apart, apart), 0.1).local_error == doctest::Approx(100 * 1e-6 / size));
+  CHECK(accumulate(run(apart, apart)).local_error == doctest::Approx(100 * 1e-6 / size));
   apart.rotation = 1e-5;
   CHECK(state(run(apart, apart)) == doctest::Approx(200 * 1e-5));
 }
@@ -67,7 +83,7 @@ TEST_CASE("what is late where the motion is slow is farther off where it is fast
 TEST_CASE("a state inside of a step is off by what the interpolant is, once") {
   StateDifference apart;
   RunErrors errors = run(apart, apart);
-  errors.steps[1].inside.position = 0.1;
+  errors.steps[1].of_part[0].inside.position = 0.1;
   CHECK(state(errors) == doctest::Approx(0.1 / size));
 }
 
@@ -76,21 +92,21 @@ TEST_CASE("parts of which no step could be taken again count as the others") {
   apart.position = 1e-6;
   RunErrors errors = run(apart, {});
   errors.steps[1].failed = true;
-  const AccumulatedError found = accumulate(errors, 0.1);
+  const AccumulatedError found = accumulate(errors);
   CHECK(found.failed == 1);
   CHECK(found.steps.size() == 1);
   CHECK(found.state == doctest::Approx(200 * 1e-6 / size));
   errors.steps[0].failed = true;
-  CHECK(accumulate(errors, 0.1).steps.empty());
+  CHECK(accumulate(errors).steps.empty());
 }
 
 TEST_CASE("what the run moved a mechanism that rests is its error, which does not add up") {
   StateDifference moved;
   moved.position = 1e-6;
   RunErrors errors = run(moved, moved, 0.0);
-  for (StepError& step : errors.steps) step.speed = 1e-6;
+  for (StepError& step : errors.steps) step.of_part[0].speed = 1e-6;
   CHECK(state(errors) > 1.0);  // of the path of 2e-6 m
-  errors.rest = Rest{{moved, moved}, 3.0, 1.0};
+  errors.connected_parts[0].rest = Rest{{moved, moved}, 3.0, 1.0};
   CHECK(state(errors) == doctest::Approx(1e-6 / size));
 }
 
@@ -103,7 +119,52 @@ TEST_CASE("what is late is off by the largest acceleration that comes, seen in a
   stop.steps = 1;
   stop.t = 1.9;
   stop.seconds = 0.01;
-  stop.peak = 50.0 * speed * speed / size;
+  stop.peaks = VectorXd::Constant(1, 50.0 * speed * speed / size);
   errors.parts.push_back(stop);
   CHECK(state(errors) == doctest::Approx(50.0 * before).epsilon(0.02));
+}
+
+TEST_CASE("each connected part is judged as if it were alone, and the worst counts, whatever its size and speed") {
+  StateDifference apart;
+  apart.position = 1e-6;
+  const double alone = state(run(apart, apart));
+  for (const double larger : {1e-6, 1.0, 1e6}) {
+    RunErrors errors = run({}, {});
+    errors.connected_parts.resize(2);
+    errors.connected_parts[0].length = larger * size;
+    errors.connected_parts[1] = part_of(7);
+    for (StepError& step : errors.steps) {
+      step.of_part.resize(2);
+      step.of_part[0].speed = larger * speed;
+      step.of_part[0].acceleration = 1e3 * larger * speed * speed / size;  // errs in nothing that could be late by it
+      step.of_part[1] = off_by(apart);
+    }
+    for (RunPart& part : errors.parts) {
+      part.peaks = Eigen::Vector2d(1e3 * larger * speed * speed / size, 0.0);
+      part.sums_of_changes = Eigen::Vector2d(100.0, 100.0);
+    }
+    const AccumulatedError found = accumulate(errors);
+    CHECK(found.state == doctest::Approx(alone));
+    CHECK(found.body == 7);
+  }
+}
+
+TEST_CASE("a part that rests is weighed by its rest, the part beside it by its motion") {
+  StateDifference moved, apart;
+  moved.position = 1e-6;
+  apart.position = 1e-7;
+  RunErrors errors = run(moved, moved, 0.0);
+  errors.connected_parts.push_back(part_of(1));
+  errors.connected_parts[0].rest = Rest{{moved, moved}, 3.0, 1.0};
+  for (StepError& step : errors.steps) {
+    step.of_part[0].speed = 1e-6;
+    step.of_part.push_back(off_by(apart));
+  }
+  for (RunPart& part : errors.parts) part.sums_of_changes = Eigen::Vector2d(100.0, 100.0);
+  const AccumulatedError found = accumulate(errors);
+  CHECK(found.state == doctest::Approx(200 * 1e-7 / size));
+  CHECK(found.body == 1);
+  CHECK(found.rest[0].speed == 3.0);
+  CHECK(found.rest[1].speed == 0.0);
+  CHECK(found.rest_energy == 0.0);  // the energy is of both
 }

@@ -38,6 +38,27 @@ TEST_CASE("a state on the constraints violates nothing, one whose body is displa
   CHECK(relative.largest(0.0, y, system.initial_history()) < 1e-15);
   y[0] += 1e-3;
   const double found = relative.largest(0.0, y, system.initial_history());
-  CHECK(found <= 1e-3 / relative.length());
-  CHECK(found >= 0.3e-3 / relative.length());  // the hinges share it
+  CHECK(found <= 1e-3 / relative.lengths()[0]);
+  CHECK(found >= 0.3e-3 / relative.lengths()[0]);  // the hinges share it
+}
+
+TEST_CASE("a violation is relative to the size of its own part, however large others are beside it") {
+  const auto rods = [](bool large) {
+    Model model;
+    const Mat3<double> I = Mat3<double>::Identity();
+    for (const double length : {1.0, 1e4}) {
+      if (length > 1.0 && !large) break;
+      const double off = length > 1.0 ? 0.0 : 1e-4;
+      const int body = model.add_body(length > 1.0 ? "large" : "small", body_at({0, 0, -(length + off)}));
+      Attachment<double> at{Vec3<double>::Zero(), Vec3<double>::Zero(), I, I};
+      model.add_joint("distance", length > 1.0 ? "boom" : "rod", ground, body, at, {{length, -1}});
+    }
+    return model;
+  };
+  for (const bool large : {false, true}) {
+    const System system(rods(large));
+    VectorXd y = VectorXd::Zero(system.q_size() + system.v_size() + 1);
+    y.head(system.q_size()) = system.model().initial_q();
+    CHECK(RelativeViolation(system).largest(0.0, y, system.initial_history()) == doctest::Approx(1e-4).epsilon(1e-3));
+  }
 }

@@ -15,7 +15,9 @@ struct Free {
     step.y = step.y_new = dynamics.initial_y();
     step.y_new[0] += speed * step.h + moved;
   }
-  std::optional<Rest> found() { return find_rest(dynamics, {&step}, StepParts({}, golden_share), length); }
+  std::optional<Rest> found() {
+    return find_rest(dynamics, {&step}, StepParts({}, golden_share), VectorXd::Constant(1, length))[0];
+  }
 
   static Model model(double gravity, double speed) {
     Model out({0.0, 0.0, -gravity});
@@ -46,4 +48,28 @@ TEST_CASE("a body that no force moves rests in axes that fly along: what the run
 TEST_CASE("what falls, or has left its place, does not rest") {
   CHECK(!Free(9.81, 0.0, 0.0).found());
   CHECK(!Free(0.0, 0.0, 1e-5 * length).found());
+}
+
+TEST_CASE("one of two bodies that nothing connects rests beside the other, which a force moves") {
+  Model model(Vec3<double>::Zero());
+  Body body;
+  body.mass = 2.0;
+  model.add_body("still", body);
+  model.add_body("pushed", body);
+  Attachment<double> at;
+  at.s_i.setZero();
+  at.s_j.setZero();
+  at.C_i = at.C_j = Mat3<double>::Identity();
+  model.add_force("applied", "push", ground, 1, at,
+                  {{1e-3, -1}, {0.0, -1}, {0.0, -1}, {0.0, -1}, {0.0, -1}, {0.0, -1}});
+  Dynamics dynamics(model, Options());
+  KeptStep step;
+  step.h = 0.1;
+  step.y = step.y_new = dynamics.initial_y();
+  const VectorXd lengths = VectorXd::Constant(2, length);
+  const auto found = find_rest(dynamics, {&step}, StepParts({}, golden_share), lengths);
+  CHECK(found[0]);
+  CHECK(!found[1]);
+  step.y_new[0] += 1e-5 * length;
+  CHECK(!find_rest(dynamics, {&step}, StepParts({}, golden_share), lengths)[0]);
 }

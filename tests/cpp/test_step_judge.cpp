@@ -18,8 +18,9 @@ TEST_CASE("a step taken again in halves gives its error, which falls with the or
         if (step->kept()) {
           const StepError error = judge.judge(*step, true);
           CHECK(!error.failed);
-          CHECK(error.force < 1e3 * (error.end.velocity + error.end.position + 1e-12));
-          largest = std::max(largest, error.end.velocity);
+          const StateDifference& end = error.of_part[0].end;
+          CHECK(error.of_part[0].force < 1e3 * (end.velocity + end.position + 1e-12));
+          largest = std::max(largest, end.velocity);
         }
     if (last > 0.0) CHECK(std::log2(last / largest) == doctest::Approx(5.0).epsilon(0.1));
     last = largest;
@@ -36,7 +37,7 @@ TEST_CASE("a multistep method is compared with its starter in parts, and has the
     double largest = 0.0;
     for (const RunPart& part : run.sampling().parts())
       if (part.any.kept() && part.any.t > 2.5 * h)
-        largest = std::max(largest, judge.judge(part.any, false).end.velocity);
+        largest = std::max(largest, judge.judge(part.any, false).of_part[0].end.velocity);
     if (previous > 0.0) CHECK(std::log2(previous / largest) == doctest::Approx(3.0).epsilon(0.1));
     previous = largest;
   }

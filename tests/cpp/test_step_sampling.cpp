@@ -71,6 +71,33 @@ TEST_CASE("the step in which accelerations change most is kept") {
     }
 }
 
+TEST_CASE("a small part that is pushed late is seen beside a large one that shakes all the time") {
+  Model model(Vec3<double>::Zero());
+  for (const char* name : {"large", "small"}) {
+    Body body;
+    body.mass = 1.0;
+    model.add_body(name, body);
+  }
+  Dynamics dynamics(model, Options());
+  const int steps = 5000, push = 4321;
+  StepSampling sampling(dynamics);
+  sampling.expect(steps);
+  VectorXd y = dynamics.initial_y(), y_new = y;
+  for (int n = 0; n < steps; ++n) {
+    sampling.before(dynamics, y);
+    y_new[14] = std::sin(0.1 * n) * 1e3;  // velocities along x
+    y_new[20] = n < push ? 0.0 : 1e-3;
+    sampling.after(n, 1.0, y, y_new);
+    y = y_new;
+  }
+  bool found = false;
+  for (const RunPart& part : sampling.parts()) {
+    found = found || part.any.t == push || part.steepest.t == push || part.steepest.t == push + 1;
+    if (part.t > push) CHECK(part.peaks[1] == 0.0);
+  }
+  CHECK(found);
+}
+
 TEST_CASE("steps with breaks are kept once each, of many those that stand for all") {
   Dynamics dynamics(pendulum(), Options());
   StepSampling few(dynamics);

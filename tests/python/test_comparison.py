@@ -33,7 +33,7 @@ from linkwork.comparison.reference import solved_reference
 from linkwork.comparison.store import Store
 from linkwork.validation import Series
 
-ONE_BODY = Bodies(np.ones(1), np.zeros(1, int), longest_arm=1.0)
+ONE_BODY = Bodies(np.ones(1), np.zeros(1, int), np.ones(1), joint_part=np.zeros(1, int))
 
 STEPS = [1e-2, 5e-3, 2.5e-3]
 
@@ -576,7 +576,7 @@ def test_scales_of_a_body_that_only_turns_are_those_of_its_arm() -> None:
     v = np.tile([0.0, 0, 0, 0, 0, 5.0], (3, 1, 1))
     scales = Scales.of(
         Sampled(np.arange(3.0), q, v, np.zeros((3, 0, 3)), np.zeros((3, 0, 3))),
-        ONE_BODY._replace(longest_arm=0.2),
+        ONE_BODY._replace(longest_arm=np.array([0.2]), joint_part=np.zeros(0, int)),
     )
     assert (scales.length, scales.speed, scales.force) == (0.2, 1.0, 1.0)
 

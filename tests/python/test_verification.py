@@ -243,13 +243,13 @@ def test_frames_between_the_times_of_an_impact_in_both_runs_are_no_error(drag: f
 def test_impacts_that_the_finer_run_has_not_or_at_other_times_are_told(events: Any) -> None:
     first = quick(ball(0.2), 1.0, rtol=1e-6, events=floor(change=bounce), record_every=1)
     second = quick(ball(0.2), 1.0, rtol=1e-7, events=events, times=first.t)
-    assert state_error(first, Finer.of(first, second, 1.1)) > 0.1
+    assert state_error(first, Finer.of(first, second, 1.1)).error > 0.1
 
 
 def test_a_finer_run_without_a_frame_in_common_is_of_another_motion() -> None:
     first = quick(ball(0.2), 0.3, rtol=1e-6, times=[0.2, 0.3])
     finer = Finer.of(first, quick(ball(0.2), 0.1, rtol=1e-7), 1.1)
-    assert state_error(first, finer) == 1.0
+    assert state_error(first, finer).error == 1.0
     first._finer = finer
     assert np.isnan(first.error_of("position")).all()
 

@@ -47,4 +47,18 @@ const ConnectedComponents& ConnectedComponents::of(const System& system) {
   return system.kept().get<ConnectedComponents>([&] { return ConnectedComponents(system); });
 }
 
+const ConnectedParts& ConnectedParts::of(const System& system) {
+  return system.kept().get<ConnectedParts>([&] { return ConnectedParts(system); });
+}
+
+int ConnectedParts::of_history(const System& system, Eigen::Index variable) const {
+  const HistoryOwner& owner = system.history_owners()[static_cast<std::size_t>(variable)];
+  const Model& model = system.model();
+  const auto part = [this](const auto& element) { return of_bodies(element.i, element.j); };
+  if (owner.joint) return part(model.joints()[owner.element]);
+  const int forces = static_cast<int>(model.forces().size());
+  return owner.element < forces ? part(model.forces()[owner.element])
+                                : part(model.joint_forces()[owner.element - forces]);
+}
+
 }  // namespace linkwork

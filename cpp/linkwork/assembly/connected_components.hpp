@@ -25,4 +25,17 @@ class ConnectedComponents {
   std::vector<int> of_body_, of_row_;
 };
 
+/// With forces between bodies as edges: the parts of a mechanism, each of which moves and is judged as if it were alone.
+class ConnectedParts : public ConnectedComponents {
+ public:
+  explicit ConnectedParts(const System& system) : ConnectedComponents(system, Edges::forces_too) {}
+  /// Those of a system are found once.
+  static const ConnectedParts& of(const System& system);
+
+  /// Of an element between these; one may be the ground.
+  int of_bodies(int i, int j) const { return of_body(i != ground ? i : j); }
+  /// Of a history variable.
+  int of_history(const System& system, Eigen::Index variable) const;
+};
+
 }  // namespace linkwork

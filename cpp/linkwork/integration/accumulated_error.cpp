@@ -16,16 +16,17 @@ struct KnownPart {
   const RunPart* part;
   const StepError* first;
   const StepError* last;
-  double share = 1.0, weight = 1.0;
+  double share = 1.0, weight = 1.0;  ///< in a connected part
 
   KnownPart(const RunPart& of, const StepError& step) : part(&of), first(&step), last(&step) {}
   double steps() const { return static_cast<double>(part->steps); }
-  double mean_change() const { return part->sum_of_changes / steps(); }
 
   /// A step alone that is far steeper than its part does not stand for all of it.
-  void weigh() {
-    share = std::fmax(clipped((mean_change() - first->change) / (last->change - first->change)), 1.0 / steps());
-    if (first == last) weight = std::fmax(std::fmin(steep * mean_change() / first->change, 1.0), 1.0 / steps());
+  void weigh(std::size_t connected) {
+    const double mean = part->sums_of_changes[static_cast<Eigen::Index>(connected)] / steps();
+    const double one = first->of_part[connected].change, steepest = last->of_part[connected].change;
+    share = std::fmax(clipped((mean - one) / (steepest - one)), 1.0 / steps());
+    weight = first == last ? std::fmax(std::fmin(steep * mean / one, 1.0), 1.0 / steps()) : 1.0;
   }
 
   template <class Value>
@@ -48,31 +49,30 @@ std::vector<KnownPart> known_parts(const RunErrors& errors) {
     else out.emplace_back(errors.parts[part], errors.steps[k]);
     last = part;
   }
-  for (KnownPart& part : out) part.weigh();
   std::stable_sort(out.begin(), out.end(),
                    [](const KnownPart& a, const KnownPart& b) { return a.part->t < b.part->t; });
   return out;
 }
 
+/// In one connected part.
 class Accumulation {
  public:
-  Accumulation(const RunErrors& errors, double length)
-      : errors_(errors), parts_(known_parts(errors)), L_(std::max(errors.diagonal / 2, length)) {}
+  /// Weighs the known parts of the run.
+  Accumulation(const RunErrors& errors, std::vector<KnownPart>& parts, std::size_t part)
+      : errors_(errors), parts_(parts), part_(part), judged_(errors.connected_parts[part]), L_(judged_.length) {
+    for (KnownPart& it : parts) it.weigh(part);
+  }
 
   AccumulatedError result() {
-    for (const StepError& step : errors_.steps) out_.failed += step.failed ? 1 : 0;
-    if (parts_.empty()) return std::move(out_);
     find_scales();
     list_steps();
-    const double once = std::max(at_once(), error(errors_.corrections));
-    out_.state = once + (errors_.rest ? away_from_rest() : errors_.resolved * state());
-    out_.local_error = sum([this](const StepError& it) { return error(it.end); }) / out_.seconds;
-    out_.onset = sum([](const StepError& it) { return it.onset; }) / V_;
+    const StateDifference corrections = errors_.corrections.empty() ? StateDifference() : errors_.corrections[part_];
+    const double once = std::max(at_once(), error(corrections));
+    out_.state = once + (judged_.rest ? away_from_rest() : judged_.resolved * state());
+    out_.local_error = sum([this](const StepError& it) { return error(of(it).end); }) / out_.seconds;
+    out_.onset = sum([this](const StepError& it) { return of(it).onset; }) / V_;
     out_.rate = V_ / L_;
-    out_.carried = errors_.speed_as_a_whole / V_;
-    out_.length = L_;
-    out_.kinetic_share = errors_.kinetic_share;
-    out_.rest = errors_.rest;
+    out_.carried = judged_.speed_as_a_whole / V_;
     return std::move(out_);
   }
 
@@ -80,12 +80,16 @@ class Accumulation {
   double pose(const StateDifference& it) const { return std::max(it.position, L_ * it.rotation) / size_; }
   double velocity(const StateDifference& it) const { return std::max(it.velocity, L_ * it.omega) / V_; }
   double error(const StateDifference& it) const { return std::max(pose(it), velocity(it)); }
+  const PartError& of(const StepError& it) const { return it.of_part[part_]; }
   /// |y_dot| by V / size: by how much the state is off where it is late, relative to how late.
-  double pace(const StepError& it) const {
+  double pace(const StepError& step) const {
+    const PartError& it = of(step);
     return std::max(it.speed / V_, std::max(it.acceleration, L_ * it.spin_rate) * size_ / (V_ * V_));
   }
 
-  double pace(const RunPart& part) const { return part.peak * size_ / (V_ * V_); }
+  double pace(const RunPart& part) const {
+    return part.peaks.size() > 0 ? part.peaks[static_cast<Eigen::Index>(part_)] * size_ / (V_ * V_) : 0.0;
+  }
 
   /// Over all the run, parts of which no step is known included.
   template <class Value>
@@ -103,27 +107,27 @@ class Accumulation {
     }
     for (const KnownPart& part : parts_) {
       known += part.steps();
-      path += part.part->seconds * part.mean([](const StepError& it) { return it.speed; });
+      path += part.part->seconds * part.mean([this](const StepError& it) { return of(it).speed; });
     }
     missed_ = all / known;
     V_ = still * L_ / out_.seconds;
     for (const StepError& it : errors_.steps)
-      if (!it.failed) V_ = std::max(V_, it.speed);
+      if (!it.failed) V_ = std::max(V_, of(it).speed);
     size_ = std::max(std::min(L_, missed_ * path), still * L_);
-    if (!errors_.rest) return;
-    V_ = std::max(V_, errors_.rest->speed);
+    if (!judged_.rest) return;
+    V_ = std::max(V_, judged_.rest->speed);
     size_ = L_;
   }
 
   void list_steps() {
     double largest = 0.0, reactions = 0.0, states = 0.0;
     for (const StepError& it : errors_.steps)
-      if (!it.failed && std::isfinite(it.force))
-        largest = std::max({largest, it.largest_force, it.largest_torque / L_});
+      if (!it.failed && std::isfinite(of(it).force))
+        largest = std::max({largest, of(it).largest_force, of(it).largest_torque / L_});
     for (const StepError& it : errors_.steps) {
       if (it.failed) continue;
-      const double reaction = largest > 0.0 ? std::max(it.force, it.torque / L_) / largest : NAN;
-      const double state = error(it.end);
+      const double reaction = largest > 0.0 ? std::max(of(it).force, of(it).torque / L_) / largest : NAN;
+      const double state = error(of(it).end);
       out_.steps.push_back({it.t, it.h, state, reaction});
       out_.violation = std::max(out_.violation, it.violation);
       if (!std::isfinite(reaction) || !(state > 0.0)) continue;
@@ -169,8 +173,8 @@ class Accumulation {
       double fastest = pace(*part);
       if (known != parts_.end() && known->part == part) {
         const double steps = missed_ * known->steps();
-        const double poses = steps * known->mean([this](const StepError& it) { return pose(it.end); });
-        const double velocities = steps * known->mean([this](const StepError& it) { return velocity(it.end); });
+        const double poses = steps * known->mean([this](const StepError& it) { return pose(of(it).end); });
+        const double velocities = steps * known->mean([this](const StepError& it) { return velocity(of(it).end); });
         const double slow = 1.0 / std::clamp(pace(*known->first), slowest, 1.0);
         sums.add(poses, velocities, t);
         along.add(slow * poses, slow * velocities, t);
@@ -183,29 +187,74 @@ class Accumulation {
     return std::max(sums.moved(end, rate) + sums.velocities, late);
   }
 
-  /// Of a mechanism that rests: errors die out, or the run would have moved it.
+  /// Of a part that rests: errors die out, or the run would have moved it.
   double away_from_rest() const {
     double largest = 0.0;
     for (const StepError& it : errors_.steps)
-      if (!it.failed) largest = std::max(largest, error(it.end));
+      if (!it.failed) largest = std::max(largest, error(of(it).end));
     return largest;
   }
 
   double at_once() const {
     double largest = 0.0;
     for (const StepError& it : errors_.steps)
-      if (!it.failed) largest = std::max({largest, error(it.inside), error(it.fading)});
+      if (!it.failed) largest = std::max({largest, error(of(it).inside), error(of(it).fading)});
     return largest;
   }
 
   const RunErrors& errors_;
-  std::vector<KnownPart> parts_;
+  const std::vector<KnownPart>& parts_;
+  std::size_t part_;
+  const JudgedPart& judged_;
   double L_, V_ = 0.0, size_ = 0.0, missed_ = 1.0;
   AccumulatedError out_;
 };
 
+/// Takes over what counts of all parts, whichever is worst.
+AccumulatedError worse(AccumulatedError a, AccumulatedError b) {
+  const double reactions = std::fmax(a.reactions_by_state * a.state, b.reactions_by_state * b.state);
+  const double onset = std::max(a.onset, b.onset);
+  AccumulatedError out = b.state > a.state || std::isnan(b.state) ? std::move(b) : std::move(a);
+  out.reactions_by_state = reactions / out.state;
+  out.onset = onset;
+  return out;
+}
+
+/// Whose the energy is, most of all.
+std::size_t most_energetic(const std::vector<JudgedPart>& parts) {
+  const auto less = [](const JudgedPart& a, const JudgedPart& b) { return a.kinetic < b.kinetic; };
+  return static_cast<std::size_t>(std::max_element(parts.begin(), parts.end(), less) - parts.begin());
+}
+
+void note_rest(const std::vector<JudgedPart>& parts, AccumulatedError& out) {
+  bool all = true;
+  for (const JudgedPart& part : parts) {
+    out.rest.push_back(part.rest ? RestScales{part.length, part.rest->speed} : RestScales());
+    out.rest_energy += part.rest ? part.rest->energy : 0.0;
+    all = all && part.rest;
+  }
+  if (!all) out.rest_energy = 0.0;
+}
+
 }  // namespace
 
-AccumulatedError accumulate(const RunErrors& errors, double length) { return Accumulation(errors, length).result(); }
+AccumulatedError accumulate(const RunErrors& errors) {
+  AccumulatedError out;
+  std::vector<KnownPart> known = known_parts(errors);
+  const std::vector<JudgedPart>& parts = errors.connected_parts;
+  const std::size_t energetic = most_energetic(parts);
+  double rate = 0.0;
+  for (std::size_t part = 0; part < parts.size() && !known.empty(); ++part) {
+    AccumulatedError own = Accumulation(errors, known, part).result();
+    own.body = parts.size() > 1 ? parts[part].first_body : -1;
+    if (part == energetic) rate = own.rate;
+    out = part == 0 ? std::move(own) : worse(std::move(out), std::move(own));
+  }
+  out.rate = rate;
+  out.kinetic_share = errors.kinetic_share;
+  for (const StepError& step : errors.steps) out.failed += step.failed ? 1 : 0;
+  note_rest(parts, out);
+  return out;
+}
 
 }  // namespace linkwork

@@ -13,27 +13,33 @@ struct JudgedStep {
   double reactions;  ///< NaN: not looked at
 };
 
-/// What the local errors of a run come to over it. Poses are relative to L, half of the box in which centers of mass of
-/// a connected part move or the size of the mechanism, or to the path where that is shorter; velocities to V, the
-/// largest speed; reactions to the largest. Box, path and speeds are those in MovingAxes. Where there is no motion,
-/// what moved is the error, relative to the size of the mechanism and the speed of Rest.
+/// Rest of a connected part, as errors in it are weighed.
+struct RestScales {
+  double length = 0.0, speed = 0.0;  ///< [m, m/s]; zero: it moves
+};
+
+/// What the local errors of a run come to over it, in the connected part where that is most. Poses are relative to L,
+/// half of the box in which centers of mass of the part move or its size, or to the path where that is shorter;
+/// velocities to V, its largest speed; reactions to its largest. Box, path and speeds are those in MovingAxes. Where
+/// there is no motion, what moved is the error, relative to the size of the part and the speed of Rest.
 struct AccumulatedError {
   std::size_t failed = 0;           ///< steps that could not be taken again; where all could not, the rest is zero
   std::vector<JudgedStep> steps;    ///< the others, by time
+  int body = -1;                    ///< the first of that part; -1: there is but one
   double state = 0.0;               ///< over the run
   double local_error = 0.0;         ///< of the state, the mean over the run [1/s]
-  double reactions_by_state = 0.0;  ///< of local errors; NaN: not known
-  double onset = 0.0;               ///< of the speeds at which contacts began, added up, relative to V
-  double violation = 0.0;           ///< largest at the ends of these steps, see RelativeViolation
-  double rate = 0.0;                ///< V / L [1/s]
-  double seconds = 0.0;             ///< that the parts of the run took
-  double kinetic_share = 1.0;       ///< see StepJudge
-  double carried = 0.0;             ///< speed of the fastest part as a whole, relative to V
-  double length = 0.0;              ///< L [m]
-  std::optional<Rest> rest;         ///< see RunErrors
+  double reactions_by_state = 0.0;  ///< largest of those of any part, by the state of this; NaN: not known
+  double onset = 0.0;      ///< of the speeds at which contacts began, added up, relative to V, the largest of any part
+  double violation = 0.0;  ///< largest at the ends of these steps, see RelativeViolation
+  double rate = 0.0;       ///< V / L of the part with the largest kinetic energy [1/s]
+  double seconds = 0.0;    ///< that the parts of the run took
+  double kinetic_share = 1.0;    ///< see StepJudge
+  double carried = 0.0;          ///< speed of the part as a whole, relative to V
+  double rest_energy = 0.0;      ///< that of Rest, where all parts rest [J]
+  std::vector<RestScales> rest;  ///< of each connected part
 };
 
-/// `length`: see RelativeViolation.
+/// Each of the connected parts is judged as if it were alone.
 ///
 /// Between the two steps that are known of a part of the run errors go with the change of accelerations, of which the
 /// mean is known; the sum over a part is at least what they say. An error of a velocity is also one of positions later:
@@ -43,6 +49,6 @@ struct AccumulatedError {
 /// steps are off by what the interpolant is there, states by what they are off the constraints until Baumgarte's terms
 /// take that back, if they soon do, and by what leaps over singular poses and projections corrected. What does grow on
 /// is the error of the energy, as that of the speed along the path: it is the caller's.
-AccumulatedError accumulate(const RunErrors& errors, double length);
+AccumulatedError accumulate(const RunErrors& errors);
 
 }  // namespace linkwork

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "linkwork/assembly/connected_components.hpp"
 
 namespace linkwork {
 namespace {
@@ -27,7 +30,7 @@ bool has_forces(const Model& model) {
 class Separation {
  public:
   Separation(Dynamics& dynamics, double t, double h, const VectorXd& a, const VectorXd& b)
-      : system_(dynamics.system()), h_(h) {
+      : system_(dynamics.system()), parts_(ConnectedParts::of(system_)), h_(h), out_(parts_.count()) {
     e_ = (a - b).segment(system_.q_size(), system_.v_size());
     fast_.setZero(e_.size());
     for (const double place : places) differences_.push_back(acceleration(dynamics, t, a, place));
@@ -35,15 +38,17 @@ class Separation {
     for (std::size_t k = 0; k < differences_.size(); ++k) differences_[k] = (differences_[k] - here) / places[k];
   }
 
-  std::optional<DampedError> result(const std::vector<int>& part) {
-    rates_.setZero(1 + *std::max_element(part.begin(), part.end()));
-    for (const VectorXd& difference : differences_) look_along(difference, part);
+  std::vector<DampedError> result() {
+    rates_.setZero(parts_.count());
+    for (const VectorXd& difference : differences_) look_along(difference);
     if (rates_.isZero(0.0)) return {};
-    for (int body = 0; body < system_.body_count(); ++body) separate(body, rates_[part[body]]);
-    return out_;
+    for (int body = 0; body < system_.body_count(); ++body) separate(body, rates_[part(body)]);
+    return std::move(out_);
   }
 
  private:
+  int part(int body) const { return parts_.of_body(body); }
+
   VectorXd acceleration(Dynamics& dynamics, double t, VectorXd y, double place) const {
     VectorXd v_dot(system_.v_size()), reversed(system_.v_size()), lambda = VectorXd::Zero(system_.row_count());
     auto v = y.segment(system_.q_size(), system_.v_size());
@@ -57,12 +62,12 @@ class Separation {
   }
 
   /// Finds c and e_fast of parts that take it back soon, where no difference before has shown that.
-  void look_along(const VectorXd& a, const std::vector<int>& part) {
+  void look_along(const VectorXd& a) {
     VectorXd squared = VectorXd::Zero(rates_.size()), along = squared, rates = squared, whole = squared;
     for (int body = 0; body < system_.body_count(); ++body) {
-      squared[part[body]] += product(body, a, a);
-      along[part[body]] += product(body, e_, a);
-      whole[part[body]] += product(body, e_, e_);
+      squared[part(body)] += product(body, a, a);
+      along[part(body)] += product(body, e_, a);
+      whole[part(body)] += product(body, e_, e_);
     }
     for (Eigen::Index k = 0; k < rates_.size(); ++k) {
       const double rate = -squared[k] / along[k];
@@ -70,20 +75,21 @@ class Separation {
       if (rates_[k] == 0.0 && fades && along[k] * along[k] >= most * squared[k] * whole[k]) rates[k] = rate;
     }
     for (int body = 0; body < system_.body_count(); ++body)
-      if (const double rate = rates[part[body]]; rate > 0.0)
+      if (const double rate = rates[part(body)]; rate > 0.0)
         fast_.segment<6>(velocity_size * body) = -a.segment<6>(velocity_size * body) / rate;
     rates_ += rates;
   }
 
   void separate(int body, double rate) {
+    DampedError& out = out_[part(body)];
     const Eigen::Matrix<double, 6, 1> fast = fast_.segment<6>(velocity_size * body);
     const Eigen::Matrix<double, 6, 1> slow = e_.segment<6>(velocity_size * body) - fast;
     if (rate > 0.0) {
-      out_.lasting.raise({fast.head<3>().norm() / rate, fast.tail<3>().norm() / rate, 0.0, 0.0});
+      out.lasting.raise({fast.head<3>().norm() / rate, fast.tail<3>().norm() / rate, 0.0, 0.0});
       const double share = std::min(rate * h_, 1.0);
-      out_.fading.raise({0.0, 0.0, fast.head<3>().norm() / share, fast.tail<3>().norm() / share});
+      out.fading.raise({0.0, 0.0, fast.head<3>().norm() / share, fast.tail<3>().norm() / share});
     }
-    out_.lasting.raise({0.0, 0.0, slow.head<3>().norm(), slow.tail<3>().norm()});
+    out.lasting.raise({0.0, 0.0, slow.head<3>().norm(), slow.tail<3>().norm()});
   }
 
   double product(int body, const VectorXd& a, const VectorXd& b) const {
@@ -93,23 +99,24 @@ class Separation {
   }
 
   const System& system_;
+  const ConnectedParts& parts_;
   double h_;
   VectorXd e_, fast_;
   std::vector<VectorXd> differences_;  ///< a of e, as it is at each of the places
   VectorXd rates_;                     ///< c of each part [1/s], 0 where nothing is taken back so soon
-  DampedError out_;
+  std::vector<DampedError> out_;
 };
 
 }  // namespace
 
-std::optional<DampedError> find_damped_error(Dynamics& dynamics, double t, double h, const VectorXd& a,
-                                             const VectorXd& b, const std::vector<int>& part) {
+std::vector<DampedError> find_damped_errors(Dynamics& dynamics, double t, double h, const VectorXd& a,
+                                            const VectorXd& b) {
   const System& system = dynamics.system();
-  if (!has_forces(system.model()) || part.empty()) return {};
+  if (!has_forces(system.model())) return {};
   if ((a - b).segment(system.q_size(), system.v_size()).isZero(0.0)) return {};
   dynamics.evaluate(t, a);
   if (dynamics.evaluation().power == 0.0) return {};
-  return Separation(dynamics, t, h, a, b).result(part);
+  return Separation(dynamics, t, h, a, b).result();
 }
 
 }  // namespace linkwork

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
-#include "linkwork/integration/step_sampling.hpp"
+#include "linkwork/formulation/dynamics.hpp"
+#include "linkwork/integration/state_difference.hpp"
 
 namespace linkwork {
 
@@ -14,9 +14,9 @@ struct DampedError {
   StateDifference fading;   ///< what it comes to, as each step adds to what is left of the ones before
 };
 
-/// Between states a and b at t, as a step of length h left them. None: nothing is taken back so soon. `part`: of each
-/// body, the connected part that it belongs to. Takes eight evaluations where forces take or give power, else one.
-std::optional<DampedError> find_damped_error(Dynamics& dynamics, double t, double h, const VectorXd& a,
-                                             const VectorXd& b, const std::vector<int>& part);
+/// Of each of ConnectedParts, between states a and b at t, as a step of length h left them. Empty: nothing is taken back
+/// so soon. Takes eight evaluations where forces take or give power, else one.
+std::vector<DampedError> find_damped_errors(Dynamics& dynamics, double t, double h, const VectorXd& a,
+                                            const VectorXd& b);
 
 }  // namespace linkwork

@@ -9,7 +9,7 @@ namespace {
 
 /// Those of each part stand still.
 MovingAxes still(const System& system, double t) {
-  const ConnectedComponents parts(system, ConnectedComponents::Edges::forces_too);
+  const ConnectedParts& parts = ConnectedParts::of(system);
   MovingAxes out;
   out.t = t;
   for (int body = 0; body < system.body_count(); ++body) out.part.push_back(parts.of_body(body));

@@ -28,8 +28,6 @@ struct MovingAxes {
   /// Diagonal of the box around the centers of mass of each part at the ends of these steps, as these axes see them
   /// [m].
   VectorXd diagonals(const std::vector<const KeptStep*>& steps) const;
-  /// Of the fastest [m/s].
-  double fastest() const { return velocity.cols() > 0 ? velocity.colwise().norm().maxCoeff() : 0.0; }
 
  private:
   void move(double at, double sign, VectorXd& y) const;

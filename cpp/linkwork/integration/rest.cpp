@@ -22,80 +22,92 @@ const KeptStep& earliest(const std::vector<const KeptStep*>& steps) {
                             [](const KeptStep* a, const KeptStep* b) { return a->t < b->t; });
 }
 
+/// Of all parts at once: what is seen of one says nothing about another.
 class RestSearch {
  public:
-  RestSearch(Dynamics& dynamics, const std::vector<const KeptStep*>& steps, const StepParts& parts, double length)
+  RestSearch(Dynamics& dynamics, const std::vector<const KeptStep*>& steps, const StepParts& parts,
+             const VectorXd& lengths)
       : dynamics_(dynamics),
+        connected_(ConnectedParts::of(dynamics.system())),
         steps_(steps),
         parts_(parts),
-        length_(length),
+        lengths_(lengths),
         axes_(MovingAxes::at_start(system(), earliest(steps))),
-        pose_(earliest(steps).y) {
+        pose_(earliest(steps).y),
+        found_(static_cast<std::size_t>(lengths.size()), Rest()) {
     axes_.see(earliest(steps).t, pose_);
     double end = earliest(steps).t;
     for (const KeptStep* step : steps) end = std::max(end, step->t + step->h);
     const double gravity = system().model().gravity().norm();
-    rest_.speed = std::max(length / (end - earliest(steps).t), std::sqrt(gravity * length));
-    for (int body = 0; body < system().body_count(); ++body)
-      rest_.energy += 0.5 * system().mass(body) * rest_.speed * rest_.speed;
+    speeds_ = lengths.unaryExpr(
+        [&](double length) { return std::max(length / (end - earliest(steps).t), std::sqrt(gravity * length)); });
   }
 
-  std::optional<Rest> result() {
-    if (!begins_at_rest() || !stays() || !balances()) return {};
-    return rest_;
+  std::vector<std::optional<Rest>> result() {
+    keep_what_begins_at_rest();
+    keep_what_stays();
+    keep_what_balances();
+    for (int body = 0; body < system().body_count(); ++body) {
+      const int part = connected_.of_body(body);
+      if (!found_[part]) continue;
+      found_[part]->speed = speeds_[part];
+      found_[part]->energy += 0.5 * system().mass(body) * speeds_[part] * speeds_[part];
+    }
+    return std::move(found_);
   }
 
  private:
   const System& system() const { return dynamics_.system(); }
-
-  bool begins_at_rest() {
-    auto v = pose_.segment(system().q_size(), system().v_size());
-    const double speed = fastest(v);
-    v.setZero();
-    return speed <= slowest * rest_.speed;
+  bool any() const {
+    return std::any_of(found_.begin(), found_.end(), [](const auto& it) { return it.has_value(); });
   }
 
-  bool stays() {
-    double farthest = 0.0;
+  void keep_what_begins_at_rest() {
+    auto v = pose_.segment(system().q_size(), system().v_size());
+    keep_slow(v, slowest * speeds_);
+    v.setZero();
+  }
+
+  void keep_what_stays() {
     for (const KeptStep* step : steps_) {
       VectorXd seen = step->y_new;
       axes_.see(step->t + step->h, seen);
-      StateDifference& moved = rest_.moved.emplace_back();
-      moved.raise(system(), seen, pose_);
-      farthest = seen.allFinite() ? std::max({farthest, moved.position / length_, moved.rotation}) : INFINITY;
+      const DifferencesOfParts moved = differences(system(), seen, pose_);
+      for (std::size_t part = 0; part < found_.size(); ++part) {
+        if (!found_[part]) continue;
+        const double way =
+            std::max(moved[part].position / lengths_[static_cast<Eigen::Index>(part)], moved[part].rotation);
+        if (seen.allFinite() && way <= hardly) found_[part]->moved.push_back(moved[part]);
+        else found_[part].reset();
+      }
     }
-    return farthest <= hardly;
   }
 
-  bool balances() {
+  void keep_what_balances() {
     for (const KeptStep* step : steps_) {
       dynamics_.set_history(step->history);
       for (const Span& part : parts_.of(*step))
-        if (!balances_at(part.from) || !balances_at(part.to)) return false;
+        for (const double t : {part.from, part.to})
+          if (any()) keep_what_balances(t);
     }
-    return true;
   }
 
-  bool balances_at(double t) {
+  void keep_what_balances(double t) {
     VectorXd y = pose_, v_dot(system().v_size()), lambda = VectorXd::Zero(system().row_count());
     axes_.carry(t, y);
     try {
       dynamics_.evaluate(t, y);
-      if (!is_left_alone(y)) return false;
+      keep_what_is_left_alone(y);
       dynamics_.accelerations(v_dot, lambda);
     } catch (const Error&) {
-      return false;
+      return found_.assign(found_.size(), std::nullopt);
     }
-    const VectorXd least = roundoff_of(lambda).cwiseMax(balanced * rest_.speed * rest_.speed / length_);
-    const ConnectedComponents& components = ConnectedComponents::of(system());
-    for (int body = 0; body < system().body_count(); ++body)
-      if (!(speed_of(v_dot, body) <= least[components.of_body(body)])) return false;
-    return true;
+    keep_slow(v_dot, roundoff_of(lambda).cwiseMax(balanced * speeds_.cwiseAbs2().cwiseQuotient(lengths_)));
   }
 
-  /// Accelerations that roundoff leaves of forces that cancel, of each connected component: where the weight of a long
-  /// row of bodies hangs on each joint, they are larger than those of an equilibrium that is not exact. From the body at
-  /// which they are largest they spread, a rotation by the size of the component.
+  /// Accelerations that roundoff leaves of forces that cancel, of each part: where the weight of a long row of bodies
+  /// hangs on each joint, they are larger than those of an equilibrium that is not exact. From the body at which they
+  /// are largest they spread, a rotation by the size of the part.
   VectorXd roundoff_of(const VectorXd& lambda) const {
     const Evaluation& at = dynamics_.evaluation();
     VectorXd forces = at.g.head(system().v_size()).cwiseAbs(), accelerations(forces.size());
@@ -103,16 +115,14 @@ class RestSearch {
       forces.segment<velocity_size>(velocity_size * block.body) +=
           block_of(at, block).cwiseAbs().transpose() * lambda.segment(block.row, block.rows).cwiseAbs();
     system().multiply_inverse_mass(forces, accelerations);
-    const ConnectedComponents& components = ConnectedComponents::of(system());
-    VectorXd size = VectorXd::Constant(components.count(), length_), linear = VectorXd::Zero(size.size()),
-             turning = linear;
+    VectorXd size = lengths_, linear = VectorXd::Zero(size.size()), turning = linear;
     std::vector<int> first(size.size(), -1);
     for (int body = 0; body < system().body_count(); ++body) {
-      const int c = components.of_body(body);
-      if (first[c] < 0) first[c] = body;
-      size[c] = std::max(size[c], (place(body) - place(first[c])).norm());
-      linear[c] = std::max(linear[c], accelerations.segment<3>(velocity_size * body).norm());
-      turning[c] = std::max(turning[c], accelerations.segment<3>(velocity_size * body + 3).norm());
+      const int part = connected_.of_body(body);
+      if (first[part] < 0) first[part] = body;
+      size[part] = std::max(size[part], (place(body) - place(first[part])).norm());
+      linear[part] = std::max(linear[part], accelerations.segment<3>(velocity_size * body).norm());
+      turning[part] = std::max(turning[part], accelerations.segment<3>(velocity_size * body + 3).norm());
     }
     return left_of_forces * linear.cwiseMax(size.cwiseProduct(turning));
   }
@@ -120,43 +130,50 @@ class RestSearch {
   Vec3<double> place(int body) const { return pose_.segment<3>(position_size * body); }
 
   /// By drivers: constraints hold as well as at the beginning, and demand no other velocity.
-  bool is_left_alone(const VectorXd& y) {
+  void keep_what_is_left_alone(const VectorXd& y) {
     const Evaluation& at = dynamics_.evaluation();
     if (Phi_.size() == 0) Phi_ = at.Phi;
-    const double least = roundoff * (length_ + y.head(system().q_size()).cwiseAbs().maxCoeff());
-    return largest(at.Phi - Phi_) <= least && largest(at.Phi_dot) <= slowest * rest_.speed * (1.0 + 1.0 / length_);
+    VectorXd farthest = VectorXd::Zero(lengths_.size());
+    for (int body = 0; body < system().body_count(); ++body) {
+      double& own = farthest[connected_.of_body(body)];
+      own = std::max(own, y.segment<position_size>(position_size * body).cwiseAbs().maxCoeff());
+    }
+    for (Eigen::Index row = 0; row < at.Phi.size(); ++row) {
+      const int part = connected_.of_row(row);
+      const double least = roundoff * (lengths_[part] + farthest[part]);
+      const bool left = std::abs(at.Phi[row] - Phi_[row]) <= least &&
+                        std::abs(at.Phi_dot[row]) <= slowest * speeds_[part] * (1.0 + 1.0 / lengths_[part]);
+      if (!left) found_[part].reset();
+    }
   }
 
-  static double largest(const VectorXd& x) { return x.size() > 0 ? x.cwiseAbs().maxCoeff() : 0.0; }
-
-  /// Largest of any body, of turning by the size.
-  double fastest(const ConstVector& v) const {
-    double largest = 0.0;
-    for (int body = 0; body < system().body_count(); ++body) largest = std::max(largest, speed_of(v, body));
-    return v.allFinite() ? largest : INFINITY;
-  }
-
-  double speed_of(const ConstVector& v, int body) const {
-    const auto own = v.segment<velocity_size>(velocity_size * body);
-    return std::max(own.head<3>().norm(), length_ * own.tail<3>().norm());
+  /// Parts no body of which has more than these limits, of turning by the size.
+  void keep_slow(const ConstVector& v, const VectorXd& limits) {
+    for (int body = 0; body < system().body_count(); ++body) {
+      const int part = connected_.of_body(body);
+      const auto of_body = v.segment<velocity_size>(velocity_size * body);
+      const double rate = std::max(of_body.head<3>().norm(), lengths_[part] * of_body.tail<3>().norm());
+      if (!of_body.allFinite() || !(rate <= limits[part])) found_[part].reset();
+    }
   }
 
   Dynamics& dynamics_;
+  const ConnectedParts& connected_;
   const std::vector<const KeptStep*>& steps_;
   const StepParts& parts_;
-  double length_;
+  VectorXd lengths_, speeds_;
   MovingAxes axes_;
   VectorXd pose_;  ///< as the axes see it
   VectorXd Phi_;   ///< there, at first
-  Rest rest_;
+  std::vector<std::optional<Rest>> found_;
 };
 
 }  // namespace
 
-std::optional<Rest> find_rest(Dynamics& dynamics, const std::vector<const KeptStep*>& steps, const StepParts& parts,
-                              double length) {
-  if (steps.empty() || dynamics.system().body_count() == 0) return {};
-  return RestSearch(dynamics, steps, parts, length).result();
+std::vector<std::optional<Rest>> find_rest(Dynamics& dynamics, const std::vector<const KeptStep*>& steps,
+                                           const StepParts& parts, const VectorXd& lengths) {
+  if (steps.empty()) return std::vector<std::optional<Rest>>(static_cast<std::size_t>(lengths.size()));
+  return RestSearch(dynamics, steps, parts, lengths).result();
 }
 
 }  // namespace linkwork

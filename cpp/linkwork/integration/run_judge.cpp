@@ -10,7 +10,8 @@ namespace {
 constexpr std::int64_t few_steps = 50;     // which are often long ones
 constexpr std::size_t every_reaction = 6;  // steps of which reactions are compared, too
 constexpr std::size_t every_inside = 3;    // the same for what is recorded inside, where there are not few
-constexpr std::size_t worst = 3;           // steps that are looked at once more, in so many parts:
+constexpr std::size_t worst_parts = 3;     // of a mechanism that is not connected
+constexpr std::size_t worst = 3;           // steps of each that are looked at once more, in so many parts:
 constexpr int usual_divisions = 1, few_divisions = 2, divisions_of_worst = 3;  // powers of two
 
 std::vector<RunPart> parts_to_judge(const StepSampling& sampling) {
@@ -21,7 +22,7 @@ std::vector<RunPart> parts_to_judge(const StepSampling& sampling) {
   for (RunPart& part : sampling.broken()) out.push_back(std::move(part));
   for (RunPart& part : sampling.switched()) out.push_back(std::move(part));
   for (const KeptStep& step : sampling.outliers(out)) {  // each a part of its own
-    out.push_back({1, step.t, step.h, step.change, 0.0, {}, {}});
+    out.push_back({1, step.t, step.h, step.changes, {}, {}, {}});
     out.back().any = step;
   }
   return out;
@@ -34,6 +35,18 @@ std::vector<std::vector<int>> choices_of_rows(const std::vector<const KeptStep*>
   return out;
 }
 
+/// The places of the `most` of so many that are largest, the largest first.
+template <class Size>
+std::vector<std::size_t> largest_of(std::size_t count, std::size_t most, const Size& size) {
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  most = std::min(most, count);
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(most), order.end(),
+                    [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
+  order.resize(most);
+  return order;
+}
+
 const RetakenStep& of_step(std::size_t step, const RetakenSteps& retaken) {
   static const RetakenStep nowhere;
   return step < retaken.size() ? retaken[step] : nowhere;
@@ -43,7 +56,8 @@ const RetakenStep& of_step(std::size_t step, const RetakenSteps& retaken) {
 
 RunJudge::RunJudge(const StepSampling& sampling, Dynamics& dynamics, SecondTake take)
     : dynamics_(dynamics),
-      length_(RelativeViolation::length_of(dynamics.system())),
+      lengths_(RelativeViolation::lengths_of(dynamics.system())),
+      speeds_(VectorXd::Zero(lengths_.size())),
       every_inside_(sampling.steps() <= few_steps ? 1 : every_inside),
       divisions_(sampling.steps() <= few_steps ? few_divisions : usual_divisions),
       breaks_(sampling.breaks()),
@@ -60,32 +74,38 @@ RunJudge::RunJudge(const StepSampling& sampling, Dynamics& dynamics, SecondTake 
   judge_.choose_from(choices_of_rows(kept_, dynamics.dropped().rows()));
 }
 
-/// Turning counts by half of the box in which the centers of a connected part move, or the size of the mechanism.
+/// Turning counts by half of the box in which the centers of a connected part move, or its size.
 void RunJudge::see_from_moving_axes() {
   MovingAxes axes = MovingAxes::of(dynamics_.system(), kept_);
-  out_.speed_as_a_whole = axes.fastest();
-  VectorXd arms = VectorXd::Constant(dynamics_.system().body_count(), length_);
+  out_.connected_parts.resize(static_cast<std::size_t>(lengths_.size()));
+  const ConnectedParts& connected = ConnectedParts::of(dynamics_.system());
+  for (int body = dynamics_.system().body_count() - 1; body >= 0; --body)
+    out_.connected_parts[connected.of_body(body)].first_body = body;
   const VectorXd diagonals = axes.diagonals(kept_);
-  for (std::size_t body = 0; body < axes.part.size(); ++body) {
-    const double diagonal = diagonals[axes.part[body]];
-    out_.diagonal = std::max(out_.diagonal, diagonal);
-    double& arm = arms[static_cast<Eigen::Index>(body)];
-    arm = std::max(arm, diagonal / 2);
+  VectorXd arms = lengths_;
+  for (Eigen::Index k = 0; k < diagonals.size(); ++k) {
+    arms[k] = std::max(arms[k], diagonals[k] / 2);
+    out_.connected_parts[k].speed_as_a_whole = axes.velocity.col(k).norm();
   }
+  for (Eigen::Index k = 0; k < arms.size(); ++k) out_.connected_parts[k].length = arms[k];
   judge_.move_with(std::move(axes), std::move(arms));
 }
 
-/// Of a state, relative to the size and the speed of the mechanism at all the steps.
-double RunJudge::size(const StepError& error) const {
-  const StateDifference& end = error.end;
-  return std::max(std::max(end.position / length_, end.rotation),
-                  speed_ > 0.0 ? std::max(end.velocity, length_ * end.omega) / speed_ : 0.0);
+/// Of a state, relative to the size and the speed of the part at all the steps.
+double RunJudge::size(const StepError& error, std::size_t part) const {
+  const StateDifference& end = error.of_part[part].end;
+  const auto k = static_cast<Eigen::Index>(part);
+  return std::max(std::max(end.position / lengths_[k], end.rotation),
+                  speeds_[k] > 0.0 ? std::max(end.velocity, lengths_[k] * end.omega) / speeds_[k] : 0.0);
 }
 
 StepError RunJudge::judge_next(std::size_t k, int divisions, bool reactions, bool inside, const RetakenStep& retaken) {
   const auto parts = [](std::size_t steps, int times) { return static_cast<double>(steps << times); };
   const std::size_t count = kept_.size();
-  if (progress_) progress_(done_ / (parts(count, divisions_) + parts(std::min(worst, count), divisions_of_worst)));
+  const auto to_look_at_again = [&] {
+    return worst_.empty() ? std::min(worst * std::min(worst_parts, out_.connected_parts.size()), count) : worst_.size();
+  };
+  if (progress_) progress_(done_ / (parts(count, divisions_) + parts(to_look_at_again(), divisions_of_worst)));
   done_ += parts(1, divisions);
   return judge_.judge(*kept_[k], reactions, inside, retaken);
 }
@@ -95,14 +115,30 @@ void RunJudge::judge(const RetakenSteps& retaken) {
   for (std::size_t k = 0; k < kept_.size(); ++k)
     out_.steps.push_back(
         judge_next(k, divisions_, k % every_reaction == 0, k % every_inside_ == 0, of_step(k, retaken)));
-  for (const StepError& it : out_.steps) speed_ = std::max(speed_, it.speed);
-  std::vector<std::size_t> order(out_.steps.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const std::size_t count = std::min(worst, order.size());
-  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
-                    [&](std::size_t a, std::size_t b) { return size(out_.steps[a]) > size(out_.steps[b]); });
-  order.resize(count);
-  worst_ = std::move(order);
+  for (const StepError& it : out_.steps)
+    for (std::size_t part = 0; part < it.of_part.size(); ++part)
+      speeds_[static_cast<Eigen::Index>(part)] =
+          std::max(speeds_[static_cast<Eigen::Index>(part)], it.of_part[part].speed);
+  find_worst();
+}
+
+std::vector<std::size_t> RunJudge::worst_of(std::size_t part) const {
+  return largest_of(out_.steps.size(), worst, [&](std::size_t step) { return size(out_.steps[step], part); });
+}
+
+void RunJudge::find_worst() {
+  const auto worst_error = [&](std::size_t part) {
+    double largest = 0.0;
+    for (const StepError& it : out_.steps) largest = std::max(largest, size(it, part));
+    return largest;
+  };
+  std::vector<double> errors;
+  for (std::size_t part = 0; part < out_.connected_parts.size(); ++part) errors.push_back(worst_error(part));
+  for (const std::size_t part : largest_of(errors.size(), worst_parts, [&](std::size_t k) { return errors[k]; })) {
+    worst_of_parts_.push_back({part, worst_of(part)});
+    for (const std::size_t step : worst_of_parts_.back().steps)
+      if (std::find(worst_.begin(), worst_.end(), step) == worst_.end()) worst_.push_back(step);
+  }
 }
 
 std::vector<const KeptStep*> RunJudge::worst_steps() const {
@@ -115,27 +151,38 @@ int RunJudge::worst_divisions() { return divisions_of_worst; }
 
 RunErrors RunJudge::judge_worst(const RetakenSteps& retaken) {
   judge_.divide_parts(divisions_of_worst);
-  double before = 0.0, after = 0.0;
-  for (std::size_t k = 0; k < worst_.size(); ++k) {
-    const StepError& first = out_.steps[worst_[k]];
-    const StepError again = judge_next(worst_[k], divisions_of_worst, false, false, of_step(k, retaken));
-    if (first.failed || again.failed) continue;
-    before += size(first);
-    after += size(again);
+  std::vector<StepError> again;
+  for (std::size_t k = 0; k < worst_.size(); ++k)
+    again.push_back(judge_next(worst_[k], divisions_of_worst, false, false, of_step(k, retaken)));
+  for (const WorstOfPart& of_part : worst_of_parts_) {
+    double before = 0.0, after = 0.0;
+    for (const std::size_t step : of_part.steps) {
+      const StepError& first = out_.steps[step];
+      const auto place = std::find(worst_.begin(), worst_.end(), step) - worst_.begin();
+      if (first.failed || again[place].failed) continue;
+      before += size(first, of_part.part);
+      after += size(again[place], of_part.part);
+    }
+    if (before > 0.0 && after > before) out_.connected_parts[of_part.part].resolved = after / before;
   }
-  if (before > 0.0 && after > before) out_.resolved = after / before;
   out_.kinetic_share = judge_.kinetic_share();
+  for (std::size_t part = 0; part < out_.connected_parts.size(); ++part)
+    out_.connected_parts[part].kinetic = judge_.kinetic_energies()[static_cast<Eigen::Index>(part)];
   look_for_rest();
   return std::move(out_);
 }
 
 /// There the exact end of each step is known.
 void RunJudge::look_for_rest() {
-  out_.rest = find_rest(dynamics_, kept_, {breaks_, golden_share}, length_);
-  if (!out_.rest) return;
-  for (std::size_t k = 0; k < out_.steps.size(); ++k) {
-    out_.steps[k].end = out_.rest->moved[k];
-    out_.steps[k].inside = out_.steps[k].fading = {};
+  std::vector<std::optional<Rest>> found = find_rest(dynamics_, kept_, {breaks_, golden_share}, lengths_);
+  for (std::size_t part = 0; part < found.size(); ++part) {
+    if (!found[part]) continue;
+    for (std::size_t k = 0; k < out_.steps.size(); ++k) {
+      PartError& error = out_.steps[k].of_part[part];
+      error.end = found[part]->moved[k];
+      error.inside = error.fading = {};
+    }
+    out_.connected_parts[part].rest = std::move(found[part]);
   }
 }
 

@@ -10,19 +10,26 @@
 
 namespace linkwork {
 
+/// What there is to know of a connected part in a run.
+struct JudgedPart {
+  int first_body = 0;
+  double length = 1.0;            ///< half of the box in which its centers of mass move, or its size [m]
+  double speed_as_a_whole = 0.0;  ///< of its MovingAxes [m/s]
+  double kinetic = 0.0;           ///< largest energy at the kept steps, as these see it [J]
+  std::optional<Rest> rest;       ///< where there is no motion
+  /// By how much the errors of its worst steps are larger than what a first look said of them, at least 1: where
+  /// something is not smooth, or steps are very long, two parts of a step are not as much better as Richardson has it.
+  double resolved = 1.0;
+};
+
 /// What the kept steps of a run were off by, and of which part of the run each is.
 struct RunErrors {
   std::vector<RunPart> parts;
   std::vector<StepError> steps;
-  std::vector<int> part_of;  ///< ascending
-  /// By how much the errors of the worst steps are larger than what a first look said of them, at least 1: where
-  /// something is not smooth, or steps are very long, two parts of a step are not as much better as Richardson has it.
-  double resolved = 1.0;
-  StateDifference corrections;    ///< see StepSampling
-  double diagonal = 0.0;          ///< the longest of MovingAxes [m]
-  double kinetic_share = 1.0;     ///< see StepJudge
-  double speed_as_a_whole = 0.0;  ///< of the fastest of MovingAxes [m/s]
-  std::optional<Rest> rest;       ///< where there is no motion
+  std::vector<int> part_of;                 ///< ascending
+  std::vector<JudgedPart> connected_parts;  ///< as ConnectedParts
+  DifferencesOfParts corrections;           ///< see StepSampling
+  double kinetic_share = 1.0;               ///< see StepJudge
 };
 
 /// Of kept steps, in their order.
@@ -31,8 +38,8 @@ using RetakenSteps = std::vector<RetakenStep>;
 /// Called as each step is begun, with the share of the work that is done.
 using JudgeProgress = std::function<void(double)>;
 
-/// Judges a run by its kept steps, and then the worst of them once more in smaller parts. Motion is seen from axes that
-/// move with the mechanism as a whole.
+/// Judges a run by its kept steps, and then the worst of them once more in smaller parts: those of the connected parts
+/// that are worst. Each part is seen from axes that move with it, and judged as if it were alone.
 class RunJudge {
  public:
   /// `dynamics` and `take` as in StepJudge.
@@ -51,19 +58,26 @@ class RunJudge {
 
  private:
   void see_from_moving_axes();
-  double size(const StepError& error) const;
+  double size(const StepError& error, std::size_t part) const;
+  std::vector<std::size_t> worst_of(std::size_t part) const;
+  void find_worst();
   void look_for_rest();
   StepError judge_next(std::size_t k, int divisions, bool reactions, bool inside, const RetakenStep& retaken);
 
   Dynamics& dynamics_;
-  double length_, speed_ = 0.0;
+  VectorXd lengths_, speeds_;  ///< of the connected parts
   std::size_t every_inside_;
   int divisions_;
   std::vector<double> breaks_;  ///< [s]
   StepJudge judge_;
   RunErrors out_;
   std::vector<const KeptStep*> kept_;
-  std::vector<std::size_t> worst_;  ///< of them
+  struct WorstOfPart {
+    std::size_t part;
+    std::vector<std::size_t> steps;
+  };
+  std::vector<WorstOfPart> worst_of_parts_;  ///< of the worst parts
+  std::vector<std::size_t> worst_;           ///< steps of any of these
   JudgeProgress progress_;
   double done_ = 0.0;  ///< parts of steps
 };

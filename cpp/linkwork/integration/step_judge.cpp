@@ -61,11 +61,12 @@ class CorrectedApart final : public Integrator {
 };
 
 /// By which two states that are one may differ.
-StateDifference rounding(const System& system, const VectorXd& y) {
-  StateDifference out;
-  out.raise(system, y, VectorXd::Zero(y.size()));
-  out.rotation = 1.0;
-  for (double* size : {&out.position, &out.rotation, &out.velocity, &out.omega}) *size *= roundoff;
+DifferencesOfParts rounding(const System& system, const VectorXd& y) {
+  DifferencesOfParts out = differences(system, y, VectorXd::Zero(y.size()));
+  for (StateDifference& of_part : out) {
+    of_part.rotation = 1.0;
+    of_part.scale(roundoff);
+  }
   return out;
 }
 
@@ -78,17 +79,10 @@ double share_taken_back(const Dynamics& dynamics, double h) {
   return h * (alpha < beta ? alpha : beta * beta / (2.0 * alpha));
 }
 
-double kinetic_energy(const System& system, const VectorXd& y) {
-  double twice = 0.0;
-  for (int body = 0; body < system.body_count(); ++body) {
-    const auto v = y.segment<velocity_size>(system.q_size() + velocity_size * body);
-    twice += system.mass(body) * v.head<3>().squaredNorm() + v.tail<3>().dot(system.inertia(body) * v.tail<3>());
-  }
-  return 0.5 * twice;
-}
-
-double largest_column(const Eigen::Matrix3Xd& vectors) {
-  return vectors.cols() > 0 ? vectors.colwise().norm().maxCoeff() : 0.0;
+/// Raises those of a part to those of this joint, NaN: not looked at.
+void raise(double& force, double& torque, double of_force, double of_torque) {
+  force = std::fmax(force, of_force);
+  torque = std::fmax(torque, of_torque);
 }
 
 }  // namespace
@@ -107,11 +101,13 @@ SecondTake by_one_step_method(const ButcherTableau& other) {
 
 StepJudge::StepJudge(Dynamics& dynamics, SecondTake take, std::vector<double> breaks)
     : dynamics_(dynamics),
+      connected_(ConnectedParts::of(dynamics.system())),
       take_(std::move(take)),
       parts_(std::move(breaks), take_.share),
       factor_(1.0 / (1.0 - take_.left)),
       violation_(dynamics.system()),
-      arms_(VectorXd::Constant(dynamics.system().body_count(), violation_.length())),
+      arms_(violation_.lengths()),
+      kinetic_of_part_(VectorXd::Zero(connected_.count())),
       v_dot_(dynamics.system().v_size()),
       lambda_(VectorXd::Zero(dynamics.system().row_count())) {
   if (projects_positions(dynamics.stabilization()) || projects_velocities(dynamics.stabilization()))
@@ -129,8 +125,7 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside, co
   StepError out;
   out.t = step.t;
   out.h = step.h;
-  out.change = step.change;
-  out.force = out.torque = out.largest_force = out.largest_torque = NAN;
+  out.of_part.resize(connected_.count());
   came_inside_ = false;
   dynamics_.correct_over(step.correction_length);
   if (take_.divide) take_.divide(step.history_new.size() > 0 ? divisions_where_contacts_begin : 1);
@@ -269,11 +264,18 @@ void StepJudge::finish(double t) {
 
 void StepJudge::compare(const KeptStep& step, StepError& out) {
   const System& system = dynamics_.system();
-  out.end.raise(system, step.y_new, y_);
+  const DifferencesOfParts apart = differences(system, step.y_new, y_);
+  for (std::size_t k = 0; k < apart.size(); ++k) {
+    out.of_part[k].end = apart[k];
+    if (step.changes.size() > 0) out.of_part[k].change = step.changes[static_cast<Eigen::Index>(k)];
+  }
   if (const double share = share_taken_back(dynamics_, step.h); share >= soon) separate_fading(step, share, out);
   else separate_damped(step, out);
-  out.end.lower(rounding(system, step.y_new));
-  for (double* error : {&out.end.position, &out.end.rotation, &out.end.velocity, &out.end.omega}) *error *= factor_;
+  const DifferencesOfParts unseen = rounding(system, step.y_new);
+  for (std::size_t k = 0; k < unseen.size(); ++k) {
+    out.of_part[k].end.lower(unseen[k]);
+    out.of_part[k].end.scale(factor_);
+  }
   look_at_motion(step, out);
 }
 
@@ -291,29 +293,32 @@ void StepJudge::separate_fading(const KeptStep& step, double share, StepError& o
   } catch (const Error&) {
     return;
   }
-  out.fading = std::exchange(out.end, {});
-  for (double* error : {&out.fading.position, &out.fading.rotation, &out.fading.velocity, &out.fading.omega})
-    *error *= factor_ / std::fmin(share, 1.0);
-  out.end.raise(dynamics_.system(), ours, others);
+  const DifferencesOfParts lasting = differences(dynamics_.system(), ours, others);
+  for (std::size_t k = 0; k < lasting.size(); ++k) {
+    out.of_part[k].fading = std::exchange(out.of_part[k].end, lasting[k]);
+    out.of_part[k].fading.scale(factor_ / std::fmin(share, 1.0));
+  }
 }
 
 /// What friction that sticks and stiff dampers take back does not add up.
 void StepJudge::separate_damped(const KeptStep& step, StepError& out) {
   const VectorXd history = dynamics_.history();
   dynamics_.set_history(step.history_new.size() > 0 ? step.history_new : step.history);
-  std::optional<DampedError> found;
+  std::vector<DampedError> found;
   try {
-    found = find_damped_error(dynamics_, step.t + step.h, step.h, step.y_new, y_, axes_.part);
+    found = find_damped_errors(dynamics_, step.t + step.h, step.h, step.y_new, y_);
   } catch (const Error&) {  // then all of it adds up
   }
   dynamics_.set_history(history);
-  if (!found) return;
-  out.end.position += found->lasting.position;
-  out.end.rotation += found->lasting.rotation;
-  out.end.velocity = found->lasting.velocity;
-  out.end.omega = found->lasting.omega;
-  out.fading = found->fading;
-  for (double* error : {&out.fading.velocity, &out.fading.omega}) *error *= factor_;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    PartError& of_part = out.of_part[k];
+    of_part.end.position += found[k].lasting.position;
+    of_part.end.rotation += found[k].lasting.rotation;
+    of_part.end.velocity = found[k].lasting.velocity;
+    of_part.end.omega = found[k].lasting.omega;
+    of_part.fading = found[k].fading;
+    of_part.fading.scale(factor_);
+  }
 }
 
 void StepJudge::look_at_motion(const KeptStep& step, StepError& out) {
@@ -322,13 +327,28 @@ void StepJudge::look_at_motion(const KeptStep& step, StepError& out) {
   seen_ = a;
   axes_.see(step.t + step.h, seen_);
   for (int body = 0; body < system.body_count(); ++body) {
-    const int v = system.q_size() + velocity_size * body;
-    out.speed = std::max({out.speed, seen_.segment<3>(v).norm(), arms_[body] * a.segment<3>(v + 3).norm()});
-    out.acceleration = std::max(out.acceleration, (a.segment<3>(v) - step.y.segment<3>(v)).norm() / step.h);
-    out.spin_rate = std::max(out.spin_rate, (a.segment<3>(v + 3) - step.y.segment<3>(v + 3)).norm() / step.h);
+    const int v = system.q_size() + velocity_size * body, part = connected_.of_body(body);
+    PartError& of_part = out.of_part[part];
+    const auto rate = [&](int at) { return (a.segment<3>(at) - step.y.segment<3>(at)).norm() / step.h; };
+    of_part.speed = std::max({of_part.speed, seen_.segment<3>(v).norm(), arms_[part] * a.segment<3>(v + 3).norm()});
+    of_part.acceleration = std::max(of_part.acceleration, rate(v));
+    of_part.spin_rate = std::max(of_part.spin_rate, rate(v + 3));
   }
-  kinetic_ = std::max(kinetic_, kinetic_energy(system, seen_));
-  ground_kinetic_ = std::max(ground_kinetic_, kinetic_energy(system, a));
+  const VectorXd kinetic = kinetic_energies_of(seen_);
+  for (Eigen::Index k = 0; k < kinetic.size(); ++k) kinetic_of_part_[k] = std::max(kinetic_of_part_[k], kinetic[k]);
+  kinetic_ = std::max(kinetic_, kinetic.sum());
+  ground_kinetic_ = std::max(ground_kinetic_, kinetic_energies_of(a).sum());
+}
+
+VectorXd StepJudge::kinetic_energies_of(const VectorXd& y) const {
+  const System& system = dynamics_.system();
+  VectorXd twice = VectorXd::Zero(connected_.count());
+  for (int body = 0; body < system.body_count(); ++body) {
+    const auto v = y.segment<velocity_size>(system.q_size() + velocity_size * body);
+    twice[connected_.of_body(body)] +=
+        system.mass(body) * v.head<3>().squaredNorm() + v.tail<3>().dot(system.inertia(body) * v.tail<3>());
+  }
+  return 0.5 * twice;
 }
 
 double StepJudge::kinetic_share() const {
@@ -342,8 +362,12 @@ void StepJudge::compare_inside(const KeptStep& step, StepError& out) {
   if (!stepper_->take(dynamics_, {step.t, step.h}, step.y)) return;
   stepper_->prepare_interpolation(dynamics_);
   stepper_->interpolate(dynamics_.system(), take_.share, interpolated_);
-  out.inside.raise(dynamics_.system(), interpolated_, inside_);
-  out.inside.lower(rounding(dynamics_.system(), inside_));
+  const DifferencesOfParts apart = differences(dynamics_.system(), interpolated_, inside_);
+  const DifferencesOfParts unseen = rounding(dynamics_.system(), inside_);
+  for (std::size_t k = 0; k < apart.size(); ++k) {
+    out.of_part[k].inside = apart[k];
+    out.of_part[k].inside.lower(unseen[k]);
+  }
 }
 
 /// The speed at which a contact begins scales its damping as long as it lasts: an error of it is one of the velocity.
@@ -363,19 +387,25 @@ void StepJudge::compare_history(const KeptStep& step, StepError& out) {
     dynamics_.advance_history();
   }
   const VectorXd& found = dynamics_.history();
-  for (Eigen::Index k = 0; k < found.size(); ++k)
-    if (step.history_new[k] != 0.0)  // else it begins in the next step
-      out.onset = std::max(out.onset, std::abs(found[k] - step.history_new[k]));
-  out.end.velocity = std::max(out.end.velocity, out.onset);
+  for (Eigen::Index k = 0; k < found.size(); ++k) {
+    if (step.history_new[k] == 0.0) continue;  // it begins in the next step
+    PartError& of_part = out.of_part[connected_.of_history(dynamics_.system(), k)];
+    of_part.onset = std::max(of_part.onset, std::abs(found[k] - step.history_new[k]));
+    of_part.end.velocity = std::max(of_part.end.velocity, of_part.onset);
+  }
 }
 
 void StepJudge::compare_reactions(const KeptStep& step, StepError& out) {
   find_reactions(step.t + step.h, y_, force_, torque_);
   find_reactions(step.t + step.h, step.y_new, other_force_, other_torque_);
-  out.largest_force = largest_column(force_);
-  out.largest_torque = largest_column(torque_);
-  out.force = factor_ * largest_column(force_ - other_force_);
-  out.torque = factor_ * largest_column(torque_ - other_torque_);
+  const std::vector<Element>& joints = dynamics_.system().model().joints();
+  for (Eigen::Index k = 0; k < force_.cols(); ++k) {
+    const Element& joint = joints[static_cast<std::size_t>(k)];
+    PartError& of_part = out.of_part[connected_.of_bodies(joint.i, joint.j)];
+    raise(of_part.largest_force, of_part.largest_torque, force_.col(k).norm(), torque_.col(k).norm());
+    raise(of_part.force, of_part.torque, factor_ * (force_.col(k) - other_force_.col(k)).norm(),
+          factor_ * (torque_.col(k) - other_torque_.col(k)).norm());
+  }
 }
 
 void StepJudge::find_reactions(double t, const VectorXd& y, Eigen::Matrix3Xd& force, Eigen::Matrix3Xd& torque) {

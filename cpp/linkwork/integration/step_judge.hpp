@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -65,19 +66,26 @@ class StepParts {
   int divisions_ = 1;
 };
 
-/// What a step was off by at its end, the largest of any body or joint, and how large the motion was there. All of it
-/// in the local error of that step alone. Speeds are those that the judge's axes see, and no rounding of y counts.
+/// What a step was off by in a connected part, the largest of its bodies or joints, and how large the motion was there.
+/// Speeds are those that the judge's axes see, and no rounding of y counts.
+struct PartError {
+  StateDifference end, inside;  ///< inside: where the first part of the step ends; zero where that was not looked at
+  StateDifference fading;       ///< what errors come to that stabilization or forces take back soon
+  double force = std::numeric_limits<double>::quiet_NaN();  ///< of reactions [N]; NaN: not looked at
+  double torque = force;                                    ///< likewise [N m]
+  double change = 0.0;                                      ///< see KeptStep [m/s^2]
+  double speed = 0.0;                                       ///< also of turning, by the arm of the part [m/s]
+  double acceleration = 0.0, spin_rate = 0.0;               ///< mean over the step [m/s^2, rad/s^2]
+  double largest_force = force, largest_torque = force;     ///< NaN likewise
+  double onset = 0.0;  ///< of the speed at which a contact begins [m/s], also in that of the velocity
+};
+
+/// All of it in the local error of one step alone.
 struct StepError {
-  double t = 0.0, h = 0.0, change = 0.0;
-  StateDifference end, inside;                 ///< inside: where the first part ends; zero where that was not looked at
-  StateDifference fading;                      ///< what errors come to that stabilization or forces take back soon
-  double force = 0.0, torque = 0.0;            ///< of reactions [N, N m]; NaN: not looked at
-  double speed = 0.0;                          ///< also of turning, by the arm of the body [m/s]
-  double acceleration = 0.0, spin_rate = 0.0;  ///< mean over the step [m/s^2, rad/s^2]
-  double largest_force = 0.0, largest_torque = 0.0;  ///< NaN likewise
-  double onset = 0.0;      ///< of the speed at which a contact begins [m/s], also in that of the velocity
-  double violation = 0.0;  ///< of positions where the step ended, see RelativeViolation
-  bool failed = false;     ///< it could not be taken again in parts: nothing else but t, h and change is known
+  double t = 0.0, h = 0.0;
+  std::vector<PartError> of_part;  ///< of each of ConnectedParts
+  double violation = 0.0;          ///< of positions where the step ended, see RelativeViolation
+  bool failed = false;             ///< it could not be taken again in parts: nothing else but t and h is known
 };
 
 /// Where a step ends in parts.
@@ -101,14 +109,16 @@ class StepJudge {
   /// `reactions`: those, too; it takes two more evaluations. `inside`: where the run records there, too; it takes one
   /// more step. `retaken`: if somebody else has taken it again.
   StepError judge(const KeptStep& step, bool reactions, bool inside = false, const RetakenStep& retaken = {});
-  /// Motion is seen from these, from now on; from the ground, if nobody says so. `arms`: of each body [m], by which
-  /// turning counts as a speed; without them the size of the mechanism.
+  /// Motion is seen from these, from now on; from the ground, if nobody says so. `arms`: of each connected part [m], by
+  /// which turning counts as a speed; without them its size.
   void move_with(MovingAxes axes, VectorXd arms) {
     axes_ = std::move(axes);
     arms_ = std::move(arms);
   }
   /// Largest kinetic energy at these steps, relative to what the ground sees; at most 1.
   double kinetic_share() const;
+  /// Largest of each connected part there [J].
+  const VectorXd& kinetic_energies() const { return kinetic_of_part_; }
 
  private:
   void find_end(const KeptStep& step, const RetakenStep& retaken);
@@ -126,8 +136,10 @@ class StepJudge {
   void compare_history(const KeptStep& step, StepError& out);
   void compare_reactions(const KeptStep& step, StepError& out);
   void find_reactions(double t, const VectorXd& y, Eigen::Matrix3Xd& force, Eigen::Matrix3Xd& torque);
+  VectorXd kinetic_energies_of(const VectorXd& y) const;
 
   Dynamics& dynamics_;
+  const ConnectedParts& connected_;
   SecondTake take_;
   StepParts parts_;
   double factor_;
@@ -136,6 +148,7 @@ class StepJudge {
   MovingAxes axes_;
   VectorXd arms_;
   double kinetic_ = 0.0, ground_kinetic_ = 0.0;  ///< largest [J]
+  VectorXd kinetic_of_part_;                     ///< of each part
   std::unique_ptr<PairStepper> stepper_;         ///< of a run that records inside of steps
   std::vector<std::vector<int>> choices_;
   std::vector<int> rows_;  ///< that are left out in this step

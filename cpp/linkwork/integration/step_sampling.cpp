@@ -22,17 +22,22 @@ constexpr double same_time = 1e-9;  // relative to the step
 constexpr double far_more = 20.0;   // than the mean, for a jump of energy to be out of the ordinary
 constexpr double more = 2.0;        // the same, than the largest of the steps that are taken again anyway
 constexpr double energy_noise = 1e-13;
+constexpr double rounding = 1e-13;             // of velocities: beside, what they change in a step is none
+constexpr double at_rest = 1e-8;               // of gravity: beside, what accelerations change is none
 constexpr double golden = 0.6180339887498949;  // spreads places evenly and in step with no period of the motion
 
-/// Mean square of the distances of joints from centers of mass, in the metric that makes v and omega comparable.
-double squared_length_of(const System& system) {
-  double sum = 0.0, mass = 0.0;
+/// Of each connected part, in the metric that makes v and omega comparable: mean square of the distances of joints from
+/// centers of mass.
+VectorXd squared_lengths_of(const System& system) {
+  const ConnectedParts& parts = ConnectedParts::of(system);
+  VectorXd sum = VectorXd::Zero(std::max(parts.count(), 1)), mass = sum;
   for (int body = 0; body < system.body_count(); ++body) {
     if (!(system.mass(body) > 0.0)) continue;
-    sum += system.inertia(body).trace();
-    mass += system.mass(body);
+    sum[parts.of_body(body)] += system.inertia(body).trace();
+    mass[parts.of_body(body)] += system.mass(body);
   }
-  return mass > 0.0 && sum > 0.0 ? sum / mass : 1.0;
+  for (Eigen::Index k = 0; k < sum.size(); ++k) sum[k] = mass[k] > 0.0 && sum[k] > 0.0 ? sum[k] / mass[k] : 1.0;
+  return sum;
 }
 
 std::size_t bytes_of_part(const Dynamics& dynamics) {
@@ -53,8 +58,8 @@ PartOfRun<Step> joined(PartOfRun<Step> a, PartOfRun<Step> b, bool left) {
   out.steps = a.steps + b.steps;
   out.t = a.t;
   out.seconds = a.seconds + b.seconds;
-  out.sum_of_changes = a.sum_of_changes + b.sum_of_changes;
-  out.peak = std::max(a.peak, b.peak);
+  out.sums_of_changes = a.sums_of_changes + b.sums_of_changes;
+  out.peaks = a.peaks.cwiseMax(b.peaks);
   out.steepest = std::move(*steepest);
   out.any = std::move(left ? a.any : b.any);
   return out;
@@ -73,41 +78,20 @@ std::vector<PartOfRun<Step>> join_pairs(std::vector<PartOfRun<Step>> parts) {
 
 }  // namespace
 
-void StateDifference::raise(const StateDifference& other) {
-  position = std::max(position, other.position);
-  rotation = std::max(rotation, other.rotation);
-  velocity = std::max(velocity, other.velocity);
-  omega = std::max(omega, other.omega);
-}
-
-void StateDifference::lower(const StateDifference& by) {
-  position = std::max(position - by.position, 0.0);
-  rotation = std::max(rotation - by.rotation, 0.0);
-  velocity = std::max(velocity - by.velocity, 0.0);
-  omega = std::max(omega - by.omega, 0.0);
-}
-
-void StateDifference::raise(const System& system, const VectorXd& a, const VectorXd& b) {
-  for (int body = 0; body < system.body_count(); ++body) {
-    const int r = position_size * body, p = r + 3, v = system.q_size() + velocity_size * body;
-    const Vec4<double> other = b.segment<4>(p);
-    const Vec4<double> turn =
-        quaternion_product<double>({other[0], -other[1], -other[2], -other[3]}, a.segment<4>(p) - other);
-    position = std::max(position, (a.segment<3>(r) - b.segment<3>(r)).norm());
-    rotation = std::max(rotation, 2.0 * turn.tail<3>().norm());
-    velocity = std::max(velocity, (a.segment<3>(v) - b.segment<3>(v)).norm());
-    omega = std::max(omega, (a.segment<3>(v + 3) - b.segment<3>(v + 3)).norm());
-  }
-}
-
 StepSampling::StepSampling(const Dynamics& dynamics)
     : q_size_(dynamics.system().q_size()),
       body_count_(dynamics.system().body_count()),
       every_body_(1 + body_count_ / most_looked_at),
-      squared_length_(squared_length_of(dynamics.system())),
+      squared_lengths_(squared_lengths_of(dynamics.system())),
       most_parts_(std::clamp(most_bytes / bytes_of_part(dynamics) / 2, std::size_t{1}, usual_parts)),
       rates_(VectorXd::Zero(dynamics.system().v_size())),
-      system_(&dynamics.system()) {
+      changes_(VectorXd::Zero(squared_lengths_.size())),
+      sums_of_changes_(changes_),
+      largest_(changes_),
+      speeds_(changes_),
+      usual_changes_(changes_),
+      system_(&dynamics.system()),
+      connected_(&ConnectedParts::of(dynamics.system())) {
   parts_.reserve(2 * most_parts_ + 2);
 }
 
@@ -182,7 +166,7 @@ void StepSampling::keep_switched(const VectorXd& y_new) {
   const double multiple = golden * static_cast<double>(switched_steps_++), place = multiple - std::floor(multiple);
   if (place >= share_switched_) return;
   switched_.push_back({place, {}});
-  keep(switched_.back().step, last_.t, last_.h, last_.change, last_.y, y_new);
+  keep(switched_.back().step, y_new);
   while (switched_.size() > std::min(most_switched, most_parts_)) {
     share_switched_ *= golden;
     std::erase_if(switched_, [&](const Switched& it) { return it.place >= share_switched_; });
@@ -212,63 +196,107 @@ void StepSampling::keep_jump(double jump, const VectorXd& y_new) {
   const auto smaller = [](const KeptStep& a, const KeptStep& b) { return a.jump < b.jump; };
   if (worst_.size() < most_outliers) worst_.emplace_back();
   const auto least = std::min_element(worst_.begin(), worst_.end(), smaller);
-  keep(*least, last_.t, last_.h, last_.change, last_.y, y_new);
+  keep(*least, y_new);
   least->jump = jump;
   if (worst_.size() == most_outliers) least_jump_ = std::min_element(worst_.begin(), worst_.end(), smaller)->jump;
 }
 
 void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& y_new) {
-  after(t, h, y, y_new, look_at_rates(h, y, y_new));
+  begin_part_if_full(t);
+  follow(t, h, y, y_new, look_at_rates(h, y, y_new));
 }
 
 void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& y_new, const Rates& rates) {
-  if (steps_ <= 1 || parts_.back().steps == width_) begin_part(t);
+  if (largest_.size() > 1) return after(t, h, y, y_new);
+  begin_part_if_full(t);
+  changes_[0] = rates.change;
+  largest_[0] = rates.largest;
+  follow(t, h, y, y_new, rates.change);
+}
+
+void StepSampling::follow(double t, double h, const VectorXd& y, const VectorXd& y_new, double change) {
   RunPart& part = parts_.back();
-  const double changed = std::exchange(compared_, true) ? rates.change : 0.0;
-  if (next_break_ < breaks_.size() && breaks_[next_break_] <= t + (1.0 + same_time) * h) meet_break(t, h, y, y_new);
-  if (part.steps == chosen_ && part.any.change > part.steepest.change) part.steepest = std::move(part.any);
-  if (part.steps == 0 || part.steps == chosen_) keep(part.any, t, h, changed, y, y_new);
-  else if (changed > steeper * std::max(part.steepest.change, part.any.change))
-    keep(part.steepest, t, h, changed, y, y_new);
+  if (!std::exchange(compared_, true)) {
+    changes_.setZero();
+    change = 0.0;
+  }
   last_.t = t;
   last_.h = h;
-  last_.change = changed;
+  last_.change = change;
+  last_.changes = changes_;
   last_.y = y;
+  if (next_break_ < breaks_.size() && breaks_[next_break_] <= t + (1.0 + same_time) * h) meet_break(t, h, y_new);
+  if (part.steps == chosen_ && part.any.change > part.steepest.change) part.steepest = std::move(part.any);
+  if (part.steps == 0 || part.steps == chosen_) keep(part.any, y_new);
+  else if (change > steeper * std::max(part.steepest.change, part.any.change)) keep(part.steepest, y_new);
   part.steps += 1;
   part.seconds += h;
-  part.sum_of_changes += changed;
-  part.peak = std::max(part.peak, rates.largest);
+  part.sums_of_changes += changes_;
+  part.peaks = part.peaks.cwiseMax(largest_);
   steps_ += 1;
 }
 
 /// A break at the end is met here, where the last stage may be, and not once more where the next step begins. Of many
 /// breaks those are kept that spread over all of them.
-void StepSampling::meet_break(double t, double h, const VectorXd& y, const VectorXd& y_new) {
+void StepSampling::meet_break(double t, double h, const VectorXd& y_new) {
   const std::size_t every = 1 + breaks_.size() / std::min(most_broken, most_parts_), first = next_break_;
   while (next_break_ < breaks_.size() && breaks_[next_break_] <= t + (1.0 + same_time) * h) ++next_break_;
   if (breaks_[next_break_ - 1] < t - same_time * h) return;
   steps_with_breaks_ += 1;
   if ((first + every - 1) / every == (next_break_ + every - 1) / every) return;
   broken_.emplace_back();
-  keep(broken_.back(), t, h, 0.0, y, y_new);
+  keep(broken_.back(), y_new);
 }
 
-/// Of (v_new - v)/h.
-Rates StepSampling::look_at_rates(double h, const VectorXd& y, const VectorXd& y_new) {
-  double sum = 0.0, largest = 0.0;
+/// Of (v_new - v)/h: by how much they change, see StepSampling.
+double StepSampling::look_at_rates(double h, const VectorXd& y, const VectorXd& y_new) {
+  changes_.setZero();
+  largest_.setZero();
+  speeds_.setZero();
   const double per_second = 1.0 / h;
   for (int body = 0; body < body_count_; body += every_body_) {
+    const int part = connected_->of_body(body);
     const Eigen::Index v = q_size_ + velocity_size * body, own = velocity_size * body;
     const Eigen::Matrix<double, 6, 1> rate = (y_new.segment<6>(v) - y.segment<6>(v)) * per_second;
     const Eigen::Matrix<double, 6, 1> other = rate - rates_.segment<6>(own);
-    sum += other.head<3>().squaredNorm() + squared_length_ * other.tail<3>().squaredNorm();
-    largest = std::max(largest, rate.head<3>().squaredNorm() + squared_length_ * rate.tail<3>().squaredNorm());
+    const double squared = squared_lengths_[part];
+    changes_[part] += other.head<3>().squaredNorm() + squared * other.tail<3>().squaredNorm();
+    largest_[part] = std::max(largest_[part], rate.head<3>().squaredNorm() + squared * rate.tail<3>().squaredNorm());
+    speeds_[part] =
+        std::max(speeds_[part], y.segment<3>(v).squaredNorm() + squared * y.segment<3>(v + 3).squaredNorm());
     rates_.segment<6>(own) = rate;
   }
-  return {std::sqrt(sum), std::sqrt(largest)};
+  changes_ = changes_.cwiseSqrt();
+  largest_ = largest_.cwiseSqrt();
+  return changes_.size() == 1 ? changes_[0] : change_by_means(h);
 }
 
-void StepSampling::begin_part(double t) {
+/// The means are held in a part of the run, so that steps there compare as they would without what is beside. Of what
+/// has been at rest anything is a change, but for rounding.
+double StepSampling::change_by_means(double h) {
+  if (!compared_) return 0.0;
+  compared_steps_ += 1.0;
+  sums_of_changes_ += changes_;
+  const double resting = at_rest * system_->model().gravity().norm();
+  double squares = 0.0;
+  for (Eigen::Index part = 0; part < changes_.size(); ++part) {
+    if (!(changes_[part] > 0.0)) continue;
+    double& usual = usual_changes_[part];
+    if (usual == 0.0) usual = changes_[part] / compared_steps_;
+    const double by_mean = changes_[part] / std::max({usual, rounding * std::sqrt(speeds_[part]) / h, resting});
+    squares += by_mean * by_mean;
+  }
+  return std::sqrt(squares);
+}
+
+void StepSampling::correct(const VectorXd& y, const VectorXd& corrected) {
+  const DifferencesOfParts by = differences(*system_, y, corrected);
+  corrections_.resize(by.size());
+  for (std::size_t part = 0; part < by.size(); ++part) corrections_[part].raise(by[part]);
+}
+
+void StepSampling::begin_part_if_full(double t) {
+  if (steps_ > 1 && parts_.back().steps < width_) return;
   if (parts_.size() == 2 * most_parts_ + 1) {
     parts_ = join_pairs(std::move(parts_));
     parts_.reserve(2 * most_parts_ + 2);
@@ -278,26 +306,24 @@ void StepSampling::begin_part(double t) {
   chosen_ = static_cast<std::int64_t>(static_cast<double>(width_) * (place - std::floor(place)));
   parts_.emplace_back();
   parts_.back().t = t;
+  parts_.back().peaks.setZero(largest_.size());
+  parts_.back().sums_of_changes.setZero(largest_.size());
+  usual_changes_ = sums_of_changes_ / std::max(compared_steps_, 1.0);
 }
 
-void StepSampling::keep(KeptStep& place, double t, double h, double change, const VectorXd& y,
-                        const VectorXd& y_new) const {
-  place.t = t;
-  place.h = h;
-  place.change = change;
-  place.jump = 0.0;
-  place.y = y;
+/// The last step, as it went to y_new.
+void StepSampling::keep(KeptStep& place, const VectorXd& y_new) const {
+  place = last_;
   place.y_new = y_new;
   place.history = history_;
   place.correction_length = correction_length_;
   place.left_out = left_out_;
-  place.switched = false;
 }
 
 std::vector<RunPart> StepSampling::parts() const {
   std::vector<PartOfRun<const KeptStep*>> chosen;
   for (const RunPart& it : parts_)
-    chosen.push_back({it.steps, it.t, it.seconds, it.sum_of_changes, it.peak, &it.any, &it.steepest});
+    chosen.push_back({it.steps, it.t, it.seconds, it.sums_of_changes, it.peaks, &it.any, &it.steepest});
   const auto wanted = static_cast<std::size_t>(samples(steps_, body_count_));
   while (chosen.size() > 2 && chosen.size() < static_cast<std::size_t>(steps_) && 2 * chosen.size() > wanted + 1)
     chosen = join_pairs(std::move(chosen));
@@ -305,7 +331,7 @@ std::vector<RunPart> StepSampling::parts() const {
   InterruptionMeter meter;
   for (const auto& it : chosen) {
     meter.add(body_count_);
-    out.push_back({it.steps, it.t, it.seconds, it.sum_of_changes, it.peak, *it.any, *it.steepest});
+    out.push_back({it.steps, it.t, it.seconds, it.sums_of_changes, it.peaks, *it.any, *it.steepest});
   }
   return out;
 }
@@ -339,7 +365,7 @@ std::vector<RunPart> parts_of(const std::vector<KeptStep>& kept, std::int64_t co
     out.back().steps = each;
     out.back().t = step.t;
     out.back().seconds = static_cast<double>(each) * step.h;
-    out.back().sum_of_changes = static_cast<double>(each) * step.change;
+    out.back().sums_of_changes = static_cast<double>(each) * step.changes;
     out.back().any = step;
   }
   return out;

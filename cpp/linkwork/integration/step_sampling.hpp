@@ -5,7 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "linkwork/assembly/connected_components.hpp"
 #include "linkwork/formulation/dynamics.hpp"
+#include "linkwork/integration/state_difference.hpp"
 
 namespace linkwork {
 
@@ -14,6 +16,7 @@ struct KeptStep {
   double t = 0.0, h = 0.0;
   double correction_length = 0.0;  ///< see Dynamics::correct_over
   double change = -1.0;  ///< how much the accelerations differ from those of the step before; see StepSampling
+  VectorXd changes;      ///< the same of each of ConnectedParts [m/s^2]
   double jump = 0.0;     ///< of the balance of energy, as a speed in the metric of the masses; see StepSampling
   VectorXd y, y_new;
   VectorXd history;           ///< variables of the elements, at t
@@ -22,16 +25,6 @@ struct KeptStep {
   std::vector<int> left_out;  ///< redundant rows, at t
 
   bool kept() const { return h > 0.0; }
-};
-
-/// The largest of any body.
-struct StateDifference {
-  double position = 0.0, rotation = 0.0, velocity = 0.0, omega = 0.0;  ///< m, rad, m/s, rad/s
-
-  void raise(const StateDifference& other);
-  void lower(const StateDifference& by);  ///< not below zero
-  /// Between y = (q, v, ...) of both.
-  void raise(const System& system, const VectorXd& a, const VectorXd& b);
 };
 
 /// What energies came to over a run, at the ends of its steps [J].
@@ -48,13 +41,13 @@ template <class Step>
 struct PartOfRun {
   std::int64_t steps = 0;
   double t = 0.0, seconds = 0.0;
-  double sum_of_changes = 0.0;
-  double peak = 0.0;  ///< largest acceleration of a body [m/s^2]
+  VectorXd sums_of_changes;  ///< of each of ConnectedParts [m/s^2]
+  VectorXd peaks;            ///< largest acceleration of a body, of each of them [m/s^2]
   Step any{}, steepest{};
 };
 using RunPart = PartOfRun<KeptStep>;
 
-/// Of the accelerations of a step.
+/// Of the accelerations of a step of a mechanism that is one connected part.
 struct Rates {
   double change = 0.0, largest = 0.0;  ///< from those of the step before; of any body [m/s^2]
 };
@@ -67,8 +60,10 @@ struct Rates {
 /// Steps in which contacts and stops begin or end, and those that depend on such a step, stand for others of their kind,
 /// not for the smooth ones around them.
 ///
-/// Accelerations count as differences of velocities over steps, of angular ones times a length of the mechanism; in
+/// Accelerations count as differences of velocities over steps, of angular ones times a length of the connected part; in
 /// large models only some bodies are looked at. How much they change, of all bodies, and the largest come of each step.
+/// Where there are several connected parts, how much those of each change counts relative to the mean so far, so that
+/// what happens to a small part is seen beside a large one.
 ///
 /// A single bad step, such as one beside a singular pose, shows in the balance of energy, which costs no evaluation:
 /// with T and B = T + V - W at the start of a step and B' at its end, d = |B' - B|, speeds in the metric of the masses
@@ -93,26 +88,27 @@ class StepSampling {
   // `pass_over` where the step is not one of the method's own (cut by an event, a leap over a singular pose).
   void before(const Dynamics& dynamics, const VectorXd& y);
   void after(double t, double h, const VectorXd& y, const VectorXd& y_new);
-  // The same where somebody else knows the energies and the switches there, and the rates.
+  // The same where somebody else knows the energies and the switches there, and the rates: those of several connected
+  // parts are found here anyway.
   void before(const Dynamics& dynamics, const VectorXd& y, double kinetic, double potential, const VectorXd& switches);
   void after(double t, double h, const VectorXd& y, const VectorXd& y_new, const Rates& rates);
   /// v_dot over the last step (6n,), of every so many bodies; angular rates count by the square of a length.
   VectorXd& rates() { return rates_; }
   int every_body() const { return every_body_; }
-  double squared_length() const { return squared_length_; }
+  double squared_length() const { return squared_lengths_[0]; }  ///< of the first part
   void pass_over() {
     compared_ = false;
     last_.h = 0.0;
   }
 
   /// The run found its state y off by so much, and went on from another one.
-  void correct(const VectorXd& y, const VectorXd& corrected) { corrections_.raise(*system_, y, corrected); }
+  void correct(const VectorXd& y, const VectorXd& corrected);
 
   /// The parts with what is to be taken again of them: of short runs less than what was kept.
   std::vector<RunPart> parts() const;
   std::int64_t steps() const { return steps_; }  ///< that `after` was told of
   const EnergyRange& energies() const { return energies_; }
-  const StateDifference& corrections() const { return corrections_; }  ///< the largest
+  const DifferencesOfParts& corrections() const { return corrections_; }  ///< the largest; empty: none
   /// The steps in which the balance of energy jumps far more than elsewhere, or more than in any of `parts`, without
   /// those.
   std::vector<KeptStep> outliers(const std::vector<RunPart>& parts) const;
@@ -131,27 +127,35 @@ class StepSampling {
   void keep_switched(const VectorXd& y_new);
   void balance(const VectorXd& y, double kinetic, double potential);
   void keep_jump(double jump, const VectorXd& y_new);
-  void meet_break(double t, double h, const VectorXd& y, const VectorXd& y_new);
-  Rates look_at_rates(double h, const VectorXd& y, const VectorXd& y_new);
-  void begin_part(double t);
-  void keep(KeptStep& place, double t, double h, double change, const VectorXd& y, const VectorXd& y_new) const;
+  void meet_break(double t, double h, const VectorXd& y_new);
+  double look_at_rates(double h, const VectorXd& y, const VectorXd& y_new);
+  double change_by_means(double h);
+  void follow(double t, double h, const VectorXd& y, const VectorXd& y_new, double change);
+  void begin_part_if_full(double t);
+  void keep(KeptStep& place, const VectorXd& y_new) const;
 
   int q_size_, body_count_, every_body_;
-  double squared_length_;
+  VectorXd squared_lengths_;  ///< of the connected parts
   std::size_t most_parts_;
   std::int64_t width_ = 1, chosen_ = 0;  ///< steps of a part, and which of them is kept in any case
   std::int64_t steps_ = 0;
   bool compared_ = false;  ///< rates_ are those of the step before
   VectorXd rates_;
+  // Of the connected parts:
+  VectorXd changes_, sums_of_changes_;  ///< of this step, of all compared ones
+  VectorXd largest_, speeds_;           ///< largest acceleration of a body [m/s^2], squared speed
+  VectorXd usual_changes_;              ///< mean up to the part of the run; 0: none yet
+  double compared_steps_ = 0.0;
   VectorXd history_;
   double correction_length_ = 0.0;
   std::vector<int> left_out_;
   std::vector<RunPart> parts_;
   const System* system_;
+  const ConnectedParts* connected_;
   double kinetic_ = 0.0, balance_ = 0.0;  ///< T and B where the step begins
   EnergyRange energies_;
   double work_before_ = 0.0;
-  StateDifference corrections_;
+  DifferencesOfParts corrections_;
   double sum_of_jumps_ = 0.0, least_jump_ = 0.0;
   KeptStep last_;  ///< without y_new, which `before` will see; h = 0: none
   std::vector<KeptStep> worst_;

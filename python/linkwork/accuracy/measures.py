@@ -8,9 +8,10 @@ means "as large as the motion itself":
     state error     the larger of the two
     reaction error  max(|F - F*|, |T - T*| / L) / F_max
 
-with the `Scales` L, V, F_max of the reference, the starred quantities. L and V are those of its motion in
-axes that move with each connected part as a whole, at the mean velocity of its center of mass: a uniform
-motion of a part changes no error, and no scale (Galilei), nor does what rests or flies along beside it.
+with the `Scales` L, V, F_max of the reference, the starred quantities: each connected part of a mechanism has
+its own, as if it were alone. L and V are those of its motion in axes that move with the part as a whole, at
+the mean velocity of its center of mass: a uniform motion changes no error, and no scale (Galilei), nor does
+what rests, moves or flies along beside it.
 """
 
 from __future__ import annotations
@@ -79,43 +80,51 @@ STILL = 1e-6
 
 
 class AtRest(NamedTuple):
-    """L and V of a mechanism that forces leave at rest: its size, and the speed of a fall by that."""
+    """L and V of what forces leave at rest, by body or for all: the size of its part, and the speed of a fall
+    by that; 0 of what moves."""
 
-    length: float  #: m
-    speed: float  #: m/s
+    length: Floats | float  #: m
+    speed: Floats | float  #: m/s
 
 
 MOVING = AtRest(0.0, 0.0)
 
 
 class Bodies(NamedTuple):
-    """What there is to know of n bodies to weigh their motion."""
+    """What there is to know of n bodies to weigh their motion; they make up p connected parts."""
 
     masses: Floats  #: (n,) [kg]
     part: NDArray[np.integer]  #: (n,) of each the connected part: joints and forces connect, the ground not
-    longest_arm: float  #: from a center of mass to a joint [m]
+    longest_arm: Floats  #: (p,) from a center of mass to a joint [m]
+    joint_part: NDArray[np.integer]  #: (j,) of the joints with unique reactions
 
     @classmethod
     def of(cls, header: Header) -> Bodies:
         from scipy.sparse import coo_array
         from scipy.sparse.csgraph import connected_components
 
-        pairs = np.concatenate([header.joint_bodies, header.force_bodies]).astype(np.int64)
+        joints = header.joint_bodies
+        pairs = np.concatenate([joints, header.force_bodies]).astype(np.int64)
         first, second = pairs[(pairs >= 0).all(axis=1)].T
         count = len(header.mass)
         edges = coo_array((np.ones(len(first)), (first, second)), shape=(count, count))
         part = connected_components(edges, directed=False)[1] if count else np.zeros(0, np.intp)
-        arms = np.linalg.norm(header.joint_origin, axis=-1)[header.joint_bodies >= 0]
-        return cls(header.mass, part, float(arms.max(initial=0.0)))
+        arms = np.linalg.norm(header.joint_origin, axis=-1)
+        longest = _by_part(arms[joints >= 0], part[joints[joints >= 0]], int(part.max(initial=-1)) + 1)
+        unique = joints[header.reaction_unique].max(axis=1, initial=-1)  # not the ground
+        return cls(header.mass, part, longest, part[unique])
 
 
 @dataclass(frozen=True)
-class Scales:
-    """What errors are divided by, in axes that move with each part; 1 where nothing moves or pulls."""
+class Scales(ReadOnly):
+    """What errors are divided by, of p connected parts, in axes that move with each; 1 where nothing moves or
+    pulls."""
 
-    length: float  #: L: half the diagonal of the box in which centers of a part move, or the longest arm [m]
-    speed: float  #: V: largest of |r_dot| and L |omega|, L of the part [m/s]
-    force: float  #: F_max: largest of |F| and |T| / L of the unique reactions [N]
+    length: Floats  #: (p,) L: half the diagonal of the box in which centers move, or the longest arm [m]
+    speed: Floats  #: (p,) V: largest of |r_dot| and L |omega| [m/s]
+    force: Floats  #: (p,) F_max: largest of |F| and |T| / L of the unique reactions [N]
+    part: NDArray[np.integer]  #: (n,) of each body
+    joint_part: NDArray[np.integer]  #: (j,) of each joint with unique reactions
 
     @classmethod
     def of(
@@ -128,35 +137,42 @@ class Scales:
         """`at_rest`: see AtRest.
 
         What goes no farther than `STILL`, or the `tolerance` that steps follow, of the length is at rest: its
-        trembling is weighed by the speed that the largest reaction gives to the mass of all bodies.
+        trembling is weighed by the speed that the largest reaction gives to the mass of its part.
         """
+        part, count = bodies.part, len(bodies.longest_arm)
         r, r_dot = _in_moving_axes(motion, bodies)
-        arms = np.maximum(_half_boxes(r, bodies.part), max(bodies.longest_arm, at_rest.length))
-        length = float(arms.max(initial=0.0)) or 1.0
-        arms = np.where(arms > 0.0, arms, length)
-        turning = _largest(arms[bodies.part, None] * motion.v[:, :, 3:]) if r.size else 0.0
-        speed = max(_largest(r_dot), turning, at_rest.speed)
-        force = max(_largest(motion.force), _largest(motion.torque) / length)
+        fallen, speed = (_by_part(np.broadcast_to(it, part.shape), part, count) for it in at_rest)
+        length = _or_one(np.max([_half_boxes(r, part, count), bodies.longest_arm, fallen], axis=0))
+        turning = length[part] * _largest(motion.v[:, :, 3:])
+        speed = np.maximum(speed, _by_part(np.maximum(_largest(r_dot), turning), part, count))
+        pull = np.maximum(_largest(motion.force), _largest(motion.torque) / length[bodies.joint_part])
+        force = _by_part(pull, bodies.joint_part, count)
         duration = float(np.ptp(motion.t)) if len(motion.t) else 0.0
-        speed = max(speed, STILL * length / duration if duration > 0.0 else 0.0)
+        speed = np.maximum(speed, STILL * length / duration if duration > 0.0 else 0.0)
         still = max(STILL, tolerance or 0.0)
-        mass = float(bodies.masses.sum())
-        if mass > 0.0 and _way(r, motion.q[:, :, 3:], length) <= still * length:
-            speed = max(speed, still * float(np.sqrt(force * length / mass)))
-        return cls(length, speed or 1.0, force or 1.0)
+        mass = np.bincount(part, bodies.masses, count)
+        rests = (mass > 0.0) & (_by_part(_way(r, motion.q[:, :, 3:], length[part]), part, count) <= still * length)
+        shaken = still * np.sqrt(force * length / np.where(mass > 0.0, mass, 1.0))
+        speed = np.where(rests, np.maximum(speed, shaken), speed)
+        return cls(length, _or_one(speed), _or_one(force), part, bodies.joint_part)
+
+    def numbers(self) -> dict[str, float | list[float]]:
+        """L, V and F_max: one number each, or a list, of several parts."""
+        found = {name: getattr(self, name).tolist() for name in ("length", "speed", "force")}
+        return {name: values[0] if len(values) == 1 else values for name, values in found.items()}
 
 
 @dataclass(frozen=True)
 class Differences(ReadOnly):
-    """From the reference, at k times: the largest of any body or joint. NaN where nothing is comparable."""
+    """From the reference, at k times, of n bodies and j joints."""
 
     t: Floats  # (k,) [s]
-    position: Floats  # (k,) [m]
-    rotation: Floats  # (k,) [rad]
-    velocity: Floats  # (k,) [m/s]
-    omega: Floats  # (k,) [rad/s]
-    force: Floats  # (k,) [N]
-    torque: Floats  # (k,) [N m]
+    position: Floats  # (k, n) [m]
+    rotation: Floats  # (k, n) [rad]
+    velocity: Floats  # (k, n) [m/s]
+    omega: Floats  # (k, n) [rad/s]
+    force: Floats  # (k, j) [N]
+    torque: Floats  # (k, j) [N m]
 
     @classmethod
     def between(cls, motion: Sampled, reference: Sampled) -> Differences:
@@ -171,25 +187,39 @@ class Differences(ReadOnly):
         q, v = motion.q[places], motion.v[places]
         return cls(
             t=motion.t[places],
-            position=_farthest(q[:, :, :3] - exact.q[:, :, :3]),
-            rotation=_angle(q[:, :, 3:], exact.q[:, :, 3:]).max(axis=1, initial=0.0),
-            velocity=_farthest(v[:, :, :3] - exact.v[:, :, :3]),
-            omega=_farthest(v[:, :, 3:] - exact.v[:, :, 3:]),
-            force=_farthest(motion.force[places] - exact.force),
-            torque=_farthest(motion.torque[places] - exact.torque),
+            position=_norms(q[:, :, :3] - exact.q[:, :, :3]),
+            rotation=_angle(q[:, :, 3:], exact.q[:, :, 3:]),
+            velocity=_norms(v[:, :, :3] - exact.v[:, :, :3]),
+            omega=_norms(v[:, :, 3:] - exact.v[:, :, 3:]),
+            force=_norms(motion.force[places] - exact.force),
+            torque=_norms(motion.torque[places] - exact.torque),
         )
 
+    # The largest of any body or joint at each time (k,); NaN where there is none.
+
     def pose(self, scales: Scales) -> Floats:
-        return np.maximum(self.position / scales.length, self.rotation)
+        return _at_each_time(self._poses(scales))
 
     def velocities(self, scales: Scales) -> Floats:
-        return np.maximum(self.velocity, scales.length * self.omega) / scales.speed
+        return _at_each_time(self._velocities(scales))
 
     def state(self, scales: Scales) -> Floats:
-        return np.maximum(self.pose(scales), self.velocities(scales))
+        return _at_each_time(self.states(scales))
 
     def reaction(self, scales: Scales) -> Floats:
-        return np.maximum(self.force, self.torque / scales.length) / scales.force
+        length, force = (it[scales.joint_part] for it in (scales.length, scales.force))
+        return _at_each_time(np.maximum(self.force, self.torque / length) / force)
+
+    def states(self, scales: Scales) -> Floats:
+        """Of each body (k, n)."""
+        return np.maximum(self._poses(scales), self._velocities(scales))
+
+    def _poses(self, scales: Scales) -> Floats:
+        return np.maximum(self.position / scales.length[scales.part], self.rotation)
+
+    def _velocities(self, scales: Scales) -> Floats:
+        length, speed = (it[scales.part] for it in (scales.length, scales.speed))
+        return np.maximum(self.velocity, length * self.omega) / speed
 
 
 def _in_moving_axes(motion: Sampled, bodies: Bodies) -> tuple[Floats, Floats]:
@@ -207,34 +237,49 @@ def _in_moving_axes(motion: Sampled, bodies: Bodies) -> tuple[Floats, Floats]:
     return r - since[:, None, None] * velocity, r_dot - velocity
 
 
-def _half_boxes(r: Floats, part: NDArray[np.integer]) -> Floats:
+def _by_part(values: Floats, part: NDArray[np.integer], count: int) -> Floats:
+    """Largest of each part (count,); 0 where it has none."""
+    largest = np.zeros(count)
+    np.maximum.at(largest, part, values)
+    return largest
+
+
+def _or_one(scales: Floats) -> Floats:
+    return np.where(scales > 0.0, scales, 1.0)
+
+
+def _half_boxes(r: Floats, part: NDArray[np.integer], count: int) -> Floats:
     """Of the centers of mass (k, n, 3) of each part half the diagonal of the box in which they move [m]."""
     if not r.size:
-        return np.zeros(int(part.max(initial=-1)) + 1)
-    low, high = np.full((2, int(part.max()) + 1, 3), np.inf)
+        return np.zeros(count)
+    low, high = np.full((2, count, 3), np.inf)
     np.minimum.at(low, part, r.min(axis=0))
     np.minimum.at(high, part, -r.max(axis=0))
     half: Floats = np.linalg.norm(high + low, axis=1) / 2
     return half
 
 
-def _way(r: Floats, p: Floats, length: float) -> float:
-    """How far any body goes from where it begins, or turns by an arm of this length [m]; (k, n, 3 and 4)."""
+def _way(r: Floats, p: Floats, length: Floats) -> Floats:
+    """How far each body goes from where it begins, or turns by an arm of this length [m]; (k, n, 3 and 4)."""
     if not r.size:
-        return 0.0
-    return float(max(np.abs(r - r[0]).max(), 2 * length * np.abs(p - p[0]).max()))
+        return np.zeros(r.shape[1])
+    moved, turned = (np.abs(it - it[0]).max(axis=(0, 2)) for it in (r, p))
+    return np.maximum(moved, 2 * length * turned)
 
 
-def _largest(vectors: Floats) -> float:
-    return float(np.linalg.norm(vectors, axis=-1).max(initial=0.0))
+def _norms(vectors: Floats) -> Floats:
+    lengths: Floats = np.linalg.norm(vectors, axis=-1)
+    return lengths
 
 
-def _farthest(vectors: Floats) -> Floats:
-    """Longest of the vectors (k, n, 3) at each time (k,); NaN where there are none."""
-    if not vectors.shape[1]:
-        return np.full(len(vectors), np.nan)
-    longest: Floats = np.linalg.norm(vectors, axis=-1).max(axis=1)
-    return longest
+def _largest(vectors: Floats) -> Floats:
+    """Longest of each body or joint (n,) over the times, of vectors (k, n, 3)."""
+    return _norms(vectors).max(axis=0, initial=0.0)
+
+
+def _at_each_time(values: Floats) -> Floats:
+    """Largest of the values (k, n); NaN where there are none."""
+    return values.max(axis=1) if values.shape[1] else np.full(len(values), np.nan)
 
 
 def _angle(p: Floats, exact: Floats) -> Floats:

@@ -85,7 +85,8 @@ class Verdict:
     error        the largest of `state`, `energy` and `violation`; of unstable and chaotic motion it may be
                  too small by any factor, unless there was a second run
     state        of poses, relative to the smaller of the path and the size of the motion, and of velocities,
-                 relative to the largest: local errors accumulated over the run; None: no step was taken again
+                 relative to the largest: local errors accumulated over the run; None: no step was taken again.
+                 Bodies that neither joints nor forces connect are judged as if each were alone: the worst count
     local_error  of the state, per second [1/s]: the mean over the run
     reactions    of forces and torques, relative to the largest, accumulated likewise; None: not known
     energy       made or lost, relative to the largest kinetic energy or energy exchanged
@@ -100,6 +101,7 @@ class Verdict:
     before       error of the runs that this one goes on from, see `start`; part of `state`
     memory       functions of the user's that remember calls: how far the motion is off is not known then
     recalled     what a function returned in the run, and later for the same arguments, in words
+    body         of the connected part that the error is of; "": all bodies are one part, or it is of no one
     """
 
     level: Literal["good", "coarse", "wrong"]
@@ -120,6 +122,7 @@ class Verdict:
     verified: float | None = None
     memory: tuple[str, ...] = ()
     recalled: str = ""
+    body: str = ""
 
     def numbers(self) -> dict[str, Any]:
         """
@@ -240,8 +243,9 @@ def estimate(
     method: Method,
     statistics: Mapping[str, Any],
     before: float = 0.0,
+    body: str = "",
 ) -> Verdict:
-    """From what `_core.Run.judge` found."""
+    """From what `_core.Run.judge` found; `body`: the name of the one there."""
     taken = found["taken"]
     if not taken:
         why = "no step could be taken again" if found["failed"] else "no step was one of the method's own"
@@ -249,12 +253,14 @@ def estimate(
     energy, replaced = energies.error(found["kinetic_share"], found["rest_energy"])
     violation, duration = found["violation"], found["seconds"]
     turns = 0.25 * min(duration, duration / replaced if replaced > 0 else duration) * found["rate"]
-    state = before + max(SAFETY * found["state"], energy * turns if turns > 1 else 0.0, VIOLATED * violation)
+    by_steps = before + SAFETY * found["state"]
+    state = max(by_steps, before + max(energy * turns if turns > 1 else 0.0, VIOLATED * violation))
     ratio, failed = found["reactions_by_state"], found["failed"]
     error, steps = max(state, energy), tuple(itertools.starmap(StepEstimate, found["steps"]))
+    body = body if by_steps >= error else ""
     return Verdict(
         level=_level(error),
-        sentence=_sentence(error, violation, state, method, before, steps),
+        sentence=_sentence(error, violation, state, method, before, steps, body),
         error=error,
         state=state,
         local_error=found["local_error"],
@@ -264,6 +270,7 @@ def estimate(
         steps=steps,
         left_out=f"{failed} of {failed + taken} steps could not be taken again" if failed else "",
         before=before,
+        body=body,
         **_counts(statistics),
     )
 
@@ -282,16 +289,19 @@ def without_steps(
     )  # fmt: skip
 
 
-def verified(verdict: Verdict, state: float, method: Method, second: Verdict | None = None) -> Verdict:
-    """The same with what a finer run says of the state, which takes the place of the estimate: unless the
-    estimate of the `second`, finer run is hardly smaller, as where steps of both leap over a pulse, or are in
-    step with what oscillates."""
+def verified(
+    verdict: Verdict, state: float, method: Method, second: Verdict | None = None, body: str = ""
+) -> Verdict:
+    """The same with what a finer run says of the state, and of which `body`, which takes the place of the
+    estimate: unless the estimate of the `second`, finer run is hardly smaller, as where steps of both leap over
+    a pulse, or are in step with what oscillates."""
     error = max(state + verdict.before, verdict.energy, verdict.violation)
-    found = _sentence(error, verdict.violation, state, method, verdict.before, verdict.steps)
+    body = body if state + verdict.before >= error else ""
+    found = _sentence(error, verdict.violation, state, method, verdict.before, verdict.steps, body)
     sentence = f"{found} by a second run"
     if second is not None and second.level != "good" and second.error > max(error, HARDLY * verdict.error):
-        error, sentence = second.error, f"{second.sentence} (of a second run)"
-    return replace(verdict, error=error, level=_level(error), sentence=sentence, verified=state)
+        error, sentence, body = second.error, f"{second.sentence} (of a second run)", second.body
+    return replace(verdict, error=error, level=_level(error), sentence=sentence, verified=state, body=body)
 
 
 def leaping(verdict: Verdict, moments: Iterable[tuple[float, str]]) -> Verdict:
@@ -378,9 +388,11 @@ def _sentence(
     method: Method,
     before: float,
     steps: Sequence[StepEstimate],
+    body: str,
 ) -> str:
+    there = f"body '{body}': " if body else ""
     if not math.isfinite(error):
-        return "the motion is lost: use a much smaller step"
+        return f"{there}the motion is lost: use a much smaller step"
     if error <= GOOD:
         return f"accurate to about {_figure(error)}"
     if before > INHERITED * error:
@@ -388,7 +400,7 @@ def _sentence(
     if VIOLATED * violation >= error:
         size = f"{_percent(violation)} of the mechanism's size"
         return f"the constraints are violated by {size}: {method.advice(error)}"
-    return method.advice(error, steps, state)
+    return there + method.advice(error, steps, state)
 
 
 def _blind(steps: Sequence[StepEstimate], rtol: float, error: float, state: float) -> StepEstimate | None:

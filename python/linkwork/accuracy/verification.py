@@ -111,16 +111,23 @@ def _spacing(places: Indices) -> int:
     return round(float(np.median(np.diff(places)))) if len(places) > 1 else 1
 
 
-def state_error(first: Result, finer: Finer, at_rest: AtRest = MOVING) -> float:
-    """Largest error of poses and velocities, relative as those of linkwork.accuracy.measures; 1 where too few
-    frames are in both runs."""
+class StateError(NamedTuple):
+    """The largest of poses and velocities, relative as those of linkwork.accuracy.measures."""
+
+    error: float
+    body: int  #: whose it is; -1: all bodies are one connected part, or nothing is known
+
+
+def state_error(first: Result, finer: Finer, at_rest: AtRest = MOVING) -> StateError:
+    """By a second run; 1 where too few frames are in both."""
     if len(finer.result) < min(2, len(first)):
-        return 1.0
-    exact = Sampled.of(finer.result)
+        return StateError(1.0, -1)
+    exact, bodies = Sampled.of(finer.result), Bodies.of(first.header)
     differences = Differences.between(Sampled.of(first), exact)
     rtol = first.manifest["options"].get("rtol")
-    state = differences.state(Scales.of(exact, Bodies.of(first.header), rtol, at_rest))
-    return float(finer.factor * state.max(initial=0.0))
+    states = differences.states(Scales.of(exact, bodies, rtol, at_rest)).max(axis=0, initial=0.0)
+    error = float(finer.factor * states.max(initial=0.0))
+    return StateError(error, int(states.argmax()) if bodies.part.any() else -1)
 
 
 # --- which frames are compared -----------------------------------------------------------------------------

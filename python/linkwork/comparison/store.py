@@ -12,7 +12,7 @@ import os
 import zlib
 from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import asdict
+from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any
 
@@ -51,16 +51,17 @@ class Store:
             with np.load(self.folder / "reference.npz", allow_pickle=False) as arrays:
                 facts = json.loads(str(arrays["facts"]))
                 motion = Sampled(*(arrays[name] for name in ("t", "q", "v", "force", "torque")))
-            return Reference(**{**facts, "motion": motion, "scales": Scales(**facts["scales"])})
+                scales = Scales(*(arrays[f"scales.{it.name}"] for it in fields(Scales)))
+            return Reference(**{**facts, "motion": motion, "scales": scales})
         except Exception:  # NumPy and zipfile raise whatever they come upon
             return None
 
     def keep_reference(self, reference: Reference) -> None:
         facts = {name: value for name, value in vars(reference).items() if name not in ("motion", "scales")}
-        text = json.dumps({**facts, "scales": asdict(reference.scales)})
+        scales = {f"scales.{name}": values for name, values in vars(reference.scales).items()}
         beside = self.folder / "reference.part.npz"
         try:
-            np.savez(beside, facts=np.array(text), **vars(reference.motion))
+            np.savez(beside, facts=np.array(json.dumps(facts)), **vars(reference.motion), **scales)
             os.replace(beside, self.folder / "reference.npz")
         except OSError as error:
             raise self._unwritable(error) from error

@@ -280,7 +280,7 @@ class Comparison:
             "reference": {
                 "description": self.reference.description,
                 "error": self.reference.error,
-                "scales": asdict(self.reference.scales),
+                "scales": self.reference.scales.numbers(),
                 "steps": self.reference.steps,
                 "seconds": self.reference.seconds,
                 "unique_joints": list(self.reference.unique_joints),

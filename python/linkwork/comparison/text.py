@@ -7,7 +7,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from linkwork import _core
+from linkwork.arrays import Floats
 
 if TYPE_CHECKING:
     from linkwork.comparison.runs import Outcome
@@ -71,6 +74,12 @@ def _size(outcome: Outcome) -> str:
     return f"{outcome.step:g}" if outcome.step is not None else f"rtol {outcome.rtol:g}"
 
 
+def _range(scales: Floats) -> str:
+    """Of the connected parts, which have their own."""
+    least, most = (f"{value:.3g}" for value in (scales.min(initial=np.inf), scales.max(initial=0.0)))
+    return f"{least} to {most}" if least != most else most
+
+
 def notes(comparison: Comparison) -> list[str]:
     """What the table rests on, and why cells are missing."""
     reference = comparison.reference
@@ -81,14 +90,14 @@ def notes(comparison: Comparison) -> list[str]:
     )
     scales = reference.scales
     unique = f"{len(reference.unique_joints)} of {reference.joint_count}"
-    reactions = f"of reactions to {scales.force:.3g} N, in the {unique} joints where they are unique"
+    reactions = f"of reactions to {_range(scales.force)} N, in the {unique} joints where they are unique"
     if not reference.unique_joints:
         reactions = "reactions are not compared: those of no joint follow from the motion"
     found = [
         f"Reference: {reference.description}; {own}.",
         f"Errors, violations, energies: largest over {_frames(comparison)} of each run.",
-        f"Errors: of poses relative to {scales.length:.3g} m and 1 rad, "
-        f"of velocities to {scales.speed:.3g} m/s, {reactions}.",
+        f"Errors: of poses relative to {_range(scales.length)} m and 1 rad, "
+        f"of velocities to {_range(scales.speed)} m/s, {reactions}.",
         *_noise(comparison),
         "Order, h -> 0: of poses, early in the motion, with steps smaller than those of the table.",
         *_floors(comparison),

@@ -194,8 +194,10 @@ class ErrorEstimator:
         verdict = result.verdict
         if verdict is not None:
             second = None if self._energies.at_rest else found.verdict
-            state = max(state_error(result, finer, self._at_rest), self._onset)
-            new = verified(verdict, state, self._resolution(), second)
+            found_state = state_error(result, finer, self._at_rest)
+            body = self._name(found_state.body)
+            state = max(found_state.error, self._onset)
+            new = verified(verdict, state, self._resolution(), second, body)
             result._statistics["verdict"] = self._explained(new).numbers()
         if output is not None:
             from linkwork.results.writing import add_finer
@@ -288,7 +290,11 @@ class ErrorEstimator:
             found = self._run.judge(system.compiled(), *self._compiled(), progress=report)
         self._carried, self._onset = found["carried"], found["onset"]
         self._at_rest = AtRest(found["rest_length"], found["rest_speed"])
-        return estimate(found, self._energies, self._resolution(), statistics, self._before)
+        body = self._name(found["body"])
+        return estimate(found, self._energies, self._resolution(), statistics, self._before, body)
+
+    def _name(self, body: int) -> str:
+        return self._system.model.compiled().body_name(body) if body >= 0 else ""
 
     def _strict(self, system: System) -> System:
         """One without loose tolerances or penalties, whose errors the parts of a step would share."""

@@ -1,0 +1,45 @@
+#include "linkwork/integration/state_difference.hpp"
+
+#include <algorithm>
+
+#include "linkwork/assembly/connected_components.hpp"
+#include "linkwork/math/rotation.hpp"
+
+namespace linkwork {
+
+StateDifference StateDifference::of_body(const System& system, int body, const VectorXd& a, const VectorXd& b) {
+  const int r = position_size * body, p = r + 3, v = system.q_size() + velocity_size * body;
+  const Vec4<double> other = b.segment<4>(p);
+  const Vec4<double> turn =
+      quaternion_product<double>({other[0], -other[1], -other[2], -other[3]}, a.segment<4>(p) - other);
+  return {(a.segment<3>(r) - b.segment<3>(r)).norm(), 2.0 * turn.tail<3>().norm(),
+          (a.segment<3>(v) - b.segment<3>(v)).norm(), (a.segment<3>(v + 3) - b.segment<3>(v + 3)).norm()};
+}
+
+void StateDifference::raise(const StateDifference& other) {
+  position = std::max(position, other.position);
+  rotation = std::max(rotation, other.rotation);
+  velocity = std::max(velocity, other.velocity);
+  omega = std::max(omega, other.omega);
+}
+
+void StateDifference::lower(const StateDifference& by) {
+  position = std::max(position - by.position, 0.0);
+  rotation = std::max(rotation - by.rotation, 0.0);
+  velocity = std::max(velocity - by.velocity, 0.0);
+  omega = std::max(omega - by.omega, 0.0);
+}
+
+void StateDifference::scale(double factor) {
+  for (double* value : {&position, &rotation, &velocity, &omega}) *value *= factor;
+}
+
+DifferencesOfParts differences(const System& system, const VectorXd& a, const VectorXd& b) {
+  const ConnectedParts& parts = ConnectedParts::of(system);
+  DifferencesOfParts out(parts.count());
+  for (int body = 0; body < system.body_count(); ++body)
+    out[parts.of_body(body)].raise(StateDifference::of_body(system, body, a, b));
+  return out;
+}
+
+}  // namespace linkwork
