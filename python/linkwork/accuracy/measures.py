@@ -151,7 +151,8 @@ class Scales(ReadOnly):
         speed = np.maximum(speed, STILL * length / duration if duration > 0.0 else 0.0)
         still = max(STILL, tolerance or 0.0)
         mass = np.bincount(part, bodies.masses, count)
-        rests = (mass > 0.0) & (_by_part(_way(r, motion.q[:, :, 3:], length[part]), part, count) <= still * length)
+        way = _by_part(_way(r, motion.q[:, :, 3:], length[part]), part, count)
+        rests = (mass > 0.0) & (way <= still * length)
         shaken = still * np.sqrt(force * length / np.where(mass > 0.0, mass, 1.0))
         speed = np.where(rests, np.maximum(speed, shaken), speed)
         return cls(length, _or_one(speed), _or_one(force), part, bodies.joint_part)
@@ -212,14 +213,17 @@ class Differences(ReadOnly):
 
     def states(self, scales: Scales) -> Floats:
         """Of each body (k, n)."""
-        return np.maximum(self._poses(scales), self._velocities(scales))
+        states: Floats = np.maximum(self._poses(scales), self._velocities(scales))
+        return states
 
     def _poses(self, scales: Scales) -> Floats:
-        return np.maximum(self.position / scales.length[scales.part], self.rotation)
+        poses: Floats = np.maximum(self.position / scales.length[scales.part], self.rotation)
+        return poses
 
     def _velocities(self, scales: Scales) -> Floats:
         length, speed = (it[scales.part] for it in (scales.length, scales.speed))
-        return np.maximum(self.velocity, length * self.omega) / speed
+        velocities: Floats = np.maximum(self.velocity, length * self.omega) / speed
+        return velocities
 
 
 def _in_moving_axes(motion: Sampled, bodies: Bodies) -> tuple[Floats, Floats]:
@@ -245,7 +249,8 @@ def _by_part(values: Floats, part: NDArray[np.integer], count: int) -> Floats:
 
 
 def _or_one(scales: Floats) -> Floats:
-    return np.where(scales > 0.0, scales, 1.0)
+    scales = np.where(scales > 0.0, scales, 1.0)
+    return scales
 
 
 def _half_boxes(r: Floats, part: NDArray[np.integer], count: int) -> Floats:
@@ -274,12 +279,14 @@ def _norms(vectors: Floats) -> Floats:
 
 def _largest(vectors: Floats) -> Floats:
     """Longest of each body or joint (n,) over the times, of vectors (k, n, 3)."""
-    return _norms(vectors).max(axis=0, initial=0.0)
+    longest: Floats = _norms(vectors).max(axis=0, initial=0.0)
+    return longest
 
 
 def _at_each_time(values: Floats) -> Floats:
     """Largest of the values (k, n); NaN where there are none."""
-    return values.max(axis=1) if values.shape[1] else np.full(len(values), np.nan)
+    largest: Floats = values.max(axis=1) if values.shape[1] else np.full(len(values), np.nan)
+    return largest
 
 
 def _angle(p: Floats, exact: Floats) -> Floats:

@@ -85,8 +85,8 @@ class Verdict:
     error        the largest of `state`, `energy` and `violation`; of unstable and chaotic motion it may be
                  too small by any factor, unless there was a second run
     state        of poses, relative to the smaller of the path and the size of the motion, and of velocities,
-                 relative to the largest: local errors accumulated over the run; None: no step was taken again.
-                 Bodies that neither joints nor forces connect are judged as if each were alone: the worst count
+                 relative to the largest: local errors accumulated over the run; None: no step was taken
+                 again. Parts that neither joints nor forces connect are judged as if alone: the worst counts
     local_error  of the state, per second [1/s]: the mean over the run
     reactions    of forces and torques, relative to the largest, accumulated likewise; None: not known
     energy       made or lost, relative to the largest kinetic energy or energy exchanged
@@ -292,9 +292,9 @@ def without_steps(
 def verified(
     verdict: Verdict, state: float, method: Method, second: Verdict | None = None, body: str = ""
 ) -> Verdict:
-    """The same with what a finer run says of the state, and of which `body`, which takes the place of the
-    estimate: unless the estimate of the `second`, finer run is hardly smaller, as where steps of both leap over
-    a pulse, or are in step with what oscillates."""
+    """The same with what a finer run says of the state, and of which `body`, in place of the estimate:
+    unless that of the `second`, finer run is hardly smaller, as where steps of both leap over a pulse, or are
+    in step with what oscillates."""
     error = max(state + verdict.before, verdict.energy, verdict.violation)
     body = body if state + verdict.before >= error else ""
     found = _sentence(error, verdict.violation, state, method, verdict.before, verdict.steps, body)
