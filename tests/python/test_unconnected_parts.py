@@ -7,9 +7,8 @@ from typing import Any
 import linkwork as lw
 import numpy as np
 import pytest
-from linkwork.accuracy.measures import Bodies, Differences, Sampled, Scales
-
 from ensembles import alone
+from linkwork.accuracy.measures import Bodies, Differences, Sampled, Scales
 
 OMEGA = 100.0  # rad/s
 
@@ -124,5 +123,6 @@ def test_verdicts_of_lanes_are_those_of_single_runs() -> None:
     found = lw.simulate_many(models, None, 1.0, step=5e-3, progress=False, on_inaccurate="pass")
     assert found.alone == {}
     for k, model in enumerate(models):
-        assert found.member(k).verdict == verdict_of(alone(model, 1.0, 5e-3))
-        assert found.member(k).verdict.body == "small"
+        verdict = verdict_of(found.member(k))
+        assert verdict == verdict_of(alone(model, 1.0, 5e-3))
+        assert verdict.body == "small"

@@ -269,7 +269,8 @@ def _way(r: Floats, p: Floats, length: Floats) -> Floats:
     if not r.size:
         return np.zeros(r.shape[1])
     moved, turned = (np.abs(it - it[0]).max(axis=(0, 2)) for it in (r, p))
-    return np.maximum(moved, 2 * length * turned)
+    way: Floats = np.maximum(moved, 2 * length * turned)
+    return way
 
 
 def _norms(vectors: Floats) -> Floats:
