@@ -143,6 +143,7 @@ class Lane {
   void look_ahead(std::int64_t at, const FixedSteps& steps, const Speeds& speeds, const VectorXd& y,
                   StageFactors* factors);
   const std::vector<char>& in_loops() const { return crossing_.in_loops(); }  ///< see Crossing
+  const Eigen::Matrix3Xd& rotors() const { return crossing_.rotors(); }       ///< see rotor_axes
   void expect_nothing() { looked_ = leapt_ = false; }
 
   /// The smallest pivot of a stage at t.

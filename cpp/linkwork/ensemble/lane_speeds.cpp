@@ -24,14 +24,21 @@ LINKWORK_INLINE Native largest_component(Native most, const Three& a) {
   return most;
 }
 
-void speeds(int bodies, const double* in_loops, const double* y, double* out) {
+/// A vector without its part along an axis.
+LINKWORK_INLINE Three without(const Three& a, const Three& axis) {
+  const Native along = dot(axis, a);
+  return {a.x - axis.x * along, a.y - axis.y * along, a.z - axis.z * along};
+}
+
+void speeds(int bodies, const double* in_loops, const double* rotors, const double* y, double* out) {
   Native component[2]{}, outside[2]{}, inside[2]{};  // linear, angular
   for (long body = 0; body < bodies; ++body) {
     const NativeIndex in_loop = get(in_loops, body) != Native{};
     for (int half = 0; half < 2; ++half) {
-      const Three v = Three::of(y, 7l * bodies + 6 * body + 3l * half);
+      Three v = Three::of(y, 7l * bodies + 6 * body + 3l * half);
+      if (half == 1) v = without(v, Three::of(rotors, 3 * body));
       const Native square = v.square();
-      component[half] = largest_component(component[half], v);
+      component[half] = in_loop ? largest_component(component[half], v) : component[half];
       outside[half] = larger(outside[half], in_loop ? Native{} : square);
       inside[half] = larger(inside[half], in_loop ? square : Native{});
     }

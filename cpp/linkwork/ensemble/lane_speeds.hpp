@@ -7,8 +7,8 @@ namespace linkwork {
 /// What the watches of all lanes look at in every step; layout, instruction sets and bits as of LaneKernels.
 /// y = (q, v, work), 13 n + 1 numbers.
 struct LaneSpeeds {
-  /// The numbers of Speeds, 6 of them. `in_loops`: one a body, not zero where it is in a loop.
-  void (*speeds)(int bodies, const double* in_loops, const double* y, double* out);
+  /// The numbers of Speeds, 6 of them. `in_loops`: one a body, not zero where it is in a loop. `rotors`: their axes.
+  void (*speeds)(int bodies, const double* in_loops, const double* rotors, const double* y, double* out);
   /// As System::kinetic_energy, without inerters. `mass`: 10 numbers a body.
   void (*kinetic_energy)(int bodies, const double* mass, const double* y, double* out);
   /// As StepSampling: of (y_new - y)/h of velocities, of each `every` body, the numbers of Rates; by how much it is

@@ -15,6 +15,7 @@ LaneWatches::LaneWatches(const LaneStructure& structure, const InstructionSet& i
       known_(lanes.size(), 0),
       known_before_(known_) {
   layout_.size(in_loops_, structure_.bodies);
+  layout_.size(rotors_, 3 * structure_.bodies);
   layout_.size(speeds_, 6);
   layout_.size(rates_, velocity_size * structure_.bodies);
   for (AlignedDoubles* one : {&squared_length_, &kinetic_}) layout_.size(*one, 1);
@@ -23,6 +24,7 @@ LaneWatches::LaneWatches(const LaneStructure& structure, const InstructionSet& i
     const Lane& lane = *lanes[l];
     watched_ = watched_ || lane.watches();
     judged_ = judged_ || lane.judged();
+    layout_.give(lane.rotors().data(), lane.rotors().size(), l, rotors_, 0);
     if (lane.watches())
       for (int body = 0; body < structure_.bodies; ++body)
         in_loops_[layout_.index(body, l)] = lane.in_loops()[static_cast<std::size_t>(body)] ? 1.0 : 0.0;
@@ -34,7 +36,7 @@ LaneWatches::LaneWatches(const LaneStructure& structure, const InstructionSet& i
 
 void LaneWatches::begin_step() {
   const double* y = stepper_.states().data();
-  if (watched_) kernels_.speeds(structure_.bodies, in_loops_.data(), y, speeds_.data());
+  if (watched_) kernels_.speeds(structure_.bodies, in_loops_.data(), rotors_.data(), y, speeds_.data());
   if (judged_) kernels_.kinetic_energy(structure_.bodies, stepper_.mass().data(), y, kinetic_.data());
 }
 

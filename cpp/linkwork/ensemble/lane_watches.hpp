@@ -43,7 +43,7 @@ class LaneWatches {
   LaneLayout layout_;
   bool watched_ = false, judged_ = false;
   int every_body_ = 1;
-  AlignedDoubles in_loops_, squared_length_, speeds_, kinetic_, rates_, found_;
+  AlignedDoubles in_loops_, rotors_, squared_length_, speeds_, kinetic_, rates_, found_;
   std::vector<VectorXd> states_, before_;
   std::vector<char> known_, known_before_;
 };

@@ -68,6 +68,7 @@ AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& p
   begin_at(schedule.t_start, schedule.t_end, schedule.start);
   t_ = last_stop_ = start_ = schedule.t_start;
   stepper_.start(dynamics.y_size());
+  if (!watch_.empty()) crossing_.watch_rotors();
   dynamics.require_accuracy(schedule.tolerances.relative);
   workspace_.resize(dynamics.y_size());
   rates_.resize(dynamics.y_size());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "linkwork/constraints/length_scale.hpp"
 #include "linkwork/math/elementary.hpp"
@@ -22,36 +23,52 @@ constexpr double foreseen = 1e-9;               // of velocities that forces bet
 constexpr double consistent = 1e-8;             // correction of the nodes: more, and the branches do not quite meet
 constexpr double farthest_off = 1e-6;           // of a start that is not taken to the constraints, which the nodes are
 
+// Positions of bodies far from the origin are known to their roundoff, blur. A node on the constraints is off its branch
+// by blur / s, s the distance to the pose [rad], its velocities by blur / s^2 and its accelerations by blur / s^3. Forces
+// of constraints, which all of this is, do no work: the motion is much less off than that.
+constexpr double beside = 0.01;        // s of the nodes that are next to a pose
+constexpr double not_resolved = 0.06;  // part of the accelerations of a node in the last of eight polynomials
+
+double of_positions(double blur) { return blur / beside; }
+double of_velocities(double blur) { return blur / (beside * beside); }
+double of_accelerations(double blur) { return blur / (beside * beside * beside); }
+
 /// Whether the sweeps that are left do not suffice at the rate of the last ones: in large mechanisms each is long.
-bool hopeless(const double (&changes)[most_sweeps], int sweep) {
+bool hopeless(const double (&changes)[most_sweeps], int sweep, double noise) {
   if (sweep < slow_from) return false;
   const double rate = changes[sweep] / changes[sweep - looked_back];
   const double left = static_cast<double>(most_sweeps - sweep) / looked_back;
-  return elementary::logarithm(changes[sweep] / roundoff) + left * elementary::logarithm(rate) > 0.0;
+  return elementary::logarithm(changes[sweep] / noise) + left * elementary::logarithm(rate) > 0.0;
 }
 
 }  // namespace
 
 bool CollocationStep::Quality::good() const {
-  return converged && correction <= consistent && resolution <= resolved && energy <= tolerance && unseen <= foreseen;
+  return converged && correction <= std::max(consistent, of_positions(blur)) &&
+         resolution <= std::max(resolved, not_resolved * of_accelerations(blur)) && energy <= tolerance &&
+         unseen <= std::max(foreseen, of_velocities(blur));
 }
 
 bool CollocationStep::Quality::fair() const {
   const double projected = off > 0.0 ? of_projection * jump : 0.0;
-  return converged && correction <= std::max(consistent, 2.0 * off) && resolution <= fair_tolerance &&
-         std::max(energy, unseen) <= std::max(fair_tolerance, projected);
+  const double blurred = not_resolved * of_accelerations(blur);
+  return converged && correction <= std::max({consistent, 2.0 * off, of_positions(blur)}) &&
+         resolution <= std::max(fair_tolerance, blurred) &&
+         std::max(energy, unseen) <= std::max({fair_tolerance, projected, of_velocities(blur)});
 }
 
 double CollocationStep::Quality::error() const { return std::max({end_part * resolution, energy, unseen, roundoff}); }
 
-double CollocationStep::rate(const Eigen::Matrix<double, 6, 1>& v) const {
-  return std::max(v.head<3>().norm() / length_, v.tail<3>().norm());
+double CollocationStep::rate(int body, const ConstVector& velocities) const {
+  const auto axis = rotors_.col(body);
+  const Vec3<double> omega = velocities.segment<3>(6 * body + 3);
+  return std::max(velocities.segment<3>(6 * body).norm() / length_, (omega - axis * axis.dot(omega)).norm());
 }
 
 double CollocationStep::size(const ConstVector& velocities) const {
   double largest = 0.0;
   for (int body = 0; body < dynamics_.system().body_count(); ++body)
-    largest = std::max(largest, rate(velocities.segment<6>(6 * body)));
+    largest = std::max(largest, rate(body, velocities));
   return largest;
 }
 
@@ -60,12 +77,15 @@ void CollocationStep::begin_in_pose(double t, const VectorXd& y, double off) {
   off_ = off;
   note_energy(y);
   dynamics_.rates(rates_before_);
+  step_.axes.see_rates(0.0, step_.y, rates_before_);
   v_dot_before_ = rates_before_.segment(dynamics_.system().q_size(), v_dot_.size());
 }
 
 void CollocationStep::allocate(double t, const VectorXd& y) {
   const System& system = dynamics_.system();
-  step_ = {t, 0.0, 0.0, y, {}, MatrixXd(y.size(), stages), MatrixXd::Zero(system.row_count(), stages)};
+  blur_ = std::numeric_limits<double>::epsilon() * farthest_position(system, y.head(system.q_size()));
+  const SpinningAxes axes = SpinningAxes::at_start(rotors_, y.segment(system.q_size(), system.v_size()));
+  step_ = {t, 0.0, 0.0, y, {}, axes, MatrixXd(y.size(), stages), MatrixXd::Zero(system.row_count(), stages)};
   v_dot_.resize(system.v_size());
   g_.resize(system.v_size(), stages);
   for (VectorXd* rates : {&rates_, &rates_before_}) rates->resize(y.size());
@@ -77,12 +97,16 @@ bool CollocationStep::begin(double t, const VectorXd& y, bool on_constraints) {
   if (!can_project(t, projected) && on_constraints) return false;
   off_ = on_constraints ? 0.0 : std::min(displacement(y, projected), farthest_off);
   if (on_constraints) step_.y = std::move(projected);
+  const System& system = dynamics_.system();
+  step_.axes = SpinningAxes::at_start(rotors_, step_.y.segment(system.q_size(), system.v_size()));
   dynamics_.evaluate(t, step_.y);
   note_energy(step_.y);
   VectorXd lambda(dynamics_.system().row_count());
   v_dot_before_.resize(v_dot_.size());
   dynamics_.refined_accelerations(v_dot_before_, lambda);
   dynamics_.rates(v_dot_before_, lambda, rates_before_);
+  step_.axes.see_rates(0.0, step_.y, rates_before_);
+  v_dot_before_ = rates_before_.segment(system.q_size(), v_dot_.size());
   return true;
 }
 
@@ -122,16 +146,17 @@ CollocationStep::Quality CollocationStep::attempt(double h, int left_out) {
 
 /// Fixed-point iteration, node after node: it converges like (h L)^k / k!.
 bool CollocationStep::iterate() {
+  const double noise = std::max(roundoff, of_accelerations(blur_));
   double last = INFINITY, changes[most_sweeps];
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     double change = 0.0;
     correction_ = jump_ = 0.0;
     for (int i = 0; i < stages; ++i) change = std::max(change, i == left_out_ ? extrapolated_node(i) : node(i));
     if (!std::isfinite(change)) return false;
-    if (change <= converged || (change <= roundoff && change > shrinking * last)) return true;
-    if (sweep > 3 && change > 2.0 * last) return change <= roundoff;
+    if (change <= converged || (change <= noise && change > shrinking * last)) return true;
+    if (sweep > 3 && change > 2.0 * last) return change <= noise;
     changes[sweep] = last = change;
-    if (hopeless(changes, sweep)) return false;
+    if (hopeless(changes, sweep, noise)) return false;
   }
   return false;
 }
@@ -151,10 +176,11 @@ double CollocationStep::displacement(const VectorXd& from, const VectorXd& to) c
 double CollocationStep::node(int i) {
   const System& system = dynamics_.system();
   const int nq = system.q_size(), nv = system.v_size();
-  const double t = step_.t + gauss_.c[i] * step_.h;
+  const double time = gauss_.c[i] * step_.h, t = step_.t + time;
   y_ = step_.y;
   y_.noalias() += step_.h * (step_.k * gauss_.A.row(i).transpose());
   system.normalize(y_.head(nq));
+  step_.axes.carry(time, y_);
   rates_ = y_;
   project(t, y_);
   correction_ = std::max(correction_, displacement(rates_, y_));
@@ -162,8 +188,10 @@ double CollocationStep::node(int i) {
   if (before > 0.0) jump_ = std::max(jump_, size(y_.segment(nq, nv) - rates_.segment(nq, nv)) / before);
   dynamics_.evaluate(t, y_);
   g_.col(i) = dynamics_.evaluation().g.head(nv);
+  step_.axes.see_forces(time, g_.col(i));
   dynamics_.refined_accelerations(v_dot_, step_.lambda.col(i));
   dynamics_.rates(v_dot_, step_.lambda.col(i), rates_);
+  step_.axes.see_rates(time, y_, rates_);
   return changed(i, speed);
 }
 
@@ -207,6 +235,7 @@ void CollocationStep::finish(Quality& quality) {
   const auto v = step_.y.segment(nq, nv), v_new = step_.y_new.segment(nq, nv);
   quality.correction = correction_;
   quality.off = off_;
+  quality.blur = blur_;
   quality.jump = jump_;
   quality.resolution = step_.h * size(rest.segment(nq, nv)) / (2.0 * stages * std::max(size(v), size(v_new)));
   rates_ = step_.y_new;
@@ -227,7 +256,9 @@ double CollocationStep::unseen(double interval) {
     const double time = k * interval;
     state_at(time, y_);
     dynamics_.evaluate(step_.t + time, y_);
-    rest = dynamics_.evaluation().g.head(nv) - g_ * gauss_.values(time / step_.h);
+    rest = dynamics_.evaluation().g.head(nv);
+    step_.axes.see_forces(time, rest);
+    rest -= g_ * gauss_.values(time / step_.h);
     system.multiply_inverse_mass(rest, v_dot_);
     sum += size(v_dot_);
     violation = std::max(violation, dynamics_.evaluation().Phi_dot.cwiseQuotient(lengths).cwiseAbs().maxCoeff());
@@ -252,6 +283,7 @@ void CollocationStep::state_at(double time, VectorXd& y) const {
   y = step_.y;
   y.noalias() += step_.h * (step_.k * gauss_.integrals(time / step_.h));
   system.normalize(y.head(system.q_size()));
+  step_.axes.carry(time, y);
 }
 
 void CollocationStep::accelerations_at(double time, MutableVector v_dot, MutableVector lambda) const {
@@ -259,6 +291,21 @@ void CollocationStep::accelerations_at(double time, MutableVector v_dot, Mutable
   const GaussCollocation::Weights l = gauss_.values(time / step_.h);
   v_dot = (step_.k * l).segment(system.q_size(), system.v_size());
   lambda = step_.lambda * l;
+  if (step_.axes.Omega.isZero(0.0)) return;
+  VectorXd y;
+  state_at(time, y);
+  step_.axes.carry_accelerations(time, y, v_dot);
+  hold_rotors(time, y, v_dot, lambda);
+}
+
+/// Equations of hinges along axes of a rotor turn with it: their multipliers are none that the polynomials know.
+void CollocationStep::hold_rotors(double time, const VectorXd& y, const VectorXd& v_dot, MutableVector lambda) const {
+  const System& system = dynamics_.system();
+  Evaluation at = system.make_evaluation();
+  system.evaluate(step_.t + time, y.head(system.q_size()), y.segment(system.q_size(), system.v_size()),
+                  dynamics_.history(), at);
+  for (int body = 0; body < system.body_count(); ++body)
+    if (!step_.axes.Omega.col(body).isZero(0.0)) hold_rotor(system, at, body, v_dot, lambda);
 }
 
 }  // namespace linkwork

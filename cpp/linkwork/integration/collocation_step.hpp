@@ -4,6 +4,7 @@
 
 #include "linkwork/formulation/projection.hpp"
 #include "linkwork/integration/gauss_collocation.hpp"
+#include "linkwork/integration/spinning_axes.hpp"
 
 namespace linkwork {
 
@@ -13,12 +14,13 @@ struct Leap {
   double followed = 0.0;           ///< of h, by the run
   VectorXd y;                      ///< at t, on the constraints
   VectorXd y_new;                  ///< at t + followed; at t + h, on the constraints
-  MatrixXd k;                      ///< y_dot at the nodes
+  SpinningAxes axes;               ///< from which the polynomials are seen
+  MatrixXd k;                      ///< y_dot at the nodes, seen from there
   MatrixXd lambda;                 ///< multipliers at the nodes
   std::vector<double> poses = {};  ///< singular ones, times from t
 
   double end() const { return t + h; }
-  void keep(Archive& archive) { archive(t, h, followed, y, y_new, k, lambda, poses); }
+  void keep(Archive& archive) { archive(t, h, followed, y, y_new, axes.Omega, k, lambda, poses); }
 };
 
 /// A step by Gauss collocation whose nodes stand on the constraints, Phi = 0 and D v + Phi_t = 0. All methods but
@@ -37,13 +39,19 @@ class CollocationStep {
     double energy = 0.0;      ///< that is missing at the end, relative to the kinetic energy
     double unseen = 0.0;      ///< see `unseen`
     double roundoff = 0.0;    ///< in the node next to a singular pose, relative
+    double blur = 0.0;        ///< roundoff of the positions, relative to the length
     bool good() const;
     bool fair() const;
     double error() const;  ///< of what comes after it
   };
 
   /// `length` of the mechanism [m]: velocities count relative to it.
-  CollocationStep(Dynamics& dynamics, double length) : dynamics_(dynamics), projection_(dynamics), length_(length) {}
+  CollocationStep(Dynamics& dynamics, double length)
+      : dynamics_(dynamics), projection_(dynamics), length_(length), rotors_(rotor_axes(dynamics.system())) {}
+
+  /// Rotors turn no farther in a step than others do: somebody looks at how far they turn.
+  void watch_rotors() { rotors_.setZero(); }
+  const Eigen::Matrix3Xd& rotors() const { return rotors_; }  ///< see rotor_axes
 
   /// From (t, y): the state, its rates, its energy. It is taken to the constraints if wanted: beside a singular pose
   /// what it is off would become larger velocities by that, and the end of the step is a better place. False where it
@@ -64,6 +72,7 @@ class CollocationStep {
   int left_out() const { return left_out_; }
   /// Of the nodes from the start of the step, relative to it.
   const auto& nodes() const { return gauss_.c; }
+  /// As they are seen.
   const VectorXd& start_accelerations() const { return v_dot_before_; }
 
   /// At so many seconds from t, with unit Euler parameters.
@@ -73,8 +82,10 @@ class CollocationStep {
   void project(double t, VectorXd& y);
 
   double length() const { return length_; }
-  /// Of the motion of one body, or of the fastest [rad/s].
-  double rate(const Eigen::Matrix<double, 6, 1>& v) const;
+  /// Roundoff of the positions where the step begins, relative to the length.
+  double blur() const { return blur_; }
+  /// Of the motion of one body, or of the fastest [rad/s]; a rotor's own rotation is none.
+  double rate(int body, const ConstVector& velocities) const;
   double size(const ConstVector& velocities) const;
 
  private:
@@ -90,10 +101,13 @@ class CollocationStep {
   double energy(const VectorXd& y) const;
   void note_energy(const VectorXd& y);
   double displacement(const VectorXd& from, const VectorXd& to) const;
+  void hold_rotors(double time, const VectorXd& y, const VectorXd& v_dot, MutableVector lambda) const;
 
   Dynamics& dynamics_;
   Projection projection_;
   double length_;
+  Eigen::Matrix3Xd rotors_;
+  double blur_ = 0.0;
   int left_out_ = none;
   GaussCollocation gauss_;
   Leap step_;

@@ -76,7 +76,7 @@ double Crossing::usual_length(const ConstVector& v, const ConstVector& v_dot) co
   double least = INFINITY;
   for (int body = 0; body < dynamics_.system().body_count(); ++body) {
     const double way = in_loops_[static_cast<std::size_t>(body)] ? reach : fastest;
-    least = std::min(least, time_of(way, step_.rate(v.segment<6>(6 * body)), step_.rate(v_dot.segment<6>(6 * body))));
+    least = std::min(least, time_of(way, step_.rate(body, v), step_.rate(body, v_dot)));
   }
   return least;
 }
@@ -90,12 +90,18 @@ double Crossing::usual_length(const Speeds& speeds) const {
 
 // The deterministic sums of lane_speeds.cpp are of the same order.
 Speeds Crossing::speeds(const ConstVector& v) const {
-  const Eigen::Map<const Eigen::Matrix<double, 6, Eigen::Dynamic>> rates(v.data(), 6, v.size() / 6);
-  Speeds out{rates.topRows<3>().cwiseAbs().maxCoeff(), rates.bottomRows<3>().cwiseAbs().maxCoeff()};
+  Speeds out;
   for (int body = 0; body < dynamics_.system().body_count(); ++body) {
-    double* const squares = in_loops_[static_cast<std::size_t>(body)] ? out.inside : out.outside;
-    squares[0] = std::max(squares[0], v.segment<3>(6 * body).squaredNorm());
-    squares[1] = std::max(squares[1], v.segment<3>(6 * body + 3).squaredNorm());
+    const bool in_loop = in_loops_[static_cast<std::size_t>(body)];
+    const Vec3<double> axis = step_.rotors().col(body), r_dot = v.segment<3>(6 * body);
+    Vec3<double> omega = v.segment<3>(6 * body + 3);
+    omega -= axis * axis.dot(omega);
+    double* const squares = in_loop ? out.inside : out.outside;
+    squares[0] = std::max(squares[0], r_dot.squaredNorm());
+    squares[1] = std::max(squares[1], omega.squaredNorm());
+    if (!in_loop) continue;
+    out.linear = std::max(out.linear, r_dot.cwiseAbs().maxCoeff());
+    out.angular = std::max(out.angular, omega.cwiseAbs().maxCoeff());
   }
   return out;
 }
@@ -173,7 +179,7 @@ bool Crossing::pivot_changes(double t, const VectorXd& y, double root) {
   return changes || away;
 }
 
-/// Of the components of all motions [rad/s].
+/// Of the components of the motions in loops, on which poses depend [rad/s].
 double Crossing::largest_rate(const Speeds& speeds) const {
   return std::max(speeds.linear / step_.length(), speeds.angular);
 }
@@ -219,7 +225,7 @@ bool Crossing::is_due_by(double t, double h, const Speeds& speeds, bool adaptive
   fastest_ = largest_rate(speeds);
   turned_ += fastest_ * (t - std::exchange(turned_until_, t));
   keep_rows_good(state);
-  const bool falls = (falls_to_ < INFINITY || !(fastest_ > 0.0)) &&  // else no distance is near enough
+  const bool falls = (falls_to_ < INFINITY || speeds.none()) &&  // else no distance is near enough
                      falls_to_ - t <= near_enough(usual_length(speeds), h, adaptive);
   if (turned_ + 0.5 * fastest_ * h >= next_look_ || fastest_ * h > coarse || falls) look(t, state);
   if (std::abs(fastest_ - known_rate_) > other_pace * known_rate_) known_ = -INFINITY;

@@ -12,10 +12,11 @@
 
 namespace linkwork {
 
-/// How fast the bodies of a mechanism move.
+/// How fast the bodies of a mechanism move; rotations of rotors about their axes do not count.
 struct Speeds {
-  double linear = 0.0, angular = 0.0;  ///< the largest components [m/s, rad/s]
+  double linear = 0.0, angular = 0.0;  ///< the largest components of bodies in loops [m/s, rad/s]
   double outside[2]{}, inside[2]{};    ///< the largest squares of both, of bodies outside of loops and in them
+  bool none() const { return outside[0] + outside[1] + inside[0] + inside[1] == 0.0; }
 };
 
 /// Who brings `dynamics` to the state that is looked at, which it gives: where it is needed at all.
@@ -57,6 +58,9 @@ class Crossing final : public Interpolant {
   /// is true.
   bool due(double t, double h, const Speeds& speeds, bool adaptive, Arrival& state);
   const std::vector<char>& in_loops() const { return in_loops_; }  ///< one a body; empty where nothing is watched
+  const Eigen::Matrix3Xd& rotors() const { return step_.rotors(); }
+  /// Somebody, such as a function of an event, looks at how far rotors turn: leaps are short enough to tell.
+  void watch_rotors() { step_.watch_rotors(); }
   /// For an adaptive step where none is due: to where a leap over the pose ahead begins well.
   double most_step() const { return most_step_; }
   /// After an adaptive step h from t, where `dynamics` is evaluated at its end: a shorter one, where that is beside a
@@ -148,6 +152,8 @@ class Crossing final : public Interpolant {
   bool beside_a_pose(double time) const;
   bool in_doubt();
   bool tell(const Interpolant& step, double t, double h, double time, VectorXd& v_dot, VectorXd& lambda);
+  bool tells_forces() const;
+  bool between_forces_beside(const Interpolant& step, double t, double h, double at, VectorXd& v_dot, VectorXd& lambda);
   [[noreturn]] void throw_no_branch(double t) const;
   void keep_rows_good(Arrival& state);
   Speeds speeds(const ConstVector& v) const;

@@ -8,8 +8,9 @@
 namespace linkwork {
 namespace {
 
-constexpr double doubtful = 0.1;  // of the usual root: nearer to a pose, small violations make other forces
-constexpr double away = 0.03;     // rad between states whose forces tell those in the pose, at most
+constexpr double doubtful = 0.1;   // of the usual root: nearer to a pose, small violations make other forces
+constexpr double solvable = 1e-2;  // of the usual root: nearer to a pose, forces are of few digits
+constexpr double away = 0.03;      // rad between states whose forces tell those in the pose
 constexpr int most_states = 6, least_states = 4;
 
 /// Weights of the polynomial through values at so many times, at time 0.
@@ -68,40 +69,62 @@ bool Crossing::in_doubt() {
   return dynamics_.formulation().root_of_pivot() < doubtful * dynamics_.watch().root_of_level();
 }
 
-/// Accelerations and multipliers at `time` in a step; false in a pose.
+/// Accelerations and multipliers at `time` in a step, on the constraints, from which it is off by its tolerance: beside
+/// a pose that would make other forces. False in a pose.
 bool Crossing::tell(const Interpolant& step, double t, double h, double time, VectorXd& v_dot, VectorXd& lambda) {
   step.interpolate(dynamics_.system(), (time - t) / h, y_);
-  dynamics_.evaluate(time, y_);
   try {
-    dynamics_.accelerations(v_dot, lambda);
+    step_.project(time, y_);
+    dynamics_.evaluate(time, y_);
+    dynamics_.refined_accelerations(v_dot, lambda);
   } catch (const SingularSystemError&) {
+    return false;
+  } catch (const NotConvergedError&) {
     return false;
   }
   return true;
 }
 
-/// By the forces some hundredths of a radian before and after it, where the equations tell them.
+/// By the equations there; nearer to a pose than these tell anything, by the forces some hundredths of a radian before and
+/// after it.
 bool Crossing::accelerations_beside(const Interpolant& step, double t, double h, double at, MutableVector v_dot,
                                     MutableVector lambda) {
   if (!in_doubt()) return false;
+  VectorXd its_v_dot(v_dot.size()), its_lambda(lambda.size());
+  const bool told = tell(step, t, h, at, its_v_dot, its_lambda);
+  const bool found = (told && tells_forces()) || between_forces_beside(step, t, h, at, its_v_dot, its_lambda) ||
+                     tell(step, t, h, at, its_v_dot, its_lambda);
+  step.interpolate(dynamics_.system(), (at - t) / h, y_);
+  dynamics_.evaluate(at, y_);
+  if (!found) return false;
+  v_dot = its_v_dot;
+  lambda = its_lambda;
+  return true;
+}
+
+/// Whether the state where `dynamics` is factorized is so far from a pose.
+bool Crossing::tells_forces() const {
+  return dynamics_.formulation().root_of_pivot() >= solvable * dynamics_.watch().root_of_level();
+}
+
+/// False where the step has too few states that tell them.
+bool Crossing::between_forces_beside(const Interpolant& step, double t, double h, double at, VectorXd& v_dot,
+                                     VectorXd& lambda) {
   const System& system = dynamics_.system();
   step.interpolate(system, (at - t) / h, y_);
-  const double rate = largest_rate(y_.segment(system.q_size(), system.v_size()));
-  if (!(rate > 0.0)) return false;
-  const double apart = std::min(away / rate, std::max(at - t, t + h - at) / least_states);
+  const double apart = away / largest_rate(y_.segment(system.q_size(), system.v_size()));
+  if (!(apart < h)) return false;
   std::vector<double> times, weights;
   std::vector<VectorXd> accelerations, multipliers;
   VectorXd its_v_dot(v_dot.size()), its_lambda(lambda.size());
   for (int k = 1; k <= most_states; ++k)
     for (const double time : {k * apart, -k * apart}) {
       if (static_cast<int>(times.size()) == most_states || at + time < t || at + time > t + h) continue;
-      if (!tell(step, t, h, at + time, its_v_dot, its_lambda)) continue;
+      if (!tell(step, t, h, at + time, its_v_dot, its_lambda) || !tells_forces()) continue;
       times.push_back(time);
       accelerations.push_back(its_v_dot);
       multipliers.push_back(its_lambda);
     }
-  step.interpolate(system, (at - t) / h, y_);
-  dynamics_.evaluate(at, y_);
   if (static_cast<int>(times.size()) < least_states) return false;
   lagrange_weights(times, weights);
   v_dot.setZero();

@@ -191,7 +191,8 @@ void Crossing::weigh(Search& search, CollocationStep::Quality quality) {
   const double end = std::min(search.most, search.smooth);  // something ends it there
   const bool beyond = last > leap_.h && leap_.h < end, clear = nearest >= margin && !beyond;
   const bool over = search.poses.front() <= leap_.h || leap_.h >= end;
-  quality.roundoff = precision * elementary::power(search.usual / (reach * nearest * leap_.h), 2.0);
+  const double roundoff = std::max(precision, step_.blur());
+  quality.roundoff = roundoff * elementary::power(search.usual / (reach * nearest * leap_.h), 2.0);
   if (quality.fair() && !stays_before_switches(search)) return;
   if (quality.fair()) quality.unseen = step_.unseen(search.grid > 0.0 ? search.grid : leap_.h / looked_at_between);
   search.done = quality.good() && clear;

@@ -1,0 +1,113 @@
+"""Leaps over singular poses: of mechanisms far from the origin, and beside fast rotors."""
+
+from __future__ import annotations
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork import mechanisms
+
+
+def bars_at(place: float, turn: float) -> lw.Model:
+    """A parallelogram of bars of 1 m and 1 kg, its posts up at 1 rad/s, moved and turned about z."""
+    c, s = np.cos(turn), np.sin(turn)
+    R = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+    o = place * np.array([1.0, 0.5, 0.7])
+    model = lw.Model(gravity=tuple(R @ (0, -9.81, 0)))
+
+    def bar(name: str, center: tuple[float, float], along: float, omega: float) -> lw.Body:
+        p = (np.cos((along + turn) / 2), 0, 0, np.sin((along + turn) / 2))
+        return model.body(
+            name,
+            mass=1.0,
+            inertia=(1e-3, 1 / 12, 1 / 12),
+            position=tuple(R @ (*center, 0) + o),
+            orientation=p,
+            velocity=tuple(R @ (center[1], 0, 0)),
+            omega=(0, 0, omega),
+        )
+
+    left, right = (bar(f"post {x}", (x, 0.5), np.pi / 2, -1.0) for x in (0, 1))
+    beam = bar("beam", (0.5, 1.0), 0.0, 0.0)
+    for name, a, b, at in (
+        ("left", model.ground, left, (0, 0, 0)),
+        ("right", model.ground, right, (1, 0, 0)),
+        ("left pin", left, beam, (0, 1, 0)),
+        ("right pin", right, beam, (1, 1, 0)),
+    ):
+        model.revolute(a, b, at=tuple(R @ at + o), axis=(0, 0, 1), name=name)
+    return model
+
+
+@pytest.mark.parametrize("options", [{"step": 1e-4}, {"rtol": 1e-8}], ids=["fixed", "adaptive"])
+@pytest.mark.parametrize("place", [1e4, 3e4])
+def test_leaps_far_from_the_origin_are_what_roundoff_of_positions_allows(
+    place: float, options: dict[str, float]
+) -> None:
+    """Of a turned mechanism: its positions, and lengths along axes, are no round numbers."""
+    near = lw.simulate(bars_at(0.0, 0.0), 1.5, rtol=1e-11, times=[1.5], progress=False)
+    far = lw.simulate(bars_at(place, 0.3), 1.5, **options, on_inaccurate="pass", progress=False)
+    assert len(far.singular_poses) == len(near.singular_poses) == 2
+    assert np.abs(far.v[-1][:, 5] - near.v[-1][:, 5]).max() <= 1e-6
+
+
+def with_rotor(omega: float, on: str, inertia: tuple[float, float, float] = (0.05, 0.05, 0.1)) -> lw.Model:
+    """A four-bar with a rotor about z in the middle of its beam, or on a bearing beside it."""
+    model = mechanisms.four_bar(1)
+    if not on:
+        return model
+    at = (0.5, 1.0, 0.0) if on == "beam 0" else (50.0, 0.0, 0.0)
+    moves = (1.0, 0.0, 0.0) if on == "beam 0" else (0.0, 0.0, 0.0)
+    model.body("rotor", mass=0.3, inertia=inertia, position=at, velocity=moves, omega=(0, 0, omega))
+    model.revolute(on, "rotor", at=at, axis=(0, 0, 1), name="bearing")
+    return model
+
+
+def forces_beside_a_pose(model: lw.Model, pose: float, **options: float | str) -> np.ndarray:
+    after = np.array([0, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2])
+    times = np.unique(np.concatenate([pose - after, pose + after]))
+    result = lw.simulate(model, 1.0, times=times, progress=False, on_inaccurate="pass", **options)
+    return result.reaction("left 0").force
+
+
+@pytest.mark.parametrize("options", [{"rtol": 1e-6}, {"rtol": 1e-8, "integrator": "dop853"}], ids=str)
+@pytest.mark.parametrize("on", ["ground", "beam 0"])
+def test_a_fast_rotor_changes_no_force_beside_a_pose(on: str, options: dict[str, float]) -> None:
+    """Its rotation about the axis of its symmetry has no part in what goes on in the plane."""
+    alone = with_rotor(0.0, on if on != "ground" else "")
+    pose = lw.simulate(alone, 0.8, rtol=1e-11, progress=False).singular_poses[0].t
+    expected = forces_beside_a_pose(alone, pose, rtol=1e-10)
+    found = forces_beside_a_pose(with_rotor(3000.0, on), pose, **options)
+    assert np.abs(found - expected).max() <= 1e-4  # N, of 12 N
+
+
+def test_the_bearing_of_a_fast_gyroscope_has_its_torque_in_leaps() -> None:
+    """J Omega theta_dot, of an axis along the post, whatever the axes along which the bearing counts it."""
+    moment, spin = 0.1, 1000.0
+    model = mechanisms.four_bar(1)
+    q = (np.cos(np.pi / 4), 0, 0, np.sin(np.pi / 4))
+    model.body(
+        "rotor",
+        mass=0.3,
+        inertia=(moment, 1e-6, 1e-6),
+        inertia_as_is=True,
+        position=(0, 0.5, 0),
+        orientation=q,
+        velocity=(0.5, 0, 0),
+        omega=(spin, 0, -1.0),
+    )
+    model.revolute("post 0", "rotor", at=(0, 0.5, 0), axis=(0, 1, 0), name="bearing")
+    times = 0.70845 + np.linspace(-6e-3, 6e-3, 25)
+    result = lw.simulate(model, times[-1], rtol=1e-7, times=times, progress=False, on_inaccurate="pass")
+    torque = np.linalg.norm(result.reaction("bearing").torque, axis=1)
+    theta_dot = np.abs(result.v[:, 0, 5])
+    assert torque == pytest.approx(moment * spin * theta_dot, rel=1e-5)
+
+
+def test_frames_some_hundredths_of_a_radian_from_a_pose_ask_nothing_of_it() -> None:
+    """Where a usual step leads over it. Of a rotor that is not symmetric, beside the mechanism."""
+    pose = lw.simulate(with_rotor(0.0, ""), 0.8, rtol=1e-11, progress=False).singular_poses[0].t
+    expected = forces_beside_a_pose(with_rotor(0.0, ""), pose, rtol=1e-10)
+    model = with_rotor(30.0, "ground", (0.02, 0.07, 0.05))
+    found = forces_beside_a_pose(model, pose, rtol=1e-9, integrator="dop853")
+    assert np.abs(found - expected).max() <= 1e-4  # N
