@@ -10,7 +10,7 @@ namespace {
 
 constexpr double doubtful = 0.1;   // of the usual root: nearer to a pose, small violations make other forces
 constexpr double solvable = 1e-2;  // of the usual root: nearer to a pose, forces are of few digits
-constexpr double away = 0.03;      // rad between states whose forces tell those in the pose
+constexpr double away = 0.03;      // rad between states whose forces tell those in the pose, at most
 constexpr int most_states = 6, least_states = 4;
 
 /// Weights of the polynomial through values at so many times, at time 0.
@@ -85,15 +85,14 @@ bool Crossing::tell(const Interpolant& step, double t, double h, double time, Ve
   return true;
 }
 
-/// By the equations there; nearer to a pose than these tell anything, by the forces some hundredths of a radian before and
-/// after it.
+/// By the forces some hundredths of a radian before and after it; where the step is not that long, by the equations
+/// there.
 bool Crossing::accelerations_beside(const Interpolant& step, double t, double h, double at, MutableVector v_dot,
                                     MutableVector lambda) {
   if (!in_doubt()) return false;
   VectorXd its_v_dot(v_dot.size()), its_lambda(lambda.size());
-  const bool told = tell(step, t, h, at, its_v_dot, its_lambda);
-  const bool found = (told && tells_forces()) || between_forces_beside(step, t, h, at, its_v_dot, its_lambda) ||
-                     tell(step, t, h, at, its_v_dot, its_lambda);
+  const bool found =
+      between_forces_beside(step, t, h, at, its_v_dot, its_lambda) || tell(step, t, h, at, its_v_dot, its_lambda);
   step.interpolate(dynamics_.system(), (at - t) / h, y_);
   dynamics_.evaluate(at, y_);
   if (!found) return false;
@@ -112,8 +111,9 @@ bool Crossing::between_forces_beside(const Interpolant& step, double t, double h
                                      VectorXd& lambda) {
   const System& system = dynamics_.system();
   step.interpolate(system, (at - t) / h, y_);
-  const double apart = away / largest_rate(y_.segment(system.q_size(), system.v_size()));
-  if (!(apart < h)) return false;
+  const double rate = largest_rate(y_.segment(system.q_size(), system.v_size()));
+  if (!(rate > 0.0)) return false;
+  const double apart = std::min(away / rate, std::max(at - t, t + h - at) / least_states);
   std::vector<double> times, weights;
   std::vector<VectorXd> accelerations, multipliers;
   VectorXd its_v_dot(v_dot.size()), its_lambda(lambda.size());
