@@ -21,6 +21,7 @@ constexpr int most_attempts = 12;
 // Of the length, where a leap does not converge: a node may be in the pose, or the leap too long.
 constexpr double other_lengths[most_attempts] = {0.85, 1.15, 0.7, 0.6, 0.5, 1.3, 0.4, 0.35, 0.3, 0.25, 0.2, 0.15};
 constexpr double precision = 1e-16;         // of solutions, relative to the square of the angle to the pose
+constexpr double part_of_blur = 0.05;       // for that, far from the origin
 constexpr double no_branch = 1e-2;          // correction of velocities by the constraints: they do not go on that way
 constexpr double looked_at_between = 36.0;  // times, where steps are adaptive: the eight nodes are not all that counts
 constexpr double beside_pose = 0.05;        // of a leap: so near nothing is projected
@@ -191,7 +192,7 @@ void Crossing::weigh(Search& search, CollocationStep::Quality quality) {
   const double end = std::min(search.most, search.smooth);  // something ends it there
   const bool beyond = last > leap_.h && leap_.h < end, clear = nearest >= margin && !beyond;
   const bool over = search.poses.front() <= leap_.h || leap_.h >= end;
-  const double roundoff = std::max(precision, step_.blur());
+  const double roundoff = std::max(precision, part_of_blur * step_.blur());
   quality.roundoff = roundoff * elementary::power(search.usual / (reach * nearest * leap_.h), 2.0);
   if (quality.fair() && !stays_before_switches(search)) return;
   if (quality.fair()) quality.unseen = step_.unseen(search.grid > 0.0 ? search.grid : leap_.h / looked_at_between);
