@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import linkwork as lw
 import numpy as np
 import pytest
@@ -42,7 +44,7 @@ def bars_at(place: float, turn: float) -> lw.Model:
 @pytest.mark.parametrize("options", [{"step": 1e-4}, {"rtol": 1e-8}], ids=["fixed", "adaptive"])
 @pytest.mark.parametrize("place", [1e4, 3e4])
 def test_leaps_far_from_the_origin_are_what_roundoff_of_positions_allows(
-    place: float, options: dict[str, float]
+    place: float, options: dict[str, Any]
 ) -> None:
     """Of a turned mechanism: its positions, and lengths along axes, are no round numbers."""
     near = lw.simulate(bars_at(0.0, 0.0), 1.5, rtol=1e-11, times=[1.5], progress=False)
@@ -63,7 +65,7 @@ def with_rotor(omega: float, on: str, inertia: tuple[float, float, float] = (0.0
     return model
 
 
-def forces_beside_a_pose(model: lw.Model, pose: float, **options: float | str) -> np.ndarray:
+def forces_beside_a_pose(model: lw.Model, pose: float, **options: Any) -> np.ndarray:
     after = np.array([0, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2])
     times = np.unique(np.concatenate([pose - after, pose + after]))
     result = lw.simulate(model, 1.0, times=times, progress=False, on_inaccurate="pass", **options)
@@ -72,7 +74,7 @@ def forces_beside_a_pose(model: lw.Model, pose: float, **options: float | str) -
 
 @pytest.mark.parametrize("options", [{"rtol": 1e-6}, {"rtol": 1e-8, "integrator": "dop853"}], ids=str)
 @pytest.mark.parametrize("on", ["ground", "beam 0"])
-def test_a_fast_rotor_changes_no_force_beside_a_pose(on: str, options: dict[str, float]) -> None:
+def test_a_fast_rotor_changes_no_force_beside_a_pose(on: str, options: dict[str, Any]) -> None:
     """Its rotation about the axis of its symmetry has no part in what goes on in the plane."""
     alone = with_rotor(0.0, on if on != "ground" else "")
     pose = lw.simulate(alone, 0.8, rtol=1e-11, progress=False).singular_poses[0].t
