@@ -76,11 +76,12 @@ def view(
     else:
         first = lw.Result.load(file)
         second = lw.Result.load(other) if other is not None else None
+        labels = [file] if other is None else [file, other]
         if serve:
-            _serve(first, second, [file, other or ""], port or 0, opens)
+            _serve(first, second, labels, port or 0, opens)
             return
         most = (LIMIT if limit is None else limit) * 1e6
-        shown = first.view(page, second, labels=[file, other or ""], limit=most)
+        shown = first.view(page, second, labels=labels, limit=most)
         _say_left_out(first, most / (1 if second is None else 2))
     where = page if page is not None else str(shown.open())
     out.print_pairs([("page", f"{where} ({len(shown.html.encode()) / 1e6:.2f} MB)")])
