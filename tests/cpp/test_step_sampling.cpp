@@ -164,13 +164,13 @@ TEST_CASE("of short runs each step is kept that makes more energy than those tha
   StepSampling even(dynamics);
   lose(even, dynamics, 25, -1, 1.0);
   const std::vector<double> anyway = starts_of(even.parts());
-  CHECK(even.outliers(even.parts()).empty());
+  CHECK(even.suspects(even.parts()).empty());
   int others = 0;
   for (int bad = 0; bad < 25; ++bad) {
     if (std::find(anyway.begin(), anyway.end(), bad) != anyway.end()) continue;
     StepSampling sampling(dynamics);
-    lose(sampling, dynamics, 25, bad, 9.0);  // three times the speed
-    const std::vector<KeptStep> found = sampling.outliers(sampling.parts());
+    lose(sampling, dynamics, 25, bad, 9.0);
+    const std::vector<KeptStep> found = sampling.suspects(sampling.parts());
     CAPTURE(bad);
     CHECK(found.size() == 1);
     CHECK(found.front().t == bad);

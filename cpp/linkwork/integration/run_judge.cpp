@@ -12,7 +12,16 @@ constexpr std::size_t every_reaction = 6;  // steps of which reactions are compa
 constexpr std::size_t every_inside = 3;    // the same for what is recorded inside, where there are not few
 constexpr std::size_t worst_parts = 3;     // of a mechanism that is not connected
 constexpr std::size_t worst = 3;           // steps of each that are looked at once more, in so many parts:
+constexpr double far_worse = 3.0;          // than the worst of the others, for a suspect to count
 constexpr int usual_divisions = 1, few_divisions = 2, divisions_of_worst = 3;  // powers of two
+
+/// A part of the run for each.
+void append_each(const std::vector<KeptStep>& steps, std::vector<RunPart>& out) {
+  for (const KeptStep& step : steps) {
+    out.push_back({1, step.t, step.h, step.changes, {}, {}, {}});
+    out.back().any = step;
+  }
+}
 
 std::vector<RunPart> parts_to_judge(const StepSampling& sampling) {
   std::vector<RunPart> out = sampling.parts();
@@ -21,10 +30,7 @@ std::vector<RunPart> parts_to_judge(const StepSampling& sampling) {
       if (step->switched) *step = {};
   for (RunPart& part : sampling.broken()) out.push_back(std::move(part));
   for (RunPart& part : sampling.switched()) out.push_back(std::move(part));
-  for (const KeptStep& step : sampling.outliers(out)) {  // each a part of its own
-    out.push_back({1, step.t, step.h, step.changes, {}, {}, {}});
-    out.back().any = step;
-  }
+  append_each(sampling.outliers(out), out);
   return out;
 }
 
@@ -64,6 +70,9 @@ RunJudge::RunJudge(const StepSampling& sampling, Dynamics& dynamics, SecondTake 
       judge_(dynamics, std::move(take), breaks_) {
   out_.corrections = sampling.corrections();
   out_.parts = parts_to_judge(sampling);
+  const std::vector<KeptStep> suspects = sampling.suspects(out_.parts);
+  suspects_ = suspects.size();
+  append_each(suspects, out_.parts);
   for (std::size_t k = 0; k < out_.parts.size(); ++k)
     for (const KeptStep* step : {&out_.parts[k].any, &out_.parts[k].steepest}) {
       if (!step->kept()) continue;
@@ -119,7 +128,32 @@ void RunJudge::judge(const RetakenSteps& retaken) {
     for (std::size_t part = 0; part < it.of_part.size(); ++part)
       speeds_[static_cast<Eigen::Index>(part)] =
           std::max(speeds_[static_cast<Eigen::Index>(part)], it.of_part[part].speed);
+  acquit_suspects();
   find_worst();
+}
+
+/// Suspects, the last of all, stay where they are far worse than the others: these speak for them else.
+void RunJudge::acquit_suspects() {
+  const std::size_t first = kept_.size() - suspects_;
+  const auto is_far_worse = [&](std::size_t step) {
+    for (std::size_t part = 0; part < out_.connected_parts.size(); ++part) {
+      double worst = 0.0;
+      for (std::size_t k = 0; k < first; ++k) worst = std::max(worst, size(out_.steps[k], part));
+      if (!(size(out_.steps[step], part) <= far_worse * worst)) return true;
+    }
+    return out_.steps[step].failed;
+  };
+  std::size_t end = first;
+  for (std::size_t k = first; k < kept_.size(); ++k) {
+    if (!is_far_worse(k)) continue;
+    std::swap(out_.steps[k], out_.steps[end]);
+    std::swap(out_.parts[out_.part_of[k]], out_.parts[out_.part_of[end]]);
+    end += 1;
+  }
+  out_.parts.resize(out_.parts.size() - (kept_.size() - end));
+  kept_.resize(end);
+  out_.steps.resize(end);
+  out_.part_of.resize(end);
 }
 
 std::vector<std::size_t> RunJudge::worst_of(std::size_t part) const {

@@ -60,6 +60,7 @@ class RunJudge {
   void see_from_moving_axes();
   double size(const StepError& error, std::size_t part) const;
   std::vector<std::size_t> worst_of(std::size_t part) const;
+  void acquit_suspects();
   void find_worst();
   void look_for_rest();
   StepError judge_next(std::size_t k, int divisions, bool reactions, bool inside, const RetakenStep& retaken);
@@ -72,6 +73,7 @@ class RunJudge {
   StepJudge judge_;
   RunErrors out_;
   std::vector<const KeptStep*> kept_;
+  std::size_t suspects_ = 0;  ///< of these
   struct WorstOfPart {
     std::size_t part;
     std::vector<std::size_t> steps;

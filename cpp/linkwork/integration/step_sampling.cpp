@@ -20,7 +20,7 @@ constexpr std::size_t most_outliers = 4;
 constexpr std::size_t most_broken = 16, most_switched = 20;
 constexpr double same_time = 1e-9;  // relative to the step
 constexpr double far_more = 20.0;   // than the mean, for a jump of energy to be out of the ordinary
-constexpr double more = 2.0;        // the same, than the largest of the steps that are taken again anyway
+constexpr double more = 2.0;        // energy than by any of the steps that are taken again anyway
 constexpr double energy_noise = 1e-13;
 constexpr double rounding = 1e-13;             // of velocities: beside, what they change in a step is none
 constexpr double at_rest = 1e-8;               // of gravity: beside, what accelerations change is none
@@ -182,23 +182,30 @@ void StepSampling::balance(const VectorXd& y, double kinetic, double potential) 
   energies_.largest_potential = std::max(energies_.largest_potential, potential);
   const double noise = energy_noise * std::max({kinetic, std::abs(potential), std::abs(work)});
   const double made = std::abs(balance - balance_);
-  if (last_.kept() && made > noise) keep_jump(made / std::sqrt(4.0 * kinetic_ + made), y);
+  if (last_.kept() && made > noise) keep_jump(made, y);
   last_.h = 0.0;
   kinetic_ = kinetic;
   balance_ = balance;
 }
 
-void StepSampling::keep_jump(double jump, const VectorXd& y_new) {
+void StepSampling::keep_jump(double made, const VectorXd& y_new) {
+  const double jump = made / std::sqrt(4.0 * kinetic_ + made);
   sum_of_jumps_ += jump;
   for (KeptStep* step : {&parts_.back().any, &parts_.back().steepest})
-    if (step->kept() && step->t == last_.t) step->jump = jump;
-  if (jump <= least_jump_) return;
-  const auto smaller = [](const KeptStep& a, const KeptStep& b) { return a.jump < b.jump; };
-  if (worst_.size() < most_outliers) worst_.emplace_back();
-  const auto least = std::min_element(worst_.begin(), worst_.end(), smaller);
-  keep(*least, y_new);
-  least->jump = jump;
-  if (worst_.size() == most_outliers) least_jump_ = std::min_element(worst_.begin(), worst_.end(), smaller)->jump;
+    if (step->kept() && step->t == last_.t) step->made = made;
+  keep_largest(by_jump_, jump, y_new);
+  keep_largest(by_energy_, made, y_new);
+}
+
+void StepSampling::keep_largest(Largest& list, double number, const VectorXd& y_new) const {
+  if (number <= list.least) return;
+  const auto smaller = [](const auto& a, const auto& b) { return a.first < b.first; };
+  if (list.steps.size() < most_outliers) list.steps.emplace_back();
+  const auto least = std::min_element(list.steps.begin(), list.steps.end(), smaller);
+  least->first = number;
+  keep(least->second, y_new);
+  if (list.steps.size() == most_outliers)
+    list.least = std::min_element(list.steps.begin(), list.steps.end(), smaller)->first;
 }
 
 void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& y_new) {
@@ -336,22 +343,37 @@ std::vector<RunPart> StepSampling::parts() const {
   return out;
 }
 
+namespace {
+
+std::vector<const KeptStep*> steps_of(const std::vector<RunPart>& parts) {
+  std::vector<const KeptStep*> out;
+  for (const RunPart& part : parts)
+    for (const KeptStep* step : {&part.any, &part.steepest})
+      if (step->kept()) out.push_back(step);
+  return out;
+}
+
+}  // namespace
+
+std::vector<KeptStep> StepSampling::Largest::above(double limit, const std::vector<const KeptStep*>& there) const {
+  std::vector<KeptStep> out;
+  for (const auto& [number, step] : steps) {
+    const auto same = [&](const KeptStep* other) { return other->t == step.t; };
+    if (number > limit && std::none_of(there.begin(), there.end(), same)) out.push_back(step);
+  }
+  return out;
+}
+
 std::vector<KeptStep> StepSampling::outliers(const std::vector<RunPart>& parts) const {
   const double usual = sum_of_jumps_ / static_cast<double>(std::max<std::int64_t>(steps_, 1));
-  double largest = 0.0;
-  std::vector<double> there;
-  for (const RunPart& part : parts)
-    for (const KeptStep* step : {&part.any, &part.steepest}) {
-      if (!step->kept()) continue;
-      largest = std::max(largest, step->jump);
-      there.push_back(step->t);
-    }
-  std::vector<KeptStep> out;
-  for (const KeptStep& one : worst_)
-    if (one.jump > std::min(far_more * usual, more * largest) &&
-        std::find(there.begin(), there.end(), one.t) == there.end())
-      out.push_back(one);
-  return out;
+  return by_jump_.above(far_more * usual, steps_of(parts));
+}
+
+std::vector<KeptStep> StepSampling::suspects(const std::vector<RunPart>& parts) const {
+  const std::vector<const KeptStep*> there = steps_of(parts);
+  double most = 0.0;
+  for (const KeptStep* step : there) most = std::max(most, step->made);
+  return by_energy_.above(more * most, there);
 }
 
 namespace {

@@ -17,7 +17,7 @@ struct KeptStep {
   double correction_length = 0.0;  ///< see Dynamics::correct_over
   double change = -1.0;  ///< how much the accelerations differ from those of the step before; see StepSampling
   VectorXd changes;      ///< the same of each of ConnectedParts [m/s^2]
-  double jump = 0.0;     ///< of the balance of energy, as a speed in the metric of the masses; see StepSampling
+  double made = 0.0;     ///< energy, beyond rounding [J]
   VectorXd y, y_new;
   VectorXd history;           ///< variables of the elements, at t
   VectorXd history_new;       ///< at t + h, of a step in which contacts begin; else empty
@@ -109,9 +109,10 @@ class StepSampling {
   std::int64_t steps() const { return steps_; }  ///< that `after` was told of
   const EnergyRange& energies() const { return energies_; }
   const DifferencesOfParts& corrections() const { return corrections_; }  ///< the largest; empty: none
-  /// The steps in which the balance of energy jumps far more than elsewhere, or more than in any of `parts`, without
-  /// those.
+  /// The steps in which the balance of energy jumps far more than elsewhere, as a speed, without those of `parts`.
   std::vector<KeptStep> outliers(const std::vector<RunPart>& parts) const;
+  /// Those that made far more energy than any of `parts`, without these: some may be worse than all of them.
+  std::vector<KeptStep> suspects(const std::vector<RunPart>& parts) const;
   /// The steps that contain breaks: a part of the run of its own for each that was kept.
   std::vector<RunPart> broken() const;
   /// Of the steps in which a contact or a stop begins or ends, and of those that depend on them, some likewise: forces
@@ -126,7 +127,16 @@ class StepSampling {
   bool pass_switches(const VectorXd& switches);
   void keep_switched(const VectorXd& y_new);
   void balance(const VectorXd& y, double kinetic, double potential);
-  void keep_jump(double jump, const VectorXd& y_new);
+  /// The steps with the largest of some numbers.
+  struct Largest {
+    double least = 0.0;  ///< of these, once there are enough
+    std::vector<std::pair<double, KeptStep>> steps;
+
+    /// Those with larger ones that are not among `there`.
+    std::vector<KeptStep> above(double limit, const std::vector<const KeptStep*>& there) const;
+  };
+  void keep_jump(double made, const VectorXd& y_new);
+  void keep_largest(Largest& list, double number, const VectorXd& y_new) const;
   void meet_break(double t, double h, const VectorXd& y_new);
   double look_at_rates(double h, const VectorXd& y, const VectorXd& y_new);
   double change_by_means(double h);
@@ -156,9 +166,9 @@ class StepSampling {
   EnergyRange energies_;
   double work_before_ = 0.0;
   DifferencesOfParts corrections_;
-  double sum_of_jumps_ = 0.0, least_jump_ = 0.0;
+  double sum_of_jumps_ = 0.0;
   KeptStep last_;  ///< without y_new, which `before` will see; h = 0: none
-  std::vector<KeptStep> worst_;
+  Largest by_jump_, by_energy_;
   std::vector<double> breaks_;
   std::size_t next_break_ = 0;
   std::int64_t steps_with_breaks_ = 0;
