@@ -191,6 +191,26 @@ TEST_CASE("what lanes cannot hold says why") {
   CHECK(members.front().frames.t.empty());
 }
 
+namespace {
+
+/// Of three bodies, the second of which is in no loop; without what they spin about their axes.
+void check_speeds(const LaneLayout& layout, int l, const AlignedDoubles& speeds, const VectorXd& v,
+                  const Eigen::Matrix3Xd& axes) {
+  const auto velocity = [&](int body, int half) {
+    const Vec3<double> a = v.segment<3>(6 * body + 3 * half), axis = axes.col(body);
+    return half == 0 ? a : Vec3<double>(a - axis * axis.dot(a));
+  };
+  const auto square = [&](int body, int half) { return velocity(body, half).squaredNorm(); };
+  for (int half = 0; half < 2; ++half) {
+    const auto largest = [&](int body) { return velocity(body, half).cwiseAbs().maxCoeff(); };
+    CHECK(speeds[layout.index(half, l)] == std::max(largest(0), largest(2)));
+    CHECK(speeds[layout.index(2 + half, l)] == square(1, half));
+    CHECK(speeds[layout.index(4 + half, l)] == std::max(square(0, half), square(2, half)));
+  }
+}
+
+}  // namespace
+
 TEST_CASE("speeds and energies of lanes have the bits of a mechanism by itself, at every width") {
   const System system(four_bar());
   const OnePath path;
@@ -221,17 +241,7 @@ TEST_CASE("speeds and energies of lanes have the bits of a mechanism by itself, 
     lane_speeds(instruction_set(level)).kinetic_energy(n, mass.data(), y.data(), kinetic.data());
     const Evaluation at = system.make_evaluation();
     for (int l = 0; l < layout.width; ++l) {
-      const auto velocity = [&](int body, int half) {
-        const Vec3<double> a = v[l].segment<3>(6 * body + 3 * half), axis = axes.col(body);
-        return half == 0 ? a : Vec3<double>(a - axis * axis.dot(a));
-      };
-      const auto square = [&](int body, int half) { return velocity(body, half).squaredNorm(); };
-      for (int half = 0; half < 2; ++half) {
-        const auto largest = [&](int body) { return velocity(body, half).cwiseAbs().maxCoeff(); };
-        CHECK(speeds[layout.index(half, l)] == std::max(largest(0), largest(2)));
-        CHECK(speeds[layout.index(2 + half, l)] == square(1, half));
-        CHECK(speeds[layout.index(4 + half, l)] == std::max(square(0, half), square(2, half)));
-      }
+      check_speeds(layout, l, speeds, v[l], axes);
       CHECK(kinetic[l] == system.kinetic_energy(at, v[l]));
     }
   }

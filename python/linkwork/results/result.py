@@ -434,19 +434,13 @@ class Result:
 
             last = result.recorded("q", -1)
 
-        OptionError: there is no such field, or no such part of it.
+        OptionError: there is no such field. IndexError: no such part of it, as of arrays.
         """
         known = self._header.frame_shapes()
         one_of(name, known, "field", "unknown_name")
         if name in ("reaction_force", "reaction_torque"):
             self._need_reactions()
-        try:
-            return self._field(name, part)
-        except (IndexError, TypeError, ValueError) as error:  # of arrays, and of datasets of a file
-            shape = (len(self), *known[name])
-            raise OptionError(
-                f"{name}: the part {part!r:.80} is none of what is recorded, of shape {shape}", code="part"
-            ) from error
+        return self._field(name, part)
 
     def recorded_of(self, name: str, places: ArrayLike, every: int = 1) -> Floats:
         """Of some bodies or joints, by index, (k, places, ...) of a recorded field such as "q".
