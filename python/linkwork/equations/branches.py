@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections import deque
 from functools import cache
 
@@ -16,6 +17,9 @@ __all__ = ["aligned", "opposed", "shared_axes"]
 
 Joints = NDArray[np.intp]
 
+#: What was found last, by pose and joints, which many cases have in common.
+_LATEST: dict[bytes, Joints] = {}
+
 
 def opposed(core: _core.Model, q: Floats) -> Joints:
     """Joints of which two axes that should coincide point away from each other, ascending.
@@ -23,10 +27,18 @@ def opposed(core: _core.Model, q: Floats) -> Joints:
     The equations of joints that hold an axis say that it is perpendicular to two others: they hold for the
     opposite axis, too.
     """
-    first, second = _frames(core, q)
-    cosines = np.einsum("kia,kia->ka", first, second)
-    found: Joints = np.flatnonzero(((cosines < 0) & shared_axes(core)).any(axis=1))
-    return found
+    arrays = core.joint_arrays()
+    asked = hashlib.blake2b(digest_size=16)
+    for of in (q, arrays["bodies"], arrays["frame"], arrays["kind"]):
+        asked.update(np.ascontiguousarray(of).data)
+    found = _LATEST.get(asked.digest())
+    if found is None:
+        first, second = _frames(core, q)
+        cosines = np.einsum("kia,kia->ka", first, second)
+        found = np.flatnonzero(((cosines < 0) & shared_axes(core)).any(axis=1))
+        _LATEST.clear()
+        _LATEST[asked.digest()] = found
+    return found.copy()
 
 
 def aligned(core: _core.Model, q: Floats, joints: Joints, held: NDArray[np.int32]) -> Floats:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import cache, partial
-from typing import Any
+from typing import Any, get_args
 
 import numpy as np
 
@@ -15,7 +15,7 @@ from linkwork import _core
 from linkwork.errors import ModelError, OptionError
 from linkwork.functions import check_breaks
 from linkwork.integrators import METHODS, EmbeddedPair, HalfExplicit, named
-from linkwork.options.table import TABLE, check_name, check_number, checked, compile_options, names
+from linkwork.options.table import TABLE, Policy, check_name, check_number, checked, compile_options
 
 __all__ = ["LEAST_RTOL", "RUN_SETTINGS", "check_estimate", "check_setting", "check_step", "check_together",
            "honored"]  # fmt: skip
@@ -126,7 +126,7 @@ def _check_switch(name: str, given: Any) -> None:
 
 
 def _check_policy(given: Any) -> None:
-    check_name("on_inaccurate", given, names()["on_inaccurate"])
+    check_name("on_inaccurate", given, get_args(Policy))
 
 
 #: Arguments of `simulate` beside the options, a model file may recommend them; and how each is looked at.
