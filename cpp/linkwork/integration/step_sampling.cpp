@@ -200,12 +200,12 @@ void StepSampling::keep_jump(double made, const VectorXd& y_new) {
 void StepSampling::keep_largest(Largest& list, double number, const VectorXd& y_new) const {
   if (number <= list.least) return;
   const auto smaller = [](const auto& a, const auto& b) { return a.first < b.first; };
-  if (list.steps.size() < most_outliers) list.steps.emplace_back();
+  const std::size_t most = std::min(most_outliers, most_parts_);
+  if (list.steps.size() < most) list.steps.emplace_back();
   const auto least = std::min_element(list.steps.begin(), list.steps.end(), smaller);
   least->first = number;
   keep(least->second, y_new);
-  if (list.steps.size() == most_outliers)
-    list.least = std::min_element(list.steps.begin(), list.steps.end(), smaller)->first;
+  if (list.steps.size() == most) list.least = std::min_element(list.steps.begin(), list.steps.end(), smaller)->first;
 }
 
 void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& y_new) {
