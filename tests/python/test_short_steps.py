@@ -1,6 +1,7 @@
 """Steps that become so short that a run does not come to its end."""
 
 import warnings
+from typing import Any
 
 import linkwork as lw
 import numpy as np
@@ -17,24 +18,30 @@ def sliding_block(law) -> lw.Model:
     return model
 
 
-def test_friction_by_the_sign_of_a_velocity_is_told_when_it_holds() -> None:
-    """The block stops after 0.5 s; then the force jumps with each step, and the run is interrupted."""
-    model, warned = sliding_block(lambda t, x, v: -2 * np.sign(v)), []
+def interrupted_when_told(model: lw.Model, t_end: float, **how: Any) -> tuple[list[str], BaseException]:
+    """The warnings of a run, and with what it ended."""
+    told: list[str] = []
 
     def interrupt(info: lw.ProgressInfo) -> None:
-        if warned:
+        if told:
             raise KeyboardInterrupt
 
     def listen(message: Warning | str, *_: object) -> None:
-        warned.append(str(message))
+        told.append(str(message))
 
     with warnings.catch_warnings():
         warnings.simplefilter("always")
         warnings.showwarning = listen
-        with pytest.raises(KeyboardInterrupt) as stopped:
-            lw.simulate(model, t_end=2.0, rtol=1e-6, progress=interrupt)
-    assert "since t = 0.500" in warned[0] and "a force that jumps" in warned[0].lower()
-    assert 0.49 < stopped.value.result.t[-1] < 0.6
+        with pytest.raises((KeyboardInterrupt, lw.StepSizeError)) as stopped:
+            lw.simulate(model, t_end, progress=interrupt, **how)
+    return told, stopped.value
+
+
+def test_friction_by_the_sign_of_a_velocity_is_told_when_it_holds() -> None:
+    """The block stops after 0.5 s; then the force jumps with each step, and the run is interrupted."""
+    told, end = interrupted_when_told(sliding_block(lambda t, x, v: -2 * np.sign(v)), 2.0, rtol=1e-6)
+    assert "since t = 0.500" in told[0] and "a force that jumps" in told[0].lower()
+    assert isinstance(end, KeyboardInterrupt) and 0.49 < end.result.t[-1] < 0.6
 
 
 def test_smooth_friction_comes_to_its_end_without_a_word() -> None:
@@ -92,18 +99,5 @@ def test_a_stiff_contact_far_from_the_origin_is_told_by_the_rounding_there() -> 
     model.sphere_sphere_contact(
         "a", "b", at=(there, there + np.array((0.03, 0, 0))), radius_a=0.01, radius_b=0.01, stiffness=1e9
     )
-    told = []
-
-    def interrupt(info: lw.ProgressInfo) -> None:
-        if told:
-            raise KeyboardInterrupt
-
-    def listen(message: Warning | str, *_: object) -> None:
-        told.append(str(message))
-
-    with warnings.catch_warnings():
-        warnings.simplefilter("always")
-        warnings.showwarning = listen
-        with pytest.raises((KeyboardInterrupt, lw.StepSizeError)) as stopped:
-            lw.simulate(model, 3.0, rtol=1e-9, integrator="dop853", progress=interrupt)
-    assert "m from the origin are rounded to 1e-10 m" in " ".join([*told, str(stopped.value)])
+    told, end = interrupted_when_told(model, 3.0, rtol=1e-9, integrator="dop853")
+    assert "m from the origin are rounded to 1e-10 m" in " ".join([*told, str(end)])

@@ -26,9 +26,9 @@ __all__ = ["Looks", "Pulse", "look"]
 #: Times at which a function is looked at: a share of the evaluations of the run, within bounds.
 SHARE, FEWEST, MOST = 0.02, 2000, 20000
 
-#: For how long at most [s]; whoever takes longer is told. What a verdict says is else no matter of the
-#: processor's pace.
-PATIENCE = 2.0
+#: For how long at most, all of them together [s]; whoever takes longer is told. What a verdict says is else
+#: no matter of the processor's pace.
+PATIENCE = 5.0
 
 #: At most so many, the farthest, of a function.
 LISTED = 8
@@ -64,7 +64,7 @@ def look(model: Model, t_start: float, t_end: float, evaluations: float) -> Look
     places = np.sort((GOLDEN * np.arange(1, count + 1)) % 1.0)
     times = t_start + (t_end - t_start) * places
     for what, it in looked_at:
-        far, whole = _far(it, times)
+        far, whole = _far(it, times, PATIENCE / len(looked_at))
         found.pulses.extend(Pulse(t, what) for t in far)
         if not whole:
             found.cut_short.append(what)
@@ -89,13 +89,13 @@ def _harmless(function: TimeFunction) -> bool:
     return not isinstance(function, Callback) or callbacks.is_stateless(function.value)
 
 
-def _far(function: TimeFunction, times: Floats) -> tuple[list[float], bool]:
+def _far(function: TimeFunction, times: Floats, seconds: float) -> tuple[list[float], bool]:
     """Where it is far from the straight line between its neighbors, those first where it is farthest; and
     whether it was looked at everywhere."""
     value: Callable[[float], float] = lambda t: function.evaluate(t)[0]  # noqa: E731
     if isinstance(function, Callback):
         value = function.value
-    values, ends = [], time.thread_time() + PATIENCE
+    values, ends = [], time.thread_time() + seconds
     order = np.argsort((GOLDEN * np.arange(len(times))) % 1.0)  # as far as the time goes, all over the run
     try:
         for place in order:
