@@ -113,3 +113,34 @@ def test_frames_some_hundredths_of_a_radian_from_a_pose_ask_nothing_of_it() -> N
     model = with_rotor(30.0, "ground", (0.02, 0.07, 0.05))
     found = forces_beside_a_pose(model, pose, rtol=1e-9, integrator="dop853")
     assert np.abs(found - expected).max() <= 1e-4  # N
+
+
+@pytest.mark.parametrize("options", [{"step": 1e-3}, {"rtol": 1e-9}, {"rtol": 1e-6, "integrator": "dop853"}])
+@pytest.mark.parametrize("mass", [0.2, 3.0])
+def test_reactions_that_grow_toward_a_pose_are_met_in_leaps(mass: float, options: dict[str, Any]) -> None:
+    """A parallelogram whose crank is driven at 2 rad/s lies flat after 0.5 s. Its rocker, of this mass, bears
+    half of the rod's weight by a force along the rod, infinite there: sin a X = cos a (Y + m g / 2)."""
+    rate, g, rod = -2.0, 9.81, 2.0
+    up, across, along = (np.array((np.cos(1.0), np.sin(1.0), 0)), np.array((-np.sin(1.0), np.cos(1.0), 0)),
+                         np.array((2.0, 0, 0)))  # fmt: skip
+    model, turned = lw.Model(gravity=(0, -g, 0)), lw.rotation.from_axes(x=up, y=across)
+    for name, m, foot in (("crank", 1.0, 0 * along), ("rocker", mass, along)):
+        model.body(name, mass=m, inertia=(0.01, m / 12, m / 12), position=foot + up / 2, orientation=turned,
+                   velocity=rate * across / 2, omega=(0, 0, rate))  # fmt: skip
+    model.body(
+        "rod", mass=rod, inertia=(0.01, rod / 3, rod / 3), position=up + along / 2, velocity=rate * across
+    )
+    for name, i, j, at in (("A", "ground", "crank", 0 * along), ("B", "crank", "rod", up),
+                           ("C", "rod", "rocker", up + along), ("D", "ground", "rocker", along)):  # fmt: skip
+        model.revolute(i, j, at=at, axis=(0, 0, 1), name=name)
+    model.drive("A", position=lw.functions.polynomial(0.0, rate))
+    how = {"record_every": 1} if "step" in options else {"times": np.linspace(0.0, 0.8, 801)}
+    result = lw.simulate(model, 0.8, **options, **how, progress=False)
+    assert len(result.singular_poses) == 1
+    beside = np.abs(1.0 + rate * result.t) > 1e-3
+    angle = 1.0 + rate * result.t[beside]
+    Y = rod * (g - rate**2 * np.sin(angle)) / 2
+    X = np.cos(angle) * (Y + mass * g / 2) / np.sin(angle)
+    found = result.reaction("C").force[beside, :2]  # of the rod on the rocker
+    off = np.abs(found + np.column_stack((X, Y))).max(axis=1)
+    assert (off / np.hypot(X, Y)).max() < 1e-5

@@ -7,6 +7,7 @@
 #include "linkwork/constraints/length_scale.hpp"
 #include "linkwork/math/elementary.hpp"
 #include "linkwork/math/error.hpp"
+#include "linkwork/math/lagrange.hpp"
 
 namespace linkwork {
 namespace {
@@ -28,6 +29,10 @@ constexpr double farthest_off = 1e-6;           // of a start that is not taken 
 // of constraints, which all of this is, do no work: the motion is much less off than that.
 constexpr double beside = 0.01;        // s of the nodes that are next to a pose
 constexpr double not_resolved = 0.06;  // part of the accelerations of a node in the last of eight polynomials
+
+constexpr double few_digits = 0.03;    // of the step: nodes that are nearer to a pose tell little of what is there
+constexpr double better = 0.1;         // times the error, to take multipliers for such that grow without limit
+constexpr double nearest_pole = 1e-6;  // of the step: nearer to a pose nobody knows on which side of it a state is
 
 double of_positions(double blur) { return blur / beside; }
 double of_velocities(double blur) { return blur / (beside * beside); }
@@ -288,14 +293,57 @@ void CollocationStep::state_at(double time, VectorXd& y) const {
 
 void CollocationStep::accelerations_at(double time, MutableVector v_dot, MutableVector lambda) const {
   const System& system = dynamics_.system();
-  const GaussCollocation::Weights l = gauss_.values(time / step_.h);
-  v_dot = (step_.k * l).segment(system.q_size(), system.v_size());
-  lambda = step_.lambda * l;
+  v_dot = (step_.k * gauss_.values(time / step_.h)).segment(system.q_size(), system.v_size());
+  lambda = multipliers_at(time);
   if (step_.axes.Omega.isZero(0.0)) return;
   VectorXd y;
   state_at(time, y);
   step_.axes.carry_accelerations(time, y, v_dot);
   hold_rotors(time, y, v_dot, lambda);
+}
+
+/// Toward a singular pose multipliers grow like 1 / s, s the way to it, where forces push along the other branch, too:
+/// their products with the ways to all poses are smooth then. Which it is tells the node next to a pose, by the others.
+VectorXd CollocationStep::multipliers_at(double time) const {
+  const auto way = [&](double place) {  // the product of those to all poses
+    double product = 1.0;
+    for (const double pose : step_.poses) {
+      const double one = place - pose / step_.h;
+      product *= std::copysign(std::max(std::abs(one), nearest_pole), one);
+    }
+    return product;
+  };
+  const std::vector<int> nodes = nodes_beside_poses();
+  const auto from = [&](std::size_t first, double place, bool grows) {
+    std::vector<double> places;
+    for (std::size_t k = first; k < nodes.size(); ++k) places.push_back(gauss_.c[nodes[k]]);
+    const std::vector<double> weights = lagrange_weights(places, place);
+    VectorXd sum = VectorXd::Zero(step_.lambda.rows());
+    for (std::size_t k = 0; k < places.size(); ++k)
+      sum += (grows ? weights[k] * way(places[k]) / way(place) : weights[k]) * step_.lambda.col(nodes[first + k]);
+    return sum;
+  };
+  const auto error = [&](bool grows) {
+    const int next = nodes.front();
+    return (from(1, gauss_.c[next], grows) - step_.lambda.col(next)).cwiseAbs().maxCoeff();
+  };
+  if (step_.poses.empty() || nodes.size() < 3 || !(error(true) < better * error(false)))
+    return step_.lambda * gauss_.values(time / step_.h);
+  return from(0, time / step_.h, true);
+}
+
+/// Those that are not so near to a pose that they tell little of how multipliers grow there; the nearest first.
+std::vector<int> CollocationStep::nodes_beside_poses() const {
+  const auto distance = [&](int node) {
+    double least = INFINITY;
+    for (const double pose : step_.poses) least = std::min(least, std::abs(gauss_.c[node] - pose / step_.h));
+    return least;
+  };
+  std::vector<int> nodes;
+  for (int node = 0; node < stages; ++node)
+    if (distance(node) >= few_digits) nodes.push_back(node);
+  std::stable_sort(nodes.begin(), nodes.end(), [&](int a, int b) { return distance(a) < distance(b); });
+  return nodes;
 }
 
 /// Equations of hinges along axes of a rotor turn with it: their multipliers are none that the polynomials know.

@@ -101,6 +101,8 @@ class CollocationStep {
   double energy(const VectorXd& y) const;
   void note_energy(const VectorXd& y);
   double displacement(const VectorXd& from, const VectorXd& to) const;
+  VectorXd multipliers_at(double time) const;
+  std::vector<int> nodes_beside_poses() const;
   void hold_rotors(double time, const VectorXd& y, const VectorXd& v_dot, MutableVector lambda) const;
 
   Dynamics& dynamics_;

@@ -115,6 +115,7 @@ class Crossing final : public Interpolant {
   static constexpr double reach = 0.14;        ///< of a leap [rad]: what the fastest body of the loops turns
   static constexpr double before_pose = 0.3;   ///< of a leap: where adaptive steps end before the pose
   static constexpr double least_beside = 0.4;  ///< of a usual leap: shorter ones beside the pose are not worth it
+  static constexpr double solvable = 1e-2;     ///< of the usual root: nearer to a pose, forces are of few digits
   static constexpr double margin = 0.06;       ///< least distance of nodes from the pose, relative to the leap
 
   /// For a length with which the nodes are clear of the poses. Times in s, from the start of the leap.

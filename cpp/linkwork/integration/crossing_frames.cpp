@@ -3,22 +3,31 @@
 
 #include "linkwork/integration/crossing.hpp"
 #include "linkwork/math/error.hpp"
+#include "linkwork/math/lagrange.hpp"
 
 /// What is recorded in leaps, and beside singular poses.
 namespace linkwork {
 namespace {
 
-constexpr double doubtful = 0.1;   // of the usual root: nearer to a pose, small violations make other forces
-constexpr double solvable = 1e-2;  // of the usual root: nearer to a pose, forces are of few digits
-constexpr double away = 0.03;      // rad between states whose forces tell those in the pose, at most
+constexpr double doubtful = 0.1;  // of the usual root: nearer to a pose, small violations make other forces
+constexpr double away = 0.03;     // rad between states whose forces tell those in the pose, at most
 constexpr int most_states = 6, least_states = 4;
+constexpr double unlike = 0.03;  // of the largest multiplier: what those of a smooth motion are told to
 
-/// Weights of the polynomial through values at so many times, at time 0.
-void lagrange_weights(const std::vector<double>& times, std::vector<double>& weights) {
-  weights.assign(times.size(), 1.0);
-  for (std::size_t i = 0; i < times.size(); ++i)
-    for (std::size_t k = 0; k < times.size(); ++k)
-      if (k != i) weights[i] *= times[k] / (times[k] - times[i]);
+VectorXd sum_of(const std::vector<double>& weights, const std::vector<VectorXd>& values) {
+  VectorXd sum = VectorXd::Zero(values.front().size());
+  for (std::size_t k = 0; k < weights.size(); ++k) sum += weights[k] * values[k];
+  return sum;
+}
+
+/// Whether the values at other times tell the first one: those that grow without limit between them do not.
+bool tell_each_other(std::vector<double> times, std::vector<VectorXd> values) {
+  const double first = times.front();
+  const VectorXd value = values.front();
+  times.erase(times.begin());
+  values.erase(values.begin());
+  const VectorXd found = sum_of(lagrange_weights(times, first), values);
+  return (found - value).cwiseAbs().maxCoeff() <= unlike * value.cwiseAbs().maxCoeff();
 }
 
 }  // namespace
@@ -85,8 +94,8 @@ bool Crossing::tell(const Interpolant& step, double t, double h, double time, Ve
   return true;
 }
 
-/// By the forces some hundredths of a radian before and after it; where the step is not that long, by the equations
-/// there.
+/// By the forces some hundredths of a radian before and after it; where the step is not that long, or they grow toward a
+/// pose between, by the equations there.
 bool Crossing::accelerations_beside(const Interpolant& step, double t, double h, double at, MutableVector v_dot,
                                     MutableVector lambda) {
   if (!in_doubt()) return false;
@@ -114,7 +123,7 @@ bool Crossing::between_forces_beside(const Interpolant& step, double t, double h
   const double rate = largest_rate(y_.segment(system.q_size(), system.v_size()));
   if (!(rate > 0.0)) return false;
   const double apart = std::min(away / rate, std::max(at - t, t + h - at) / least_states);
-  std::vector<double> times, weights;
+  std::vector<double> times;
   std::vector<VectorXd> accelerations, multipliers;
   VectorXd its_v_dot(v_dot.size()), its_lambda(lambda.size());
   for (int k = 1; k <= most_states; ++k)
@@ -125,14 +134,10 @@ bool Crossing::between_forces_beside(const Interpolant& step, double t, double h
       accelerations.push_back(its_v_dot);
       multipliers.push_back(its_lambda);
     }
-  if (static_cast<int>(times.size()) < least_states) return false;
-  lagrange_weights(times, weights);
-  v_dot.setZero();
-  lambda.setZero();
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    v_dot += weights[k] * accelerations[k];
-    lambda += weights[k] * multipliers[k];
-  }
+  if (static_cast<int>(times.size()) < least_states || !tell_each_other(times, multipliers)) return false;
+  const std::vector<double> weights = lagrange_weights(times, 0.0);
+  v_dot = sum_of(weights, accelerations);
+  lambda = sum_of(weights, multipliers);
   return true;
 }
 

@@ -11,7 +11,6 @@ namespace linkwork {
 namespace {
 
 constexpr double least_part = 0.1;      // of a usual leap, for those over a motion that varies more
-constexpr double solvable = 1e-2;       // of the usual root: nearer to a pose, accelerations are of few digits
 constexpr double drifted = 1e-3;        // farthest that a run that steps into a pose is off the constraints [rad]
 constexpr double least_margin = 0.006;  // of nodes from the pose, relative to the leap, where nothing better is found
 constexpr double in_pose_from = 0.03;   // the same: where such a node is left out if it must be there
