@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from linkwork.analyses.stiffness import Stiffness, damping, stiffness_and_parts
+from linkwork.analyses.stiffness import Stiffness, damping, stiffness_and_parts, velocity_part
 from linkwork.arrays import Floats
 from linkwork.constraints.equations import LAST_DIGITS, Equations, Sparse
 from linkwork.constraints.solver import DENSE, balance, null_space
@@ -36,6 +36,9 @@ class Coefficients(NamedTuple):
     C: Sparse
     K: Sparse
     D: Sparse  # independent rows
+    E: Sparse  # of these rows: D x' + E x = 0 of those that `rolling` has, zero in others
+    fixed: Sparse  # rows with D x = 0
+    rolling: tuple[Sparse, Sparse]  # D and E of rows with D x' + E x = 0: of velocities, in motion
     stiffness: Stiffness
     multipliers: Floats
     unbalanced: Floats  # (6n,) forces that accelerate the bodies
@@ -46,6 +49,8 @@ class Coefficients(NamedTuple):
 
 
 def coefficients(eq: Equations, at: Snapshot) -> Coefficients:
+    from scipy.sparse import csr_array
+
     q, v = np.ravel(at.q).astype(float), np.ravel(at.v).astype(float)
     M = eq.mass(q)
     if v.any():
@@ -55,8 +60,14 @@ def coefficients(eq: Equations, at: Snapshot) -> Coefficients:
         unbalanced, multipliers, _ = balance(eq, at.t, q)
     found = stiffness_and_parts(eq, at.t, q, v, multipliers)
     D = eq.terms(at.t, q, v).D
-    C, rows = damping(eq, at.t, q, v), eq.independent(D)
-    return Coefficients(M, C, found.K, D[rows], found, multipliers, unbalanced)
+    rows, rolls = eq.independent(D), ~eq.holonomic & bool(v.any())  # at rest they hold the pose, too
+    E = velocity_part(eq, at.t, q, v) if rolls.any() else csr_array(D.shape)
+    every = np.arange(len(rolls)) if rolls.any() and D.shape[1] <= DENSE else rows
+    fixed, rolling = every[~rolls[every]], every[rolls[every]]
+    return Coefficients(
+        M, damping(eq, at.t, q, v), found.K, D[rows], E[rows], D[fixed], (D[rolling], E[rolling]),
+        found, multipliers, unbalanced,
+    )  # fmt: skip
 
 
 def refuse_imbalance(eq: Equations, at: Snapshot, now: Coefficients, near: float = NEAR) -> None:

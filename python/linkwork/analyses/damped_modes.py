@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from linkwork.arrays import Complex, Floats
 
-__all__ = ["damped_modes"]
+__all__ = ["damped_modes", "rolling_modes"]
 
 #: Of the largest rates: those of motions without stiffness; of the largest terms: their rounding.
 SLOWEST, ROUNDING = 1e-8, 1e-14
@@ -24,8 +24,11 @@ SLOWEST, ROUNDING = 1e-8, 1e-14
 #: Residuals, relative to their terms, that are mended; in how many steps; and by which part s may change.
 SHORT, STEPS, NEAR = 1e-10, 3, 0.1
 
-#: Entries of vectors that are scaled down.
-HUGE = 1e100
+#: Entries of vectors that are scaled down, and what no divisor is below.
+HUGE, TINY = 1e100, 1e-300
+
+#: Singular values of rows that depend on others, and of rates that are zero, relative to the largest.
+DEPENDENT, NO_RATE = 1e-9, 1e-10
 
 
 def damped_modes(c: Floats, k: Floats) -> tuple[Complex, Complex, Floats]:
@@ -152,3 +155,52 @@ def _inverse_step(c: Floats, k: Floats, s: Complex, a: Complex) -> tuple[Complex
         return s, a
     new: Complex = s - 1 / np.sum(a.conj() * z, axis=0)
     return np.where(s.imag == 0, new.real, new), _unit(np.asarray(z))
+
+
+# --- motions along which wheels roll ---
+
+
+# a' = R a + N u with the velocities u that the rows leave; no force of theirs acts along N:
+#   u' = -N^T (c (R a + N u) + k a)
+def rolling_modes(c: Floats, k: Floats, D: Floats, E: Floats) -> tuple[Complex, Complex, Floats]:
+    """s (j,), a (f, j) of  s^2 a + s c a + k a + D^T mu = 0,  (s D + E) a = 0,  both of conjugate pairs, and
+    how far s may be off by rounding, relative (j,).
+
+    D, E (m, f). Motions that stay displaced, and what grows with time from these, have s = 0.
+    """
+    length = np.linalg.norm(D, axis=1)
+    D, E = (it[length > 0] / length[length > 0, None] for it in (D, E))
+    U, sigma, Vt = np.linalg.svd(D)
+    rank = int(np.count_nonzero(sigma > DEPENDENT * sigma.max(initial=0.0)))
+    N, R = Vt[rank:].T, -Vt[:rank].T @ ((U[:, :rank].T @ E) / sigma[:rank, None])
+    w = max(np.linalg.norm(R), np.linalg.norm(c), np.sqrt(np.linalg.norm(k))) or 1.0
+    s, z, off = _with_exact_zeros(np.block([[R, w * N], [-N.T @ (c @ R + k) / w, -N.T @ c @ N]]))
+    a, pair = _unit(z[: len(k)]), s.imag > 0
+    return np.append(s, s[pair].conj()), np.hstack([a, a[:, pair].conj()]), np.append(off, off[pair])
+
+
+def _with_exact_zeros(A: Floats) -> tuple[Complex, Complex, Floats]:
+    """s, vectors, and rounding relative to s, one of each conjugate pair. Zeros are split off until what is
+    left is regular: rounding makes of double ones the root of what it is."""
+    from scipy.linalg import rsf2csf, schur
+
+    left, basis, size, count = A, np.eye(len(A)), float(np.linalg.norm(A, 2)), 0
+    while len(left):
+        _, sigma, Vt = np.linalg.svd(left)
+        zeros = int(np.count_nonzero(sigma <= NO_RATE * size))
+        if not zeros:
+            break
+        turn = Vt[::-1].T  # what has no rate first
+        basis[:, count:] = basis[:, count:] @ turn
+        left = (turn.T @ left @ turn)[zeros:, zeros:]
+        count += zeros
+    still, other = basis[:, :count], basis[:, count:]
+    real = schur(left)
+    T, V = rsf2csf(*real)
+    s, one = _one_of_each_pair(real[0], T)
+    z = V @ _vectors(T)[:, one]
+    y = V @ _vectors(T[::-1, ::-1].conj().T)[::-1, ::-1][:, one]
+    angle = np.abs(np.sum(_unit(y).conj() * _unit(z), axis=0))
+    off = ROUNDING * size / np.maximum(angle * np.abs(s), TINY)
+    vectors = other @ z + still @ ((still.T @ A @ other @ z) / s)
+    return np.append(np.zeros(count), s), np.hstack([still, vectors]), np.append(np.zeros(count), off)

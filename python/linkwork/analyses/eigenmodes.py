@@ -1,4 +1,4 @@
-"""Eigenvalues s and motions x of  (s^2 M + s C + K) x + D^T mu = 0,  D x = 0.
+"""Eigenvalues s and motions x of  (s^2 M + s C + K) x + D^T mu = 0,  D x = 0, of rows that roll (s D + E) x = 0.
 
 By dense matrices over the motions that D leaves, or by Krylov spaces with D in the matrix that is factorized.
 """
@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from linkwork.analyses.damped_modes import damped_modes
+from linkwork.analyses.damped_modes import damped_modes, rolling_modes
 from linkwork.arrays import Complex, Floats
 from linkwork.constraints.equations import Sparse
 from linkwork.errors import ModelError, NotConvergedError
@@ -65,10 +65,10 @@ BELOW, ROUGH = 0.1, 1e-2
 
 
 def by_dense_matrices(
-    M: Sparse, C: Sparse, K: Sparse, Z: Floats, symmetric: bool
+    M: Sparse, C: Sparse, K: Sparse, Z: Floats, symmetric: bool, rolling: tuple[Sparse, Sparse]
 ) -> tuple[Complex, Complex, Floats]:
     """Eigenvalues (k,) and shapes (6n, k) over x = Z y, of conjugate pairs both; and what their terms leave,
-    relative (k,)."""
+    relative (k,). `rolling`: D and E of rows that roll."""
     from scipy.linalg import eigh
 
     m, c, k = (Z.T @ (a @ Z) for a in (M, C, K))
@@ -79,6 +79,9 @@ def by_dense_matrices(
     m, c, k = (unit[:, None] * a * unit for a in ((m + m.T) / 2, c, k))
     _, y = eigh((k + k.T) / 2, m)
     squares, shapes = _quotients(k, m, y), Z @ (unit[:, None] * y)
+    if rolling[0].shape[0]:
+        s, a, off = rolling_modes(y.T @ c @ y, y.T @ k @ y, *(rows @ shapes for rows in rolling))
+        return s, shapes @ a, off
     if symmetric and not C.count_nonzero():
         return _from_squares(squares), shapes.astype(complex), np.zeros(f)
     # a'' + c a' + k a = 0 over motions y without damping: their rates may be far apart
@@ -139,14 +142,14 @@ def _rate(M: Sparse, C: Sparse | None, K: Sparse) -> float:
     return float(np.sqrt(stiffest / heaviest)) or strongest / heaviest or 1.0
 
 
-def constrained_solver(A: Sparse, D: Sparse) -> Callable[[Floats], Floats]:
-    """b -> x with A x + D^T mu = b, D x = 0. ModelError: singular."""
+def constrained_solver(A: Sparse, D: Sparse, rows: Sparse | None = None) -> Callable[..., Floats]:
+    """b, c = 0 -> x with A x + D^T mu = b, D x = c; with `rows` instead of D there. ModelError: singular."""
     from scipy.sparse import block_array
     from scipy.sparse.linalg import splu
 
     size = A.shape[0]
     try:
-        factor = splu(block_array([[A, D.T], [D, None]], format="csc"))
+        factor = splu(block_array([[A, D.T], [D if rows is None else rows, None]], format="csc"))
     except RuntimeError as error:
         raise ModelError(
             "linearize: the matrix of the small motions is singular: the pose is singular, or `near` is a "
@@ -155,8 +158,8 @@ def constrained_solver(A: Sparse, D: Sparse) -> Callable[[Floats], Floats]:
         ) from error
     rest = np.zeros(D.shape[0])
 
-    def solve(b: Floats) -> Floats:
-        x: Floats = factor.solve(np.concatenate([b, rest]).astype(A.dtype))[:size]
+    def solve(b: Floats, c: Floats = rest) -> Floats:
+        x: Floats = factor.solve(np.concatenate([b, c]).astype(A.dtype))[:size]
         return x
 
     return solve
@@ -229,15 +232,15 @@ def _converged(
 # Where the shift is far from i near others are nearest to it: so it is asked again, from a nearer shift and
 # for more, until those are all known that may be nearer to i near.
 def by_arnoldi(
-    M: Sparse, C: Sparse, K: Sparse, D: Sparse, modes: int, near: float
+    M: Sparse, C: Sparse, K: Sparse, D: Sparse, rolling: tuple[Sparse, Sparse], modes: int, near: float
 ) -> tuple[Complex, Complex]:
-    every = 2 * (D.shape[1] - D.shape[0])
+    every = 2 * (D.shape[1] - D.shape[0]) - rolling[0].shape[0]
     count, found = min(modes, every), (np.zeros(0, complex), np.zeros((D.shape[1], 0), complex))
     shifts = [1j * near] if near else [-shift * _rate(M, C, K) for shift in SHIFTS]
     needed = int(np.ceil(np.log2(every / count))) if count else 0
     doublings = min(needed, DOUBLINGS)
     for sigma in shifts if count else ():
-        nearest = _nearest(M, C, K, D, sigma)
+        nearest = _nearest(M, C, K, D, rolling, sigma)
         for k in range(doublings + 1 if sigma == shifts[-1] else 1):
             s, shapes, radius = nearest(2 * count * 2**k + 2, every)
             chosen = nearest_to(s, near, count)
@@ -256,33 +259,39 @@ def by_arnoldi(
 
 
 # With eta = x':  x_new = (x_old's share) of (sigma^2 M + sigma C + K) x_new = -(C + sigma M) x - M eta,
-# eta_new = sigma x_new + x: one application of (A - sigma B)^-1 B of the first-order equations.
+# eta_new = sigma x_new + x: one application of (A - sigma B)^-1 B of the first-order equations. Rows that roll
+# are those of velocities, D eta + E x = 0.
 def _nearest(
-    M: Sparse, C: Sparse, K: Sparse, D: Sparse, sigma: complex
+    M: Sparse, C: Sparse, K: Sparse, D: Sparse, rolling: tuple[Sparse, Sparse], sigma: complex
 ) -> Callable[[int, int], tuple[Complex, Complex, float]]:
     """Of a number, of so many that there are: s nearest to sigma, one of each pair, their shapes, and the
     radius in which these are all."""
+    from scipy.sparse import block_array, csr_array, vstack
     from scipy.sparse.linalg import LinearOperator
 
     real = np.imag(sigma) == 0
     shift = np.real(sigma) if real else sigma
-    solve = constrained_solver((shift * shift * M + shift * C + K).tocsr(), D)
+    (of_velocities, E), fixed = rolling, np.zeros(D.shape[0])
+    rows = (vstack([D, it]) for it in (of_velocities, shift * of_velocities + E))
+    solve = constrained_solver((shift * shift * M + shift * C + K).tocsr(), *rows)
     size = M.shape[0]
 
     def apply(z: Complex) -> Complex:
         x, eta = z[:size], z[size:]
-        new = solve(-(C @ x + shift * (M @ x)) - M @ eta)
+        new = solve(-(C @ x + shift * (M @ x)) - M @ eta, np.append(fixed, -(of_velocities @ x)))
         return np.concatenate([new, shift * new + x])
 
+    rates = block_array([[csr_array(D.shape), D], [E, of_velocities]], format="csr")  # times (x, x')
     operator = LinearOperator((2 * size, 2 * size), matvec=apply, dtype=float if real else complex)
     allowed = solve(M @ np.random.default_rng(0).standard_normal(size))
     first = np.concatenate([allowed, allowed])
 
     def found(number: int, every: int) -> tuple[Complex, Complex, float]:
         theta, z = _largest(operator, min(number, 2 * size - 2), min(number, every), first)
-        off = np.abs(D @ z[size:]).max(axis=0, initial=0.0)  # a Krylov space that is exhausted has others
-        all_terms = (abs(D) @ np.abs(z[size:])).max(axis=0, initial=0.0)
-        rounding = ALLOWED**3 * abs(D).max() * np.abs(z[size:]).max(axis=0, initial=0.0) if D.nnz else 0.0
+        off = np.abs(rates @ z).max(axis=0, initial=0.0)  # a Krylov space that is exhausted has others
+        all_terms = (abs(rates) @ np.abs(z)).max(axis=0, initial=0.0)
+        size_of_rates = abs(rates).max() if rates.nnz else 0.0
+        rounding = ALLOWED**3 * size_of_rates * np.abs(z[size:]).max(axis=0, initial=0.0)
         motion = off <= np.maximum(ALLOWED * all_terms, rounding)  # joints may have no part in it
         s = sigma + 1 / theta[motion]
         s[np.abs(s) <= REAL * np.abs(sigma)] = 0.0

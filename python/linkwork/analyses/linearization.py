@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -66,7 +67,8 @@ class Linearization(ReadOnly):
     """M x'' + C x' + K x = D^T mu, D x = 0, and the motions x = Re(shape exp(s t)) that it has.
 
     x (6n,): of each body a shift of its center of mass [m] and a rotation vector [rad], inertial axes. K has
-    the geometric stiffness, C the gyroscopic terms.
+    the geometric stiffness, C the gyroscopic terms. In motion rows that restrict velocities only, as of
+    wheels that roll, are D x' + E x = 0 instead.
     """
 
     model: Model
@@ -75,6 +77,7 @@ class Linearization(ReadOnly):
     C: Sparse
     K: Sparse
     D: Sparse  #: (m, 6n), redundant rows left out
+    E: Sparse  #: (m, 6n), zero in all rows with D x = 0
     #: s (k,) [1/s], slow ones first: one of each conjugate pair; without damping, where motions also have -s,
     #: that of the two which grows
     eigenvalues: Complex
@@ -83,7 +86,7 @@ class Linearization(ReadOnly):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        for matrix in (self.M, self.C, self.K, self.D):
+        for matrix in (self.M, self.C, self.K, self.D, self.E):
             matrix.sum_duplicates()
             matrix.data.flags.writeable = False
 
@@ -187,7 +190,7 @@ def _linearized(model: Model, start: Snapshot | None, modes: int | None, near: f
     at = _at_rest(eq, _begun(eq, start))
     now = _in_balance(eq, at)
     steadiness = Steadiness(eq, at, now) if np.any(at.v) else None
-    Z = null_space(eq, now.D) if now.D.shape[1] <= DENSE else None
+    Z = null_space(eq, now.fixed) if now.D.shape[1] <= DENSE else None
     if steadiness is not None:
         steadiness.refuse_change(Z)
     eigenvalues, shapes = _modes(eq, now, Z, modes, near)
@@ -195,7 +198,7 @@ def _linearized(model: Model, start: Snapshot | None, modes: int | None, near: f
         steadiness.refuse_change(shapes)
     size = np.abs(shapes / eq.scale[:, None]).max(axis=0, initial=0.0)
     shapes = (shapes / np.where(size > 0, size, 1.0)).T.reshape(-1, model.body_count, 6)
-    return Linearization(model, at, now.M, now.C, now.K, now.D, eigenvalues, shapes, eq)
+    return Linearization(model, at, now.M, now.C, now.K, now.D, now.E, eigenvalues, shapes, eq)
 
 
 def _in_balance(eq: Equations, at: Snapshot) -> Coefficients:
@@ -212,14 +215,15 @@ def _modes(
     eq: Equations, now: Coefficients, Z: Floats | None, modes: int | None, near: float
 ) -> tuple[Complex, Complex]:
     """Eigenvalues and shapes (6n, k), of small models over the motions Z (6n, f)."""
-    M, C, K, D, found = now.M, now.C, now.K, now.D, now.stiffness
+    M, C, K, D, found = now.M, now.C, now.K, now.fixed, now.stiffness
     symmetric = _symmetric(eq, found)
     if Z is not None:
-        s, shapes, off = by_dense_matrices(M, C, K, Z, symmetric)
+        s, shapes, off = by_dense_matrices(M, C, K, Z, symmetric, now.rolling)
     else:
         modes = modes or MODES
-        undamped = symmetric and not C.count_nonzero()
-        s, shapes = by_lanczos(M, K, D, modes, near) if undamped else by_arnoldi(M, C, K, D, modes, near)
+        undamped = symmetric and not C.count_nonzero() and not now.rolling[0].shape[0]
+        by_rates = partial(by_arnoldi, M, C, K, D, now.rolling)
+        s, shapes = (partial(by_lanczos, M, K, D) if undamped else by_rates)(modes, near)
         off = np.zeros(len(s))
     s = np.where(_neutral(eq, s, shapes, M, found) & (off <= SURE), 0.0, s)
     chosen = one_of_each_pair(s)

@@ -53,10 +53,9 @@ NAMES = ("inertia", "damping", "stiffness")
 
 
 class Steadiness:
-    """Of a state and its coefficients. ModelError: joints restrict velocities only, or it will accelerate."""
+    """Of a state and its coefficients. ModelError: it will accelerate."""
 
     def __init__(self, eq: Equations, at: Snapshot, now: Coefficients) -> None:
-        _refuse_velocity_rows(eq)
         self.eq, self.now = eq, now
         q, v = np.ravel(at.q), np.ravel(at.v)
         self.rate = float(np.abs(v / eq.scale).max()) / eq.length
@@ -128,10 +127,18 @@ class Steadiness:
         return self.now.stiffness.parts if A is self.now.K else abs(A)
 
     def _other_freedoms(self, then: Coefficients, Z: Floats) -> list[str]:
-        """Whether rows of D restrict motions that were free."""
-        D, x = then.D.multiply(self.eq.scale[None, :]).tocsr(), Z / self.eq.scale[:, None]
-        size = np.sqrt(D.multiply(D).sum(axis=1))[:, None] * np.linalg.norm(x, axis=0)
-        return ["freedoms"] if (np.abs(D @ x) > STEADY * size).any() else []
+        """Whether rows of D restrict motions that were free, or those of velocities restrict others."""
+        rounding = FARTHER * np.linalg.norm(self.now.fixed @ Z, axis=0)
+        changed = self._restricts(then.fixed, then.fixed, Z, rounding)
+        for k, (now, later) in enumerate(zip(self.now.rolling, then.rolling, strict=True)):
+            changed |= self._restricts(later - now, self.now.rolling[0] * self.rate**k, Z)
+        return ["freedoms"] if changed else []
+
+    def _restricts(self, A: Sparse, rows: Sparse, Z: Floats, least: Floats | float = 0.0) -> bool:
+        """Whether products of A with motions Z (6n, k) are some beside the sizes of the rows."""
+        rows, x = rows.multiply(self.eq.scale[None, :]), Z / self.eq.scale[:, None]
+        size = np.sqrt(rows.multiply(rows).sum(axis=1))[:, None] * np.linalg.norm(x, axis=0)
+        return bool((np.abs(A @ Z) > STEADY * size + least).any())
 
     def _random_motions(self) -> tuple[Callable[[Floats], Floats], Floats]:
         """What D leaves of a few random motions (6n, k), and what it leaves of forces (6n,)."""
@@ -189,14 +196,3 @@ def _connected(eq: Equations) -> NDArray[np.integer]:
 
 def _lengths(rows: Floats) -> Floats:
     return np.asarray(np.linalg.norm(rows, axis=1))
-
-
-def _refuse_velocity_rows(eq: Equations) -> None:
-    names = eq.joints(np.flatnonzero(~eq.holonomic))
-    if names:
-        raise ModelError(
-            f"linearize: {', '.join(names)} restrict{'s' if len(names) == 1 else ''} velocities only: "
-            "linearize at rest",
-            code="velocity_constraints",
-            joints=names,
-        )

@@ -12,7 +12,7 @@ the geometric stiffness: it is what a string gains by its tension.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -24,7 +24,7 @@ from linkwork.arrays import Complex, Floats
 from linkwork.constraints.equations import LAST_DIGITS, Equations, Sparse
 from linkwork.constraints.tangent import displaced
 
-__all__ = ["Stiffness", "damping", "stiffness", "stiffness_and_parts"]
+__all__ = ["Stiffness", "damping", "stiffness", "stiffness_and_parts", "velocity_part"]
 
 Indices = NDArray[np.intp]
 
@@ -125,11 +125,7 @@ def _constraint_part(equations: Equations, t: float, q: Floats, multipliers: Flo
 
     found = constraints(np.zeros(6 * n))
     columns, row = found["indices"], np.repeat(np.arange(core.row_count), np.diff(found["indptr"]))
-    joint, body = _incidence(core)
-    share = coo_array((np.ones(len(joint)), (joint, body)), shape=(core.joint_count, n)).tocsr()
-    partners = (share.T @ share).tocoo()
-    pairs = np.column_stack([partners.row, partners.col])
-    color = _colors(n, pairs)
+    pairs = _partners(core)
     vector = np.unique(2 * n * row + columns // 3, return_inverse=True)[1]
     weight = multipliers[row]
     used = weight != 0.0
@@ -140,20 +136,64 @@ def _constraint_part(equations: Equations, t: float, q: Floats, multipliers: Flo
 
     steps = _geometric_steps(equations, q, force, pairs)
     parts: list[tuple[Floats, Indices, Indices]] = []
-    for c in range(color.max(initial=-1) + 1):
-        mover = np.full(core.joint_count, -1)
-        mover[joint[color[body] == c]] = body[color[body] == c]
+    for bodies, mover in _movers(core, pairs):
         moved = mover[equations.joint_of_row[row]]  # per entry the body that moves, or -1
         wanted = used & (moved >= 0)
         if not wanted.any():
             continue
         for k in range(6):
             x = np.zeros((n, 6))
-            x[color == c, k] = steps[color == c, k]
+            x[bodies, k] = steps[bodies, k]
             terms = np.array([w * constraints(s * x.ravel())["data"] for s, w in STENCIL])
             values = (_change(terms, vector) * weight)[wanted] / steps[moved[wanted], k]
             parts.append((values, columns[wanted], 6 * moved[wanted] + k))
     return _assembled(parts, 6 * n, coo_array)
+
+
+def velocity_part(equations: Equations, t: float, q: Floats, v: Floats) -> Sparse:
+    """d(D v)/dx (m, 6n) of the rows that restrict velocities only, at constant omega in body axes."""
+    from scipy.sparse import coo_array
+
+    core, n = equations.core, equations.core.body_count
+    pairs, rows = _partners(core), np.flatnonzero(~equations.holonomic)
+    steps = np.column_stack([equations.arms] * 3 + [np.ones(n)] * 3) * CONSTRAINT_STEP
+
+    def rates(x: Floats) -> Floats:
+        found: Floats = equations.dynamics.evaluate(t, displaced(q, x), v)["Phi_dot"]
+        return found
+
+    parts: list[tuple[Floats, Indices, Indices]] = []
+    for bodies, mover in _movers(core, pairs):
+        moved = mover[equations.joint_of_row[rows]]
+        own, moved = rows[moved >= 0], moved[moved >= 0]
+        for k in range(6) if len(own) else ():
+            x = np.zeros((n, 6))
+            x[bodies, k] = steps[bodies, k]
+            terms = np.array([w * rates(s * x.ravel())[own] for s, w in STENCIL])
+            parts.append((_change(terms, np.arange(len(own))) / steps[moved, k], own, 6 * moved + k))
+    return _assembled(parts, 6 * n, coo_array, core.row_count)
+
+
+def _partners(core: _core.Model) -> Indices:
+    """Pairs of bodies (k, 2) that a joint has in common, each with itself, too."""
+    from scipy.sparse import coo_array
+
+    joint, body = _incidence(core)
+    shape = (core.joint_count, core.body_count)
+    share = coo_array((np.ones(len(joint)), (joint, body)), shape=shape).tocsr()
+    partners = (share.T @ share).tocoo()
+    return np.column_stack([partners.row, partners.col])
+
+
+def _movers(core: _core.Model, pairs: Indices) -> Iterator[tuple[Indices, Indices]]:
+    """All bodies in turn, those together that no joint has in common; and the one of these that each joint
+    has (joints,), or -1."""
+    joint, body = _incidence(core)
+    color = _colors(core.body_count, pairs)
+    for c in range(color.max(initial=-1) + 1):
+        mover = np.full(core.joint_count, -1)
+        mover[joint[color[body] == c]] = body[color[body] == c]
+        yield np.flatnonzero(color == c), mover
 
 
 def _change(terms: Floats, vector: Indices) -> Floats:
@@ -262,13 +302,18 @@ def _difference(force: Callable[[Floats], Floats], gross: Floats, x: Floats) -> 
     return np.where(np.abs(total) > rounding, total, 0.0), rounding
 
 
-def _assembled(parts: list[tuple[Floats, Indices, Indices]], size: int, coo: Callable[..., Sparse]) -> Sparse:
+def _assembled(
+    parts: list[tuple[Floats, Indices, Indices]],
+    size: int,
+    coo: Callable[..., Sparse],
+    row_count: int | None = None,
+) -> Sparse:
     values, rows, columns = (
         (np.concatenate(list(part)) for part in zip(*parts, strict=True)) if parts else (np.zeros(0),) * 3
     )
     keep = values != 0.0
     places = rows[keep].astype(int), columns[keep].astype(int)
-    return coo((values[keep], places), shape=(size, size)).tocsr()
+    return coo((values[keep], places), shape=(size if row_count is None else row_count, size)).tocsr()
 
 
 def _incidence(core: _core.Model) -> tuple[Indices, Indices]:
