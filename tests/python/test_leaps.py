@@ -144,3 +144,68 @@ def test_reactions_that_grow_toward_a_pose_are_met_in_leaps(mass: float, options
     found = result.reaction("C").force[beside, :2]  # of the rod on the rocker
     off = np.abs(found + np.column_stack((X, Y))).max(axis=1)
     assert (off / np.hypot(X, Y)).max() < 1e-5
+
+
+def uneven_parallelogram() -> lw.Model:
+    """It swings over its flat poses at about 9 rad/s; toward them forces in the pins grow without limit."""
+    turned, axis, along = 0.99, np.array((0.0, -1.0, 0.0)), np.array((2.0, 0.0, 0.0))
+    up = np.array((np.cos(turned), 0.0, np.sin(turned)))
+    omega, orientation = 8.9 * axis, lw.rotation.about(axis, turned)
+    model = lw.Model()
+    for name, m, foot in (("a", 2.2, 0 * along), ("b", 0.5, along)):
+        model.body(name, mass=m, inertia=(0.01, m / 12, m / 12), position=foot + up / 2, omega=omega,
+                   orientation=orientation, velocity=np.cross(omega, up / 2))  # fmt: skip
+    model.body(
+        "c", mass=0.9, inertia=(0.01, 0.3, 0.3), position=up + 0.7 * along, velocity=np.cross(omega, up)
+    )
+    model.revolute("ground", "a", at=(0, 0, 0), axis=axis, name="A0")
+    model.revolute("ground", "b", at=along, axis=axis, name="B0")
+    model.revolute("a", "c", at=up, axis=axis, name="A")
+    model.point_on_line("b", "c", at=up + along, axis=axis, name="B")
+    return model
+
+
+@pytest.mark.parametrize("options", [
+    {"step": 0.01}, {"step": 0.005}, {"step": 0.01, "integrator": "dopri5"},
+    {"step": 0.005, "formulation": "augmented_lagrangian"},
+])  # fmt: skip
+def test_steps_that_are_long_beside_a_pose_leave_forces_of_the_motion(options: dict[str, Any]) -> None:
+    """A step of 0.09 rad ends 0.012 rad before the pose: what it is off would make forces six times as large."""
+    result = lw.simulate(uneven_parallelogram(), 1.0, **options, progress=False)
+    tight = lw.simulate(uneven_parallelogram(), 1.0, rtol=1e-10, times=result.t, progress=False)
+    found, expected = (run.reaction("A0").force for run in (result, tight))
+    assert len(result.singular_poses) == 3
+    assert (np.abs(found - expected).max(axis=1) / np.abs(expected).max(axis=1)).max() < 5e-3
+
+
+@pytest.mark.parametrize("t_end", [0.53, 0.5308, 0.532])
+def test_the_last_frame_beside_a_pose_has_forces_of_the_motion(t_end: float) -> None:
+    model, step = uneven_parallelogram(), t_end / round(t_end / 0.005)
+    found, expected = (
+        lw.simulate(model, t_end, **options, progress=False).reaction("A0").force[-1]
+        for options in ({"step": step}, {"rtol": 1e-10})
+    )
+    assert np.abs(found - expected).max() < 2e-3 * np.abs(expected).max()
+
+
+def test_finite_forces_are_found_in_the_pose_beside_infinite_ones() -> None:
+    """A crank of 1 kg lifts a rod of 2 kg and another crank at 2 rad/s: its torque is 3 g cos(a), also where all
+    lie flat and pins bear without limit."""
+    rate, start, axis, along = 2.0, -0.6, np.array((0.0, -1.0, 0.0)), np.array((2.0, 0.0, 0.0))
+    up = np.array((np.cos(start), 0.0, np.sin(start)))
+    model, omega = lw.Model(), rate * axis
+    for name, foot in (("a", 0 * along), ("b", along)):
+        model.body(name, mass=1.0, inertia=(0.01, 1 / 12, 1 / 12), position=foot + up / 2, omega=omega,
+                   orientation=lw.rotation.about(axis, start), velocity=np.cross(omega, up / 2))  # fmt: skip
+    model.body("c", mass=2.0, inertia=(0.01, 0.7, 0.7), position=up + along / 2, velocity=np.cross(omega, up))
+    for name, i, j, at in (
+        ("A0", "ground", "a", 0 * along),
+        ("B0", "ground", "b", along),
+        ("A", "a", "c", up),
+    ):
+        model.revolute(i, j, at=at, axis=axis, name=name)
+    model.point_on_line("b", "c", at=up + along, axis=axis, name="B")
+    model.drive("A0", velocity=rate, name="motor")
+    result = lw.simulate(model, 1.0, rtol=1e-9, times=np.linspace(0, 1, 101), progress=False)
+    expected = 3 * 9.81 * np.cos(start + rate * result.t)
+    assert np.abs(np.abs(result.reaction("motor").torque[:, 1]) - expected).max() < 1e-3

@@ -270,7 +270,10 @@ void Lane::end(double t, const VectorXd& y) {
   }
   if (!watches()) return;
   const std::int64_t poses = dynamics_.watch().singular_poses();
-  guarded(t, [&] { crossing_.end(t, y); });
+  guarded(t, [&] {
+    crossing_.correct_last_frame(recorder_, t, y);
+    crossing_.end(t, y);
+  });
   if (stops_ && dynamics_.watch().singular_poses() != poses) leave(t, "the motion ends in a singular pose");
 }
 

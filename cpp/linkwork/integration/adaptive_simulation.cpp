@@ -421,6 +421,7 @@ void AdaptiveSimulation::finish_step() {
   std::copy_if(of_step_.begin(), of_step_.end(), std::back_inserter(occurrences_), seen);
   of_step_.clear();
   record_if_due();
+  if (finished_ && crossing_.correct_last_frame(recorder_, t_, y_)) dynamics_.evaluate(clock(), y_);
   if (finished_ || (stops_.empty() && !at_break)) return;
   with_time(t_, NAN, [&] {
     if (!stops_.empty()) {

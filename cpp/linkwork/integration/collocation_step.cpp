@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "linkwork/constraints/length_scale.hpp"
+#include "linkwork/integration/growing_multipliers.hpp"
 #include "linkwork/math/elementary.hpp"
 #include "linkwork/math/error.hpp"
-#include "linkwork/math/lagrange.hpp"
 
 namespace linkwork {
 namespace {
@@ -31,7 +31,6 @@ constexpr double beside = 0.01;        // s of the nodes that are next to a pose
 constexpr double not_resolved = 0.06;  // part of the accelerations of a node in the last of eight polynomials
 
 constexpr double few_digits = 0.03;    // of the step: nodes that are nearer to a pose tell little of what is there
-constexpr double better = 0.1;         // times the error, to take multipliers for such that grow without limit
 constexpr double nearest_pole = 1e-6;  // of the step: nearer to a pose nobody knows on which side of it a state is
 
 double of_positions(double blur) { return blur / beside; }
@@ -87,6 +86,7 @@ void CollocationStep::begin_in_pose(double t, const VectorXd& y, double off) {
 }
 
 void CollocationStep::allocate(double t, const VectorXd& y) {
+  start_.reset();
   const System& system = dynamics_.system();
   blur_ = std::numeric_limits<double>::epsilon() * farthest_position(system, y.head(system.q_size()));
   const SpinningAxes axes = SpinningAxes::at_start(rotors_, y.segment(system.q_size(), system.v_size()));
@@ -106,12 +106,12 @@ bool CollocationStep::begin(double t, const VectorXd& y, bool on_constraints) {
   step_.axes = SpinningAxes::at_start(rotors_, step_.y.segment(system.q_size(), system.v_size()));
   dynamics_.evaluate(t, step_.y);
   note_energy(step_.y);
-  VectorXd lambda(dynamics_.system().row_count());
-  v_dot_before_.resize(v_dot_.size());
-  dynamics_.refined_accelerations(v_dot_before_, lambda);
-  dynamics_.rates(v_dot_before_, lambda, rates_before_);
+  Forces forces{VectorXd(v_dot_.size()), VectorXd(system.row_count())};
+  dynamics_.refined_accelerations(forces.v_dot, forces.lambda);
+  dynamics_.rates(forces.v_dot, forces.lambda, rates_before_);
   step_.axes.see_rates(0.0, step_.y, rates_before_);
   v_dot_before_ = rates_before_.segment(system.q_size(), v_dot_.size());
+  if (on_constraints) start_ = std::move(forces);
   return true;
 }
 
@@ -302,34 +302,16 @@ void CollocationStep::accelerations_at(double time, MutableVector v_dot, Mutable
   hold_rotors(time, y, v_dot, lambda);
 }
 
-/// Toward a singular pose multipliers grow like 1 / s, s the way to it, where forces push along the other branch, too:
-/// their products with the ways to all poses are smooth then. Which it is tells the node next to a pose, by the others.
 VectorXd CollocationStep::multipliers_at(double time) const {
-  const auto way = [&](double place) {  // the product of those to all poses
-    double product = 1.0;
-    for (const double pose : step_.poses) {
-      const double one = place - pose / step_.h;
-      product *= std::copysign(std::max(std::abs(one), nearest_pole), one);
-    }
-    return product;
-  };
-  const std::vector<int> nodes = nodes_beside_poses();
-  const auto from = [&](std::size_t first, double place, bool grows) {
-    std::vector<double> places;
-    for (std::size_t k = first; k < nodes.size(); ++k) places.push_back(gauss_.c[nodes[k]]);
-    const std::vector<double> weights = lagrange_weights(places, place);
-    VectorXd sum = VectorXd::Zero(step_.lambda.rows());
-    for (std::size_t k = 0; k < places.size(); ++k)
-      sum += (grows ? weights[k] * way(places[k]) / way(place) : weights[k]) * step_.lambda.col(nodes[first + k]);
-    return sum;
-  };
-  const auto error = [&](bool grows) {
-    const int next = nodes.front();
-    return (from(1, gauss_.c[next], grows) - step_.lambda.col(next)).cwiseAbs().maxCoeff();
-  };
-  if (step_.poses.empty() || nodes.size() < 3 || !(error(true) < better * error(false)))
-    return step_.lambda * gauss_.values(time / step_.h);
-  return from(0, time / step_.h, true);
+  std::vector<double> places, poses;
+  std::vector<VectorXd> multipliers;
+  for (const double pose : step_.poses) poses.push_back(pose / step_.h);
+  for (const int node : nodes_beside_poses()) {
+    places.push_back(gauss_.c[node]);
+    multipliers.emplace_back(step_.lambda.col(node));
+  }
+  if (auto found = growing_multipliers(places, multipliers, poses, nearest_pole, time / step_.h)) return *found;
+  return step_.lambda * gauss_.values(time / step_.h);
 }
 
 /// Those that are not so near to a pose that they tell little of how multipliers grow there; the nearest first.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "linkwork/formulation/projection.hpp"
@@ -74,6 +75,11 @@ class CollocationStep {
   const auto& nodes() const { return gauss_.c; }
   /// As they are seen.
   const VectorXd& start_accelerations() const { return v_dot_before_; }
+  /// Where it is taken to the constraints: as they are there.
+  struct Forces {
+    VectorXd v_dot, lambda;
+  };
+  const std::optional<Forces>& start_on_constraints() const { return start_; }
 
   /// At so many seconds from t, with unit Euler parameters.
   void state_at(double time, VectorXd& y) const;
@@ -115,6 +121,7 @@ class CollocationStep {
   Leap step_;
   double correction_ = 0.0, jump_ = 0.0;  ///< of the last sweep, see Quality
   MatrixXd g_;                            ///< at the nodes
+  std::optional<Forces> start_;
   double off_ = 0.0, energy_before_ = 0.0, kinetic_before_ = 0.0;
   VectorXd y_, v_dot_, v_dot_before_, rates_, rates_before_;
 };

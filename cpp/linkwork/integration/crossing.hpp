@@ -101,9 +101,12 @@ class Crossing final : public Interpolant {
   void interpolate(const System& system, double theta, VectorXd& y) const override;
   /// The same on the constraints, unless a pose is too near. Leaves `dynamics` evaluated somewhere else.
   void place(double theta, VectorXd& y);
-  /// A frame at t of the state y where the last leap begins, in or beside a pose: its equations tell little of what
-  /// goes on there, the leap does. Leaves `dynamics` evaluated somewhere else.
+  /// A frame at t of the state y where the last leap begins: on the constraints; in or beside a pose, where equations
+  /// tell little of what goes on, by the leap. Leaves `dynamics` evaluated somewhere else.
   void correct_frame(Recorder& recorder, double t, const VectorXd& y);
+  /// The last frame of a run, of the state y at t, beside a pose on the constraints. True where `dynamics` was evaluated
+  /// somewhere else.
+  bool correct_last_frame(Recorder& recorder, double t, const VectorXd& y);
   /// Accelerations and multipliers at `at` in a usual step h from t, where `dynamics` is evaluated; false: its
   /// equations tell them, no pose is near.
   bool accelerations_beside(const Interpolant& step, double t, double h, double at, MutableVector v_dot,
@@ -153,8 +156,11 @@ class Crossing final : public Interpolant {
   bool beside_a_pose(double time) const;
   bool in_doubt();
   bool tell(const Interpolant& step, double t, double h, double time, VectorXd& v_dot, VectorXd& lambda);
+  bool tell_on_constraints(double time, VectorXd& v_dot, VectorXd& lambda);
   bool tells_forces() const;
-  bool between_forces_beside(const Interpolant& step, double t, double h, double at, VectorXd& v_dot, VectorXd& lambda);
+  enum class ForcesBeside { none, unsure, sure };
+  ForcesBeside between_forces_beside(const Interpolant& step, double t, double h, double at, VectorXd& v_dot,
+                                     VectorXd& lambda);
   [[noreturn]] void throw_no_branch(double t) const;
   void keep_rows_good(Arrival& state);
   Speeds speeds(const ConstVector& v) const;

@@ -155,6 +155,7 @@ double Simulation::begin_step() {
 
 void Simulation::finish() {
   sampling_.before(dynamics_, y_);
+  crossing_.correct_last_frame(recorder_, begins() ? given_start_ : t(), y_);
   if (crossing_.end(t(), y_)) dynamics_.evaluate(t(), y_);
 }
 
