@@ -170,7 +170,7 @@ def uneven_parallelogram() -> lw.Model:
     {"step": 0.005, "formulation": "augmented_lagrangian"},
 ])  # fmt: skip
 def test_steps_that_are_long_beside_a_pose_leave_forces_of_the_motion(options: dict[str, Any]) -> None:
-    """A step of 0.09 rad ends 0.012 rad before the pose: what it is off would make forces six times as large."""
+    """A step of 0.09 rad ends 0.012 rad before the pose: what it is off made forces six times as large."""
     result = lw.simulate(uneven_parallelogram(), 1.0, **options, progress=False)
     tight = lw.simulate(uneven_parallelogram(), 1.0, rtol=1e-10, times=result.t, progress=False)
     found, expected = (run.reaction("A0").force for run in (result, tight))
@@ -189,8 +189,8 @@ def test_the_last_frame_beside_a_pose_has_forces_of_the_motion(t_end: float) -> 
 
 
 def test_finite_forces_are_found_in_the_pose_beside_infinite_ones() -> None:
-    """A crank of 1 kg lifts a rod of 2 kg and another crank at 2 rad/s: its torque is 3 g cos(a), also where all
-    lie flat and pins bear without limit."""
+    """A crank of 1 kg lifts a rod of 2 kg and another crank at 2 rad/s: its torque is 3 g cos(a), also where
+    all lie flat and pins bear without limit."""
     rate, start, axis, along = 2.0, -0.6, np.array((0.0, -1.0, 0.0)), np.array((2.0, 0.0, 0.0))
     up = np.array((np.cos(start), 0.0, np.sin(start)))
     model, omega = lw.Model(), rate * axis

@@ -573,14 +573,6 @@ def test_motion_that_accelerates_is_told_as_such_and_not_sent_to_an_equilibrium(
     assert caught.value.code == "not_in_balance" and "equilibrium" not in str(caught.value)
 
 
-def test_of_one_joint_that_restricts_velocities_the_message_speaks_in_the_singular() -> None:
-    model = lw.Model(gravity=(0, 0, 0))
-    model.body("blade", mass=1.0, inertia=(0.1, 0.1, 0.1), velocity=(1, 0, 0))
-    model.knife_edge("ground", "blade", at=(0, 0, 0), axis=(0, 1, 0))
-    with pytest.raises(lw.ModelError, match=r"linearize: knife_edge 1 restricts velocities only"):
-        lw.linearize(model)
-
-
 # --- parts that are far from each other ---------------------------------------------------------------------
 
 

@@ -202,5 +202,7 @@ def _with_exact_zeros(A: Floats) -> tuple[Complex, Complex, Floats]:
     y = V @ _vectors(T[::-1, ::-1].conj().T)[::-1, ::-1][:, one]
     angle = np.abs(np.sum(_unit(y).conj() * _unit(z), axis=0))
     off = ROUNDING * size / np.maximum(angle * np.abs(s), TINY)
-    vectors = other @ z + still @ ((still.T @ A @ other @ z) / s)
+    moved = still.T @ A @ other @ z
+    parts = [np.linalg.solve(it * np.eye(count) - still.T @ A @ still, moved[:, k]) for k, it in enumerate(s)]
+    vectors = other @ z + still @ np.reshape(parts, (-1, count)).T
     return np.append(np.zeros(count), s), np.hstack([still, vectors]), np.append(np.zeros(count), off)
