@@ -16,8 +16,8 @@ def symmetric(xx: float, yy: float, zz: float, xz: float = 0.0) -> Floats:
 def bicycle(
     speed: float, turned: float = 0.0, away: Floats | tuple[float, ...] = (0.0, 0.0, 0.0)
 ) -> lw.Model:
-    """The benchmark of Meijaard, Papadopoulos, Ruina and Schwab (Proc. R. Soc. A 463, 2007), upright, straight
-    ahead, turned about the vertical z."""
+    """The benchmark of Meijaard, Papadopoulos, Ruina and Schwab (Proc. R. Soc. A 463, 2007), upright and
+    straight ahead, turned about the vertical z."""
     A = lw.rotation.matrix(lw.rotation.about(Z, turned))
     model, tilt, base, front = lw.Model(gravity=(0, 0, -G)), np.pi / 10, 1.02, (0.0, 0.0, 0.0)
 

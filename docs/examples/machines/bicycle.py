@@ -26,12 +26,21 @@ def bicycle(speed):
         ("fork", 4.0, symmetric(0.05892, 0.06, 0.00708, 0.00756), (0.9, 0, 0.7), np.inf),
         ("front wheel", 3.0, symmetric(0.1405, 0.28, 0.1405), (BASE, 0, 0.35), 0.35),
     ):
-        model.body(name, mass=mass, inertia=inertia, position=at, velocity=(speed, 0, 0), omega=(0, speed / radius, 0),
-                   shape=[lw.Cylinder(radius, 0.03, axis=Y)] if np.isfinite(radius) else [])
+        model.body(
+            name,
+            mass=mass,
+            inertia=inertia,
+            position=at,
+            velocity=(speed, 0, 0),
+            omega=(0, speed / radius, 0),
+            shape=[lw.Cylinder(radius, 0.03, axis=Y)] if np.isfinite(radius) else [],
+        )
     for wheel, holder, at in (("rear wheel", "frame", (0, 0, 0.3)), ("front wheel", "fork", (BASE, 0, 0.35))):
         model.rolling_disc("ground", wheel, at=((0, 0, 0), at), axes=(Z, Y), radius=at[2])
         model.revolute(holder, wheel, at=at, axis=Y)
-    model.revolute("frame", "fork", at=(BASE + 0.08, 0, 0), axis=(-np.sin(TILT), 0, np.cos(TILT)), name="head")
+    model.revolute(
+        "frame", "fork", at=(BASE + 0.08, 0, 0), axis=(-np.sin(TILT), 0, np.cos(TILT)), name="head"
+    )
     return model
 
 
@@ -46,7 +55,13 @@ for speed in speeds:
     growth = lw.linearize(bicycle(speed)).eigenvalues.real
     ax.plot(np.full(growth.size, speed), growth, ".", color="tab:blue", markersize=4)
 ax.axhspan(-10, 0, xmin=0.429, xmax=0.602, color="tab:green", alpha=0.2)
-ax.set(ylim=(-10, 6), xlim=(0, 10), xlabel="speed [m/s]", ylabel="growth [1/s]", title="where the bicycle balances itself")
+ax.set(
+    ylim=(-10, 6),
+    xlim=(0, 10),
+    xlabel="speed [m/s]",
+    ylabel="growth [1/s]",
+    title="where the bicycle balances itself",
+)
 
 # %%
 # Begun with a roll of 0.2 rad/s it steers into the fall, and comes to ride straight ahead:

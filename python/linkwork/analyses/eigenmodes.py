@@ -1,4 +1,4 @@
-"""Eigenvalues s and motions x of  (s^2 M + s C + K) x + D^T mu = 0,  D x = 0, of rows that roll (s D + E) x = 0.
+"""Eigenvalues s and motions x of  (s^2 M + s C + K) x + D^T mu = 0,  D x = 0; of what rolls (s D + E) x = 0.
 
 By dense matrices over the motions that D leaves, or by Krylov spaces with D in the matrix that is factorized.
 """
@@ -259,8 +259,8 @@ def by_arnoldi(
 
 
 # With eta = x':  x_new = (x_old's share) of (sigma^2 M + sigma C + K) x_new = -(C + sigma M) x - M eta,
-# eta_new = sigma x_new + x: one application of (A - sigma B)^-1 B of the first-order equations. Rows that roll
-# are those of velocities, D eta + E x = 0.
+# eta_new = sigma x_new + x: one application of (A - sigma B)^-1 B of the first-order equations. Rows that
+# roll are those of velocities, D eta + E x = 0.
 def _nearest(
     M: Sparse, C: Sparse, K: Sparse, D: Sparse, rolling: tuple[Sparse, Sparse], sigma: complex
 ) -> Callable[[int, int], tuple[Complex, Complex, float]]:

@@ -161,7 +161,8 @@ def linearize(
     About the model's initial state, or `start`: at rest in balance, or in motion without accelerations that
     looks the same at all times: centers of mass at rest or in straight uniform motion, bodies that spin at
     constant angular velocity about axes fixed in space, such as an upright top, or a bicycle that rolls
-    straight ahead; not one that precesses, nor a mechanism on a turning shaft, whose centers of mass go round.
+    straight ahead; not one that precesses, nor a mechanism on a turning shaft, whose centers of mass go
+    round.
 
     M, C, K over the motions of all bodies, sparse, and restricted to D x = 0: exactly by a null space for
     small models; for large ones with the constraints in the matrix that is factorized, by shift and inversion
