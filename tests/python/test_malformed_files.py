@@ -537,7 +537,7 @@ def test_files_beyond_the_limit_are_refused_unread(tmp_path: Path) -> None:
     path = tmp_path / "model.yaml"
     with path.open("wb") as file:
         file.truncate(2**24 + 1)
-    assert "16 MiB; larger models are written as .json" in faults(path)[0].message
+    assert "a .yaml file may have 16 MiB; write it as .json" in faults(path)[0].message
 
 
 def test_cases_never_show_a_traceback(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import math
+import re
 import warnings
 from pathlib import Path
 from typing import Any
@@ -14,11 +16,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from linkwork import _core
-from linkwork.cli import run
+from linkwork.cli import base, run
 from linkwork.functions import Sum
 from linkwork.mechanisms import MECHANISMS
 from linkwork.modeling import files
-from linkwork.modeling.files import schema
+from linkwork.modeling.files import syntax
 from linkwork.modeling.files.writing import json_lines, record_of, yaml_lines
 from random_mechanisms import FORCES, JOINTS, Maker, Mechanism, examples, make
 
@@ -475,8 +477,66 @@ def test_a_failed_save_leaves_the_old_file(tmp_path: Path) -> None:
     assert path.read_bytes() == before and len(list(tmp_path.iterdir())) == 1
 
 
-def test_names_of_settings_are_arguments_of_simulate() -> None:
-    assert {"t_end", "step", "formulation", "violation_limit"} <= set(schema.setting_names())
+@pytest.mark.parametrize(
+    ("wrong", "why"),
+    [
+        ({"step": -1}, r"simulation.step: step -1 s must be a finite number, positive"),
+        ({"t_end": math.inf}, r"simulation.t_end: t_end inf s"),
+        ({"t_end": True}, r"simulation.t_end: t_end True s must be a finite number"),
+        ({"breaks": ["a"]}, r"simulation.breaks: .*not times"),
+        ({"record_every": 0}, r"simulation.record_every: .*positive whole number"),
+        ({"integrator": "rk5"}, r"simulation.integrator: integrator 'rk5' does not exist"),
+        ({"integrator": lw.integrators.METHODS["rk4"]}, r"integrator 'rk4' is given as its coefficients"),
+        ({"formulation": "penalty", "matrix_form": "kkt"}, r"simulation.matrix_form: .*one form only"),
+        ({"step": 2.0}, r"simulation.step: step 2 s is longer than the run"),
+    ],
+)
+def test_what_no_run_takes_is_not_saved(wrong: dict[str, Any], why: str, tmp_path: Path) -> None:
+    """A file with it would be refused as a whole."""
+    path = tmp_path / "model.yaml"
+    crank_and_rod().save(path)
+    before = path.read_bytes()
+    with pytest.raises(lw.OptionError, match=why):
+        crank_and_rod().save(path, simulation={"t_end": 1.0, **wrong}, overwrite=True)
+    assert path.read_bytes() == before
+
+
+@pytest.mark.parametrize("suffix", [".yaml", ".json"])
+def test_settings_of_numpy_are_saved_as_numbers(suffix: str, tmp_path: Path) -> None:
+    path = tmp_path / f"model{suffix}"
+    given = {"t_end": np.float64(0.1), "step": np.float32(1e-3), "record_every": np.int64(2)}
+    more = {
+        "deterministic": np.True_,
+        "breaks": np.array([0.5]),
+        "violation_limit": {"position": np.float32(1)},
+    }
+    crank_and_rod().save(path, simulation={**given, **more})
+    held = files.read(path, lw.Model).simulation
+    assert held == {**given, "deterministic": True, "breaks": [0.5], "violation_limit": {"position": 1.0}}
+    assert {type(held[name]) for name in ("t_end", "step")} == {float}
+
+
+@pytest.mark.parametrize("by_command", [False, True])
+def test_a_file_that_would_be_too_large_to_read_replaces_none(
+    by_command: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Reading and writing have the same limit, of which JSON has more."""
+    monkeypatch.setattr(base, "_force", [True])
+    monkeypatch.setattr(
+        syntax, "SUFFIXES", {**syntax.SUFFIXES, ".yaml": (syntax.SUFFIXES[".yaml"][0], 2**14)}
+    )
+    source, path = tmp_path / "chain.json", tmp_path / "model.yaml"
+    lw.mechanisms.chain(5).save(path)
+    before = path.read_bytes()
+    lw.mechanisms.chain(200).save(source)
+    why = r"has 0\.0\d+ MiB; a \.yaml file may have 0 MiB; write it as \.json"
+    if by_command:
+        assert run(["convert", str(source), str(path)], debug=False) == 1
+        assert re.search(why, capsys.readouterr().err)
+    else:
+        with pytest.raises(lw.FileError, match=why):
+            lw.Model.load(source).save(path, overwrite=True)
+    assert path.read_bytes() == before and sorted(tmp_path.iterdir()) == [source, path]
 
 
 @pytest.mark.parametrize("far", [1e160, 1e308])

@@ -5,26 +5,60 @@ A run looks at them before its first step, and a file that recommends them when 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import re
+from collections.abc import Callable, Iterator, Mapping
 from functools import cache, partial
 from typing import Any, get_args
 
 import numpy as np
 
 from linkwork import _core
-from linkwork.errors import ModelError, OptionError
+from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.functions import check_breaks
 from linkwork.integrators import METHODS, EmbeddedPair, HalfExplicit, named
-from linkwork.options.table import TABLE, Policy, check_name, check_number, checked, compile_options
+from linkwork.options.table import (
+    RENAMED,
+    TABLE,
+    Policy,
+    check_name,
+    check_number,
+    checked,
+    compile_options,
+    renamed,
+)
 
 __all__ = ["LEAST_RTOL", "RUN_SETTINGS", "check_estimate", "check_setting", "check_step", "check_together",
-           "honored"]  # fmt: skip
+           "honored", "refused"]  # fmt: skip
 
 #: The smallest relative tolerance that double precision holds.
 LEAST_RTOL = 1e-13
 
 #: Times that are one, relative.
 SAME_TIME = 1e-9
+
+
+def refused(settings: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """What no run takes: names, and why; where there are none, why not all of them together, and the name
+    that this is about, "" where it is none of theirs. Names of earlier versions are taken, too.
+    """
+    known, good = [*RUN_SETTINGS, *TABLE], True
+    for name, value in settings.items():
+        try:
+            if name in known or name in RENAMED:
+                check_setting(RENAMED.get(name, name), value)
+                continue
+            why = f"is no argument of simulate{nearest(str(name), known)}"
+        except OptionError as error:
+            why = str(error)
+        good = False
+        yield name, why
+    if not good:
+        return
+    try:
+        check_together(renamed(settings))
+    except OptionError as error:
+        about = (it for it in (error.code, *re.findall(r"\w+", str(error))) if it in settings)
+        yield next(about, ""), str(error)
 
 
 def check_setting(name: str, value: Any) -> None:

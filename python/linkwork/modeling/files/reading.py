@@ -22,7 +22,6 @@ from linkwork.errors import (
     FileError,
     LinkworkError,
     ModelFileError,
-    OptionError,
     about,
     nearest,
 )
@@ -36,7 +35,7 @@ from linkwork.modeling.files.syntax import Syntax, Where, field, parse
 from linkwork.modeling.files.writing import normalized_from
 from linkwork.modeling.shapes import Shape
 from linkwork.modeling.user_forces import UserForce
-from linkwork.options import RENAMED, check_setting, check_together, renamed
+from linkwork.options import refused, renamed
 
 if TYPE_CHECKING:
     from linkwork.modeling.model import Model
@@ -242,22 +241,8 @@ def _check_settings(data: Mapping[str, Any], checker: _Checker) -> None:
     settings = data.get("simulation")
     if not isinstance(settings, dict):
         return
-    known, taken = schema.setting_names(), {}
-    for name, value in settings.items():
-        if name not in known and name not in RENAMED:
-            checker.add(("simulation", name), f"is no argument of simulate{nearest(name, known)}")
-            continue
-        try:
-            check_setting(RENAMED.get(name, name), value)
-            taken[name] = value
-        except OptionError as error:
-            checker.add(("simulation", name), str(error))
-    if len(taken) == len(settings):
-        try:
-            check_together(renamed(taken))
-        except OptionError as error:
-            meant = [name for name in (error.code, *re.findall(r"\w+", str(error))) if name in settings]
-            checker.add(("simulation", *meant[:1]), str(error))
+    for name, why in refused(settings):
+        checker.add(("simulation", *([name] if name else [])), why)
 
 
 def _check_names(document: schema.Document, checker: _Checker, held: Functions) -> None:

@@ -34,7 +34,6 @@ from linkwork.functions.expressions import LONGEST
 from linkwork.modeling.builder import ModelBuilder
 from linkwork.modeling.elements import KINDS, Role, described
 from linkwork.modeling.shapes import KINDS as SHAPES
-from linkwork.options import RUN_SETTINGS, TABLE
 
 __all__ = [
     "VERSION", "Attached", "Document", "Element", "Record", "document_type", "element_type",
@@ -478,11 +477,6 @@ Setting = Annotated[
     Any,
     WithJsonSchema({"anyOf": [{"type": it} for it in ("boolean", "number", "string", "object", "array")]}),
 ]
-
-
-def setting_names() -> list[str]:
-    """The arguments of `simulate` that a file may recommend."""
-    return [*RUN_SETTINGS, *TABLE]
 
 
 class Document(Record):

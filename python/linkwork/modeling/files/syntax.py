@@ -23,7 +23,8 @@ class Syntax(Protocol):
         """The line, from 1 on, of a value that is there."""
 
 
-#: How each file name extension is read, and the largest such file [bytes].
+#: How each file name extension is read, and the largest such file [bytes], which neither reading nor writing
+#: passes.
 SUFFIXES: Mapping[str, tuple[Callable[[str], Any], int]] = {
     ".json": (json_text.JsonText, 2**31),
     ".yaml": (yaml_text.YamlText, 2**24),
@@ -47,7 +48,7 @@ def parse(path: str | os.PathLike[str], what: str = "model file") -> Syntax:
     """The document in a file. FileError: it cannot be read. ModelFileError: it is no YAML or JSON."""
     suffix = check_suffix(path, what)
     reader, most = SUFFIXES[suffix]
-    text = _text(path, most, suffix, what)
+    text = _text(path, most, what)
     try:
         document: Syntax = reader(text)
     except (json_text.Malformed, yaml_text.Malformed) as error:
@@ -55,17 +56,25 @@ def parse(path: str | os.PathLike[str], what: str = "model file") -> Syntax:
     return document
 
 
-def _text(path: str | os.PathLike[str], most: int, suffix: str, what: str) -> str:
+def too_large(path: str | os.PathLike[str], size: int) -> str:
+    """Why a file of this name and size [bytes] is not read, "" where it is."""
+    suffix = check_suffix(path)
+    most = SUFFIXES[suffix][1]
+    if size <= most:
+        return ""
+    advice = "; write it as .json" if suffix != ".json" else ""
+    return f"has {size / 2**20:.3g} MiB; a {suffix} file may have {most / 2**20:.0f} MiB{advice}"
+
+
+def _text(path: str | os.PathLike[str], most: int, what: str) -> str:
     try:
         size = os.stat(path).st_size
         found = content.read(path, most) if size <= most else None
     except OSError as error:
         raise FileError(f"{what} '{path}': {cause(error)}", code="not_readable") from error
     if found is None:
-        advice = "; larger models are written as .json" if suffix != ".json" else ""
-        has = f"has {size / 2**20:.0f} MiB" if size > most else "goes on"
-        reason = f"{has}; a {suffix} file may have {most / 2**20:.0f} MiB{advice}"
-        raise ModelFileError(path, [Fault(1, "", reason)])
+        # what grows while it is read has no size
+        raise ModelFileError(path, [Fault(1, "", too_large(path, max(size, most + 1)))])
     return _decoded(path, found)
 
 

@@ -15,16 +15,17 @@ from typing import Any
 import numpy as np
 
 from linkwork import _core
-from linkwork.arguments import check_new
+from linkwork.arguments import check_new, is_number
 from linkwork.arrays import Floats
-from linkwork.errors import ModelError, OptionError, nearest, unwritable
+from linkwork.errors import FileError, ModelError, OptionError, unwritable
 from linkwork.functions import Broken, Sum, Table, TimeFunction
 from linkwork.modeling.builder import ModelBuilder
 from linkwork.modeling.elements import KINDS, Role
 from linkwork.modeling.files import packed, schema
 from linkwork.modeling.files.collection import collection_paused
-from linkwork.modeling.files.syntax import check_suffix
+from linkwork.modeling.files.syntax import check_suffix, too_large
 from linkwork.modeling.shapes import Shape
+from linkwork.options import refused
 from linkwork.replacement import replacing
 
 _COMMENT = """\
@@ -37,16 +38,33 @@ _COMMENT = """\
 def write(
     model: ModelBuilder, path: str | os.PathLike[str], simulation: Mapping[str, Any], overwrite: bool
 ) -> None:
-    """ModelError: what a file cannot hold. OptionError: no argument of simulate. FileError: not writable."""
+    """ModelError: what a file cannot hold. OptionError: no run takes `simulation`. FileError: no such file."""
     suffix = check_suffix(path)
     check_new(path, "model", overwrite)
-    for name in simulation:
-        if name not in (known := schema.setting_names()):
-            raise OptionError(f"simulation: no option '{name}'{nearest(name, known)}", code="option")
+    settings = {name: _setting(name, value) for name, value in simulation.items()}
+    for name, why in refused(settings):
+        raise OptionError(f"simulation{name and f'.{name}'}: {why}", code="option")
     with collection_paused():
-        document = record_of(model, simulation)
+        document = record_of(model, settings)
         lines = json_lines(document) if suffix == ".json" else yaml_lines(document)
         _write_whole(Path(path), lines)
+
+
+def _setting(name: str, value: Any) -> Any:
+    """As data what `simulate` takes as numbers and arrays of any kind. OptionError: a method of one's own."""
+    if hasattr(value, "__array__"):
+        value = np.asarray(value).tolist()
+    if name == "integrator" and not isinstance(value, str):
+        raise OptionError(
+            f"simulation: integrator {getattr(value, 'name', value)!r:.80} is given as its coefficients, "
+            "which a file cannot hold: give the name of one that linkwork has",
+            code="integrator",
+        )
+    if isinstance(value, Mapping):
+        return {key: _setting("", part) for key, part in value.items()}
+    if isinstance(value, list | tuple):
+        return [_setting("", part) for part in value]
+    return value if isinstance(value, str | int) or not is_number(value) else float(value)
 
 
 def record_of(model: ModelBuilder, simulation: Mapping[str, Any]) -> dict[str, Any]:
@@ -317,10 +335,16 @@ def _word(text: str) -> str:
 
 
 def _write_whole(path: Path, lines: Iterator[str]) -> None:
-    """All or nothing: a file that is there stays as it is until the new one is complete."""
+    """All or nothing: a file that is there stays as it is until the new one is complete.
+
+    FileError: it cannot be written, or would be too large to be read again.
+    """
     try:
-        with replacing(path, "model file") as beside, open(beside, "w", encoding="utf-8") as file:
-            file.writelines(lines)
+        with replacing(path, "model file") as beside:
+            with open(beside, "w", encoding="utf-8") as file:
+                file.writelines(lines)
+            if why := too_large(path, beside.stat().st_size):
+                raise FileError(f"model file '{path}': {why}", code="too_large")
     except UnicodeEncodeError as error:
         no_text = ValueError("a name is no valid text; rename what has it")
         raise unwritable("model file", path, no_text) from error
