@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 __all__ = [
-    "Complex", "Floats", "Indices", "Number", "ReadOnly", "VectorLike", "near_one", "pieces", "read_only",
+    "Complex", "Floats", "Indices", "Number", "ReadOnly", "VectorLike", "by_value", "near_one", "pieces",
+    "read_only",
 ]  # fmt: skip
 
 Floats = NDArray[np.float64]
@@ -69,3 +70,43 @@ class ReadOnly:
     def __setstate__(self, state: Mapping[str, Any]) -> None:
         self.__dict__.update(state)
         self.__post_init__()
+
+
+def by_value(kind: type[Found]) -> type[Found]:
+    """Of a dataclass or named tuple: two are == where all their values are, those in arrays, too.
+
+    NaN is NaN here, so that runs are equal that give the same numbers. As arrays, they have no hash.
+    """
+
+    def equal(one: Any, other: Any) -> Any:
+        plain = type(other) is tuple and isinstance(one, tuple)
+        if not plain and type(other) is not type(one):
+            return NotImplemented
+        return one is other or _same(_compared(one), _compared(other))
+
+    def unequal(one: Any, other: Any) -> Any:
+        found = equal(one, other)
+        return found if found is NotImplemented else not found
+
+    kind.__eq__ = equal  # type: ignore[assignment]
+    kind.__ne__ = unequal  # type: ignore[assignment]  # which tuples have of their own
+    return kind
+
+
+def _compared(record: Any) -> list[Any]:
+    if isinstance(record, tuple):
+        return list(record)
+    return [getattr(record, it.name) for it in fields(record) if it.compare]
+
+
+def _same(a: Any, b: Any) -> bool:
+    if a is b:
+        return True
+    if isinstance(a, np.ndarray) or isinstance(b, np.ndarray):
+        a, b = np.asarray(a), np.asarray(b)
+        return a.shape == b.shape and bool(np.all((a == b) | ((a != a) & (b != b))))
+    if isinstance(a, Mapping) and isinstance(b, Mapping):
+        return a.keys() == b.keys() and all(_same(a[key], b[key]) for key in a)
+    if isinstance(a, list | tuple) and isinstance(b, list | tuple) and type(a) in (list, tuple):
+        return len(a) == len(b) and all(map(_same, a, b))
+    return bool(a == b or (a != a and b != b))

@@ -12,6 +12,7 @@ import pytest
 import synthetic
 from linkwork import Result, rotation
 from linkwork.errors import FileError, LinkworkError
+from linkwork.motion import records
 from linkwork.motion.records import rotate
 from matplotlib import image
 
@@ -365,3 +366,60 @@ def test_what_analyses_found_cannot_be_written_over() -> None:
     for matrix in (vibration.M, vibration.C, vibration.K, vibration.D):
         with pytest.raises(ValueError, match="read-only"):
             matrix *= 2
+
+
+def falling() -> lw.Result:
+    """A rod that swings down and passes a height on its way."""
+    event = lw.Event(lambda t, state: state.body("rod").position[2] + 0.45, "low")
+    model = hanging_rod(angle=0.6)
+    model.spring_damper(
+        "ground", "rod", at=((1, 0, 0), (0, 0, 0)), stiffness=3, free_length=0.1, name="spring"
+    )
+    return lw.simulate(model, t_end=0.5, rtol=1e-6, atol=1e-8, events=[event])
+
+
+def test_what_two_equal_runs_give_is_equal(tmp_path: Path) -> None:
+    one, two = falling(), falling()
+    assert one.events and list(one.events) == list(two.events)
+    assert one.snapshot() == two.snapshot() and one.snapshot(1) != two.snapshot(2)
+    assert one.force("spring") == two.force("spring")
+    joint, other = one.joint_names[0], one.snapshot()._replace(history=(1.0,))
+    assert one.snapshot() != other and other == other._replace(history=np.ones(1))
+    for run in (two, pickle.loads(pickle.dumps(one))):
+        assert one.body("rod") == run.body("rod")
+        assert one.reaction(joint) == run.reaction(joint) and not one.reactions() != run.reactions()
+        assert one.coordinate(joint) == run.coordinate(joint) and one.header == run.header
+    assert one.reaction(joint) != lw.Reaction(one.reaction(joint).force, one.reaction(joint).torque + 1)
+    assert one.reaction(joint) == tuple(one.reaction(joint)) and one.body("rod") != one.reaction(joint)
+    one.save(tmp_path / "run.h5")
+    assert lw.Result.load(tmp_path / "run.h5").events == one.events
+
+
+def test_records_without_a_number_are_equal_where_both_have_none() -> None:
+    none = lw.Reaction(np.array([[np.nan, 0.0, 1.0]]), np.zeros((1, 3)))
+    assert none == copy.deepcopy(none) and none != lw.Reaction(np.zeros((1, 3)), none.torque)
+    assert none != lw.Reaction(np.zeros((2, 3)), none.torque)
+
+
+def test_all_records_with_arrays_are_compared_by_value() -> None:
+    """As == of NumPy's arrays is none, named tuples and dataclasses need one of their own."""
+    known = {name: getattr(lw, name) for name in lw.__all__}
+    known |= {name: getattr(records, name) for name in records.__all__}
+    for name, kind in known.items():
+        if not isinstance(kind, type) or kind.__eq__ is object.__eq__:
+            continue
+        hints = " ".join(map(str, getattr(kind, "__annotations__", {}).values()))
+        if "Floats" in hints or "NDArray" in hints:
+            assert kind.__eq__.__module__ == "linkwork.arrays", name
+
+
+def test_names_are_of_one_kind_in_memory_and_from_a_file(tmp_path: Path) -> None:
+    held = falling()
+    held.save(tmp_path / "run.h5")
+    stored = lw.Result.load(tmp_path / "run.h5")
+    for run, other in ((held, stored), (stored, held)):
+        assert run.body_names == other.body_names and run.joint_names == other.joint_names
+        assert run.body_names == ["rod"] == run.body_names and ["rod"] == run.body_names != ["bar"]
+        assert run.body_names + ["a"] == ["rod", "a"] and ["a"] + run.body_names == ["a", "rod"]
+        assert run.body_names + other.body_names == ["rod", "rod"] and run.body_names != "rod"
+        assert repr(run.body_names) == repr(other.body_names)

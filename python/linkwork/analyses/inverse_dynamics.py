@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from linkwork import _core
 from linkwork.analyses.kinematics import kinematics
 from linkwork.arguments import is_iterable
-from linkwork.arrays import Floats, ReadOnly
+from linkwork.arrays import Floats, ReadOnly, by_value
 from linkwork.constraints.equations import called
 from linkwork.equations.system import System
 from linkwork.errors import ModelError, OptionError, nearest
@@ -27,6 +27,7 @@ __all__ = ["Drive", "InverseDynamics", "inverse_dynamics"]
 UNITS = {"rotation": "N m", "translation": "N", "distance": "N"}
 
 
+@by_value
 @dataclass(frozen=True)
 class Drive(ReadOnly):
     """What one driver does over time (k,)."""

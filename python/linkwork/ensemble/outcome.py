@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork.arguments import optional_package
-from linkwork.arrays import Floats, ReadOnly
+from linkwork.arrays import Floats, ReadOnly, by_value
 from linkwork.errors import OptionError, counted
 from linkwork.results.result import Result
 from linkwork.studies.datasets import dimensions, without_groups
@@ -44,6 +44,7 @@ OWN = ("member", "status", "accuracy", "alone", "error", "remarks", "time")
 DIMENSIONS = ("body", "row", *COMPONENTS)
 
 
+@by_value
 @dataclass(frozen=True, repr=False)
 class EnsembleResult(ReadOnly):
     """n members, of which k frames or the outputs that were asked for are kept.

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core
 from linkwork.arguments import array, number
-from linkwork.arrays import Floats
+from linkwork.arrays import Floats, by_value
 from linkwork.errors import NotFiniteError, OptionError
 from linkwork.modeling.model import Model, check_model
 from linkwork.options import LEVELS, TABLE, Options, compile_options
@@ -22,6 +22,7 @@ from linkwork.options import LEVELS, TABLE, Options, compile_options
 __all__ = ["Evaluation", "System"]
 
 
+@by_value
 @dataclass(frozen=True)
 class Evaluation:
     """M v_dot - D^T lambda = g, D v_dot = gamma, Phi_dot = D v + Phi_t at one state; n bodies, m rows."""

@@ -9,11 +9,12 @@ import numpy as np
 
 from linkwork import rotation
 from linkwork.arguments import is_one_of
-from linkwork.arrays import Floats
+from linkwork.arrays import Floats, by_value
 from linkwork.errors import ModelError
 from linkwork.modeling.elements import KINDS
 
 
+@by_value
 class JointCoordinate(NamedTuple):
     """An angle [rad], continued over full turns, or a shift [m] over time, with its rate."""
 

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
-from typing import TYPE_CHECKING, Any, Literal, overload
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from linkwork.arrays import Floats, ReadOnly
+from linkwork.arrays import Floats, ReadOnly, by_value
 from linkwork.errors import counted
 from linkwork.modeling.shapes import Shapes
+from linkwork.motion.names import Names
 
 if TYPE_CHECKING:
     from linkwork import _core
@@ -36,6 +37,7 @@ def _none(*shape: int) -> Callable[[], Any]:
     return lambda: np.zeros(shape)
 
 
+@by_value
 @dataclass(frozen=True, repr=False)
 class Header(ReadOnly):
     """n bodies, J joints, m constraint rows. SI units; ground is body index -1."""
@@ -70,11 +72,16 @@ class Header(ReadOnly):
     force_parameters: Floats = field(default_factory=_none(0))
     breaks: Sequence[float] | Floats = ()  # (b,) [s] beside which functions of time were evaluated
     history_count: int = 0  # history variables; none in files of version 0.1
-    expected_frames: int | None = None
+    expected_frames: int | None = field(default=None, compare=False)  # of a run that begins
     shapes: Shapes = field(default_factory=Shapes, compare=False)  # of the bodies that have their own
     curves: Mapping[int, Floats] = field(default_factory=dict, compare=False)  # by joint: points (m, 3) in a
     reactions: Reactions | None = field(default=None, compare=False)
     force_element: ForceElement | None = field(default=None, compare=False)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        for it in MODEL_NAMES:
+            object.__setattr__(self, it, Names.of(getattr(self, it)))
 
     @classmethod
     def of(
@@ -95,9 +102,9 @@ class Header(ReadOnly):
         rank = None if dynamics is None else dynamics.rank()
         return cls(
             manifest=dict(manifest),
-            body_names=_Listing(model.body_name, model.body_count),
-            joint_names=_Listing(model.joint_name, model.joint_count),
-            joint_kinds=_Listing(model.joint_kind, model.joint_count),
+            body_names=Names(model.body_name, model.body_count),
+            joint_names=Names(model.joint_name, model.joint_count),
+            joint_kinds=Names(model.joint_kind, model.joint_count),
             gravity=model.gravity,
             mass=model.mass,
             inertia=model.inertia,
@@ -110,8 +117,8 @@ class Header(ReadOnly):
             reaction_unique=np.array(rank.unique if rank else [True] * model.joint_count, dtype=bool),
             redundant_rows=np.array(rank.redundant_rows if rank else [], dtype=np.int32),
             **_parameters("joint", joints),
-            force_names=_Listing(model.force_name, len(forces["kind"])),
-            force_kinds=_Listing(lambda index: _kind_names()[forces["kind"][index]], len(forces["kind"])),
+            force_names=Names(model.force_name, len(forces["kind"])),
+            force_kinds=Names(lambda index: _kind_names()[forces["kind"][index]], len(forces["kind"])),
             force_bodies=forces["bodies"],
             force_frame=forces["frame"],
             force_origin=forces["origin"],
@@ -216,28 +223,3 @@ def record_reactions(header: Header, frames: Mapping[str, ArrayLike]) -> dict[st
         q = values["q"].reshape(count, -1)
         force, torque = header.reactions(values["t"], q, values["lambda"], *history)
     return {**values, "reaction_force": force, "reaction_torque": torque}
-
-
-class _Listing(Sequence[str]):
-    """Names asked for one by one: a million of them take no memory."""
-
-    def __init__(self, name: Callable[[int], str], count: int) -> None:
-        self._name, self._count = name, count
-
-    def __repr__(self) -> str:
-        more = f" and {self._count - 100} more" if self._count > 100 else ""
-        return f"<{', '.join(self[:100])}{more}>"
-
-    def __len__(self) -> int:
-        return self._count
-
-    def __iter__(self) -> Iterator[str]:
-        return map(self._name, range(self._count))
-
-    @overload
-    def __getitem__(self, index: int) -> str: ...
-    @overload
-    def __getitem__(self, index: slice) -> list[str]: ...
-    def __getitem__(self, index: int | slice) -> str | list[str]:
-        places = range(self._count)[index]
-        return self._name(places) if isinstance(places, int) else [self._name(i) for i in places]

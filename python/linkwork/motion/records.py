@@ -9,7 +9,7 @@ from typing import NamedTuple, NoReturn
 
 import numpy as np
 
-from linkwork.arrays import Floats, ReadOnly
+from linkwork.arrays import Floats, ReadOnly, by_value
 
 __all__ = [
     "BodyResult",
@@ -26,6 +26,7 @@ __all__ = [
 ]
 
 
+@by_value
 class Reaction(NamedTuple):
     """What a joint does to its second body: force [N] and torque [N m] (k, 3).
 
@@ -39,6 +40,7 @@ class Reaction(NamedTuple):
     torque: Floats
 
 
+@by_value
 class ForceResult(NamedTuple):
     """What a force element does over time (k,): to its second body, and to the mechanism."""
 
@@ -52,6 +54,7 @@ class ForceResult(NamedTuple):
     deflection: Floats | None
 
 
+@by_value
 @dataclass(frozen=True)
 class BodyResult(ReadOnly):
     """The motion of one body's center of mass and its rotation; k frames, SI units."""
@@ -109,6 +112,7 @@ class Resume(NamedTuple):
         return f"<Resume: {self.checkpoint!r}>"
 
 
+@by_value
 class Snapshot(NamedTuple):
     """The state of a run at one time, from which another can start."""
 
@@ -187,6 +191,7 @@ class SingularPose(NamedTuple):
         raise AttributeError("'taken_over' is called 'fallback_evaluations' now: ask for that")
 
 
+@by_value
 @dataclass(frozen=True)
 class Occurrence(ReadOnly):
     """An event that came: poses q (n, 7) and velocities v (n, 6) before and after it."""

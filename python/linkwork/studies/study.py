@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork.arguments import check_new, optional_package
-from linkwork.arrays import Floats, ReadOnly
+from linkwork.arrays import Floats, ReadOnly, by_value
 from linkwork.errors import OptionError, counted, unwritable
 from linkwork.fingerprints import plain
 from linkwork.replacement import replacing
@@ -38,6 +38,7 @@ if TYPE_CHECKING:
 __all__ = ["Study", "array_of", "assembled"]
 
 
+@by_value
 @dataclass(frozen=True, repr=False)
 class Study(ReadOnly):
     """n cases of a study: `parameters`, `outputs` and `status`, case by case.

@@ -38,7 +38,7 @@ _COMMENT = """\
 def write(
     model: ModelBuilder, path: str | os.PathLike[str], simulation: Mapping[str, Any], overwrite: bool
 ) -> None:
-    """ModelError: what a file cannot hold. OptionError: no run takes `simulation`. FileError: no such file."""
+    """ModelError: what a file cannot hold. OptionError: no run takes `simulation`. FileError: no file."""
     suffix = check_suffix(path)
     check_new(path, "model", overwrite)
     settings = {name: _setting(name, value) for name, value in simulation.items()}
