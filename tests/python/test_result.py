@@ -387,7 +387,7 @@ def test_what_two_equal_runs_give_is_equal(tmp_path: Path) -> None:
     assert one.snapshot() != other and other == other._replace(history=np.ones(1))
     for run in (two, pickle.loads(pickle.dumps(one))):
         assert one.body("rod") == run.body("rod")
-        assert one.reaction(joint) == run.reaction(joint) and not one.reactions() != run.reactions()
+        assert one.reaction(joint) == run.reaction(joint) and one.reactions() == run.reactions()
         assert one.coordinate(joint) == run.coordinate(joint) and one.header == run.header
     assert one.reaction(joint) != lw.Reaction(one.reaction(joint).force, one.reaction(joint).torque + 1)
     assert one.reaction(joint) == tuple(one.reaction(joint)) and one.body("rod") != one.reaction(joint)
@@ -420,6 +420,7 @@ def test_names_are_of_one_kind_in_memory_and_from_a_file(tmp_path: Path) -> None
     for run, other in ((held, stored), (stored, held)):
         assert run.body_names == other.body_names and run.joint_names == other.joint_names
         assert run.body_names == ["rod"] == run.body_names and ["rod"] == run.body_names != ["bar"]
-        assert run.body_names + ["a"] == ["rod", "a"] and ["a"] + run.body_names == ["a", "rod"]
+        more = ["a"]
+        assert run.body_names + more == ["rod", "a"] and more + run.body_names == ["a", "rod"]
         assert run.body_names + other.body_names == ["rod", "rod"] and run.body_names != "rod"
         assert repr(run.body_names) == repr(other.body_names)

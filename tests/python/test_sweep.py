@@ -90,6 +90,16 @@ def test_a_case_has_the_bits_of_simulate() -> None:
         assert_array_equal(study.simulate(k).q, result.q)
 
 
+def test_reactions_of_all_joints_are_those_of_each() -> None:
+    chain = lw.mechanisms.chain(3)
+    names = lw.simulate(chain, t_end=1e-3, step=1e-3, progress=False).joint_names
+    each = [f"reaction('{name}').force.max" for name in names]
+    study = lw.sweep(chain, {"gravity[2]": [-9.81, -1.62]}, ["reactions().force.max", *each], **FEW)
+    assert study.units["reactions().force.max"] == "N"
+    found = np.stack([study.outputs[label] for label in each], axis=1)
+    assert_array_equal(study.outputs["reactions().force.max"], found)
+
+
 def test_period_of_small_swings_is_that_of_length_and_gravity() -> None:
     """T = 2 pi sqrt(2 L / 3 g) of a slender rod, for small angles."""
 
@@ -815,6 +825,10 @@ def test_memory_that_cannot_be_given_back_is_told() -> None:
         ({"outputs": ["energi.max"]}, lw.OptionError, "no quantity 'energi'.*'energy'"),
         ({"outputs": ["reaction('pim').force.max"]}, lw.OptionError, "'pim'.*'pin'"),
         ({"outputs": ["reaction('pin').forse.max"]}, lw.OptionError, "'forse'.*'force'"),
+        ({"outputs": ["reaction('pin').force.final.x"]}, lw.OptionError, "'final' is .*: it comes last"),
+        ({"outputs": ["reaction('pin').power.max"]}, lw.OptionError, "choose from 'force', 'torque'$"),
+        ({"outputs": ["reactions.force.max"]}, lw.OptionError, r"is written reactions\(\)"),
+        ({"outputs": ["reactions('pin').force.max"]}, lw.OptionError, r"is written reactions\(\)"),
         ({"outputs": ["energy"]}, lw.OptionError, "array over time"),
         ({"outputs": ["energy.maximum"]}, lw.OptionError, "'maximum'"),
         ({"outputs": ["__import__('os')"]}, lw.OptionError, "no quantity"),

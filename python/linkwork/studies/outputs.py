@@ -36,6 +36,9 @@ PROPERTIES = {
 }  # fmt: skip
 METHODS = ("body", "reaction", "coordinate", "force")
 
+#: Without a name: of all joints.
+OF_ALL = ("reactions",)
+
 #: And then what these give for.
 PARTS = {"force": "N", "torque": "N m", "power": "W", "potential": "J", "deflection": "", "value": "",
          "rate": ""}  # fmt: skip
@@ -105,7 +108,8 @@ class Output:
     @property
     def of_reactions(self) -> bool:
         """Whether it takes those of joints, or may do so."""
-        return self.by_user or self.steps[:1] in ((("get", "reaction"),), (("get", "multipliers"),))
+        roots = {step[1] for step in self.steps[:1]}
+        return self.by_user or not roots.isdisjoint({"reaction", "reactions", "multipliers"})
 
     @property
     def at_end(self) -> bool:
@@ -249,7 +253,7 @@ def _read(label: str, text: str) -> Output:
             code="outputs",
         ) from error
     root = steps[0][1]
-    known = [*PROPERTIES, *METHODS]
+    known = [*PROPERTIES, *METHODS, *OF_ALL]
     if root not in known:
         raise OptionError(
             f"output '{text}': a result has no quantity '{root}'{nearest(root, [*known, 'final'])}",
@@ -257,9 +261,16 @@ def _read(label: str, text: str) -> Output:
         )
     if root in METHODS and (len(steps) < 2 or steps[1][0] != "call"):
         raise OptionError(f"output '{text}': {root} needs a name: {root}('...')", code="outputs")
+    if root in OF_ALL and (len(steps) < 2 or steps[1] != ("call", (), ())):
+        raise OptionError(f"output '{text}': is written {root}()", code="outputs")
     reduction = steps.pop()[1] if steps[-1][0] == "get" and steps[-1][1] in REDUCTIONS else ""
-    if not steps:
-        raise OptionError(f"output '{text}': of what?", code="outputs")
+    early = next((step[1] for step in steps if step[0] == "get" and step[1] in REDUCTIONS), None)
+    if early:
+        raise OptionError(
+            f"output '{text}': '{early}' is what becomes of values over time: it comes last, and once, as in "
+            "\"body('rod').position.z.min\"",
+            code="outputs",
+        )
     return Output(label, about=text, steps=tuple(steps), reduction=reduction)
 
 
@@ -363,12 +374,13 @@ def _is_over_time(found: Any, result: Result) -> bool:
 
 def _part(holder: Any, name: str) -> Any:
     """OptionError: it has none of this name."""
-    known = [it for it in (*PROPERTIES, *PARTS, *METHODS) if hasattr(holder, it)]
-    if isinstance(holder, np.ndarray) or name not in known:
-        vector = isinstance(holder, np.ndarray) and holder.shape[-1:] == (3,)
-        there = [*REDUCTIONS, *(COMPONENTS if vector else ())] if isinstance(holder, np.ndarray) else known
-        raise OptionError(f"no part '{name}'{nearest(name, there)}", code="outputs")
-    return getattr(holder, name)
+    known = dict.fromkeys((*PROPERTIES, *METHODS, *OF_ALL, *PARTS))
+    if isinstance(holder, np.ndarray):
+        known = dict.fromkeys((*REDUCTIONS, *(COMPONENTS if holder.shape[-1:] == (3,) else ())))
+    elif name in known and hasattr(holder, name):
+        return getattr(holder, name)
+    there = [it for it in known if isinstance(holder, np.ndarray) or hasattr(holder, it)]
+    raise OptionError(f"no part '{name}'{nearest(name, there)}", code="outputs")
 
 
 def checked(output: Output, result: Result, times: Floats | None) -> Output:
