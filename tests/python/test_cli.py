@@ -227,6 +227,12 @@ MISTAKES = [
     (["run", "pendulum", "--stpe", "1"], 2, "no option --stpe; the nearest is '--step'"),
     (["run", "pendulum", "--step"], 2, "'--step' needs a value, which you give after it"),
     (["run", "pendulum", "--step", "tiny"], 2, "'--step': 'tiny' is not a number"),
+    (
+        ["run", "pendulum", "--t-end", "1e-400"],
+        2,
+        "'--t-end': 1e-400 is nearer to zero than any other number",
+    ),
+    (["compare", "pendulum", "--t-end", "-1e-999"], 2, "'--t-end': -1e-999 is nearer to zero than any other"),
     (["run", "pendulum", "now"], 2, "unexpected extra argument (now)"),
     (["run", "pendulum", "--step", "0"], 1, "step"),
     (["run", "pendulum", "--step", "-0.001"], 1, "-0.001"),

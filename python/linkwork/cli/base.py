@@ -23,16 +23,26 @@ def may_replace() -> bool:
     return _force[0]
 
 
-class Positive(click.ParamType):  # type: ignore[type-arg]  # generic in newer versions only
+class Number(click.types.FloatParamType):
+    """A number, of which no digit is lost unseen: as in files, one that would become zero is none."""
+
+    def convert(self, value: Any, param: click.Parameter | None, context: click.Context | None) -> float:
+        number = float(super().convert(value, param, context))
+        if isinstance(value, str) and number == 0:
+            from linkwork.modeling.files.decimals import TOO_SMALL, Vanished, decimal
+
+            if isinstance(decimal(value), Vanished):
+                self.fail(f"{value} {TOO_SMALL}", param, context)
+        return number
+
+
+class Positive(Number):
     """A finite number above zero."""
 
     name = "number"
 
     def convert(self, value: Any, param: click.Parameter | None, context: click.Context | None) -> float:
-        try:
-            number = float(value)
-        except ValueError:
-            self.fail(f"'{value}' is no number", param, context)
+        number = super().convert(value, param, context)
         if not (math.isfinite(number) and number > 0):
             self.fail(f"{value} must be a finite number, positive", param, context)
         return number

@@ -300,7 +300,7 @@ def schema() -> None:
 @click.option("--merge-fixed", is_flag=True, help="Make one body of links that are fixed to each other.")
 @click.option(
     "--align-axes",
-    type=float,
+    type=base.Number(),
     metavar="ANGLE",
     help="Axes parallel or perpendicular to within it [rad] are made so; without it those of closed loops.",
 )

@@ -34,7 +34,7 @@ class Numbers(Words):
 
 #: name of the argument of `compare`, type, help
 _OPTIONS: tuple[tuple[str, type | click.ParamType[Any], str], ...] = (
-    ("t_end", float, "End of the simulated time [s]."),
+    ("t_end", base.Number(), "End of the simulated time [s]."),
     ("steps", Numbers(), "Fixed steps [s]; without them from the one that is recommended."),
     ("tolerances", Numbers(), "Relative tolerances: steps that follow them (bs32, dopri5, tsit5, dop853)."),
     ("formulations", Words(), "Such as standard,penalty,penalty:1e7,augmented_lagrangian."),
@@ -42,9 +42,9 @@ _OPTIONS: tuple[tuple[str, type | click.ParamType[Any], str], ...] = (
     ("integrators", Words(), "Such as rk4,dopri5,phem56."),
     ("linear_solvers", Words(), "Such as block,cholmod,umfpack."),
     ("reference", click.Path(), "Result file of a known solution; without it one is computed."),
-    ("reference_error", float, "Its own error, as state errors are measured, where it is known."),
+    ("reference_error", base.Number(), "Its own error, as state errors are measured, where it is known."),
     ("processes", click.IntRange(min=1), "Runs at the same time; without it one a processor."),
-    ("time_limit", float, "Of one run, wall time [s]."),
+    ("time_limit", base.Number(), "Of one run, wall time [s]."),
     ("on_inaccurate", str, "A run that estimates to be more than 1 % off: pass, warn or stop."),
     ("resume", click.Path(), "Folder that keeps every finished run, and from which a comparison goes on."),
 )

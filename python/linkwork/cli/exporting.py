@@ -78,7 +78,7 @@ def plot(file: str, kind: str, output: str | None, bodies: tuple[str, ...], join
               help="A .mp4 or .gif; without it run.mp4 beside run.h5.")  # fmt: skip
 @click.option(
     "--seconds",
-    type=float,
+    type=base.Number(),
     metavar="S",
     help="That it lasts; without, as long as the motion, but between 2 and 20.",
 )

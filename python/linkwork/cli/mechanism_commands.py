@@ -75,7 +75,7 @@ def linearize_command(name: str, mechanism: Mechanism) -> click.Command:
         *_parameter_options(mechanism),
         click.Option(["--modes"], type=click.IntRange(1),
                      help="How many; without it all of a small model, 10 of a large one."),
-        click.Option(["--near"], type=float, default=0.0, show_default=True,
+        click.Option(["--near"], type=base.Number(), default=0.0, show_default=True,
                      help="Frequency that the modes are nearest to [rad/s]."),
         click.Option(["--as-is"], is_flag=True, help="About the initial state, not the equilibrium."),
         JSON,

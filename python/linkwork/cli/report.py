@@ -17,8 +17,8 @@ from linkwork.errors import nearest
     "--output", "-o", required=True, type=click.Path(), metavar="PAGE",
     help="Write the page there, such as report.html.",
 )  # fmt: skip
-@click.option("--t-end", type=float, metavar="S", help="End of the run of a mechanism [s].")
-@click.option("--step", type=float, metavar="S", help="Its step [s].")
+@click.option("--t-end", type=base.Number(), metavar="S", help="End of the run of a mechanism [s].")
+@click.option("--step", type=base.Number(), metavar="S", help="Its step [s].")
 def report(subject: str, output: str, t_end: float | None, step: float | None) -> None:
     """Write a report: model, method, diagnostics, plots, viewer.
 

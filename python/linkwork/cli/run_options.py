@@ -9,7 +9,7 @@ from typing import Any, Literal, get_args, get_origin
 
 import click
 
-from linkwork.cli import shells
+from linkwork.cli import base, shells
 from linkwork.options import TABLE
 from linkwork.options.types import described
 from linkwork.running.simulation import simulate
@@ -54,7 +54,7 @@ def _option(name: str, kind: Any, text: str, names: Sequence[str] = ()) -> click
     flag = "--" + name.replace("_", "-")
     return click.Option(
         [f"{flag}/--no-{flag[2:]}" if kind is bool else flag, name],
-        type=None if kind is bool else kind,
+        type={bool: None, float: base.Number()}.get(kind, kind),
         default=None,
         shell_complete=shells.words(lambda: names) if names else None,
         help=f"{text[:1].upper()}{text[1:]}.",
