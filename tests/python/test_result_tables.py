@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import os
+import time
 from pathlib import Path
 
 import h5py
@@ -13,7 +14,9 @@ import numpy as np
 import pytest
 from linkwork.cli import main
 from linkwork.plots.kinds import KINDS
+from linkwork.results import joint_motion, reading
 from linkwork.results.tables import QUANTITIES
+from linkwork.running import progress
 
 pandas = pytest.importorskip("pandas")
 xarray = pytest.importorskip("xarray")
@@ -251,3 +254,55 @@ def test_violations_have_the_units_of_their_levels() -> None:
         "violation.velocity [m/s or 1/s]",
         "violation.acceleration [m/s2 or 1/s2]",
     ]
+
+
+@pytest.mark.parametrize("held", [joint_motion.HELD_NUMBERS, 26 * 5 * 100, 1])
+def test_coordinates_of_joints_of_a_file_are_read_together(
+    held: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As often as so many numbers at a time need, and not for each joint; all are what they are in memory."""
+    run = lw.simulate(lw.mechanisms.chain(200), t_end=4e-3, step=1e-3, progress=False, on_inaccurate="pass")
+    run.save(tmp_path / "chain.h5")
+    stored = lw.Result.load(tmp_path / "chain.h5")
+    monkeypatch.setattr(joint_motion, "HELD_NUMBERS", held)
+    reads: list[str] = []
+    read = reading.StoredField.__getitem__
+    monkeypatch.setattr(
+        reading.StoredField, "__getitem__", lambda self, key: (reads.append(self.name), read(self, key))[1]
+    )
+    table = stored.to_csv(quantities=["coordinate"])
+    at_once = min(200, max(1, held // (26 * len(run))))
+    assert reads.count("q") == reads.count("v") == 200 / at_once
+    assert table == run.to_csv(quantities=["coordinate"])
+    name = run.joint_names[-1]
+    column = stored.to_frame(joints=[name], quantities=["coordinate"]).iloc[:, 0]
+    np.testing.assert_array_equal(column, run.coordinate(name).value)
+
+
+def test_tables_of_a_run_without_a_frame_have_their_columns() -> None:
+    run = lw.simulate(lw.mechanisms.chain(200), t_end=0.0, step=1e-3, progress=False)
+    none = lw.Result({name: values[:0] for name, values in run._frames.items()}, run.header, {})
+    assert len(none.to_frame(quantities=["coordinate"]).columns) == 400
+
+
+def test_export_shows_that_it_is_at_work(
+    result: lw.Result,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    result.save(tmp_path / "run.h5")
+    monkeypatch.setattr(progress, "SILENT_SECONDS", 0.0)
+    monkeypatch.setattr(progress._Log, "seconds", 0.0)
+    monkeypatch.setattr(progress, "WORKING_SECONDS", 0.01)
+    written = lw.Result.to_csv
+
+    def slow(*given: object, **named: object) -> str:
+        time.sleep(0.05)
+        return written(*given, **named)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(lw.Result, "to_csv", slow)
+    with caplog.at_level("INFO", logger="linkwork.running.progress"):
+        assert words(capsys, "export", str(tmp_path / "run.h5"))[0] == 0
+    assert f"writing {tmp_path / 'run.csv'}" in caplog.text

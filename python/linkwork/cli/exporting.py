@@ -123,10 +123,12 @@ def export(file: str, target: str | None, **chosen: tuple[str, ...]) -> None:
     """
     import linkwork as lw
     from linkwork.cli import output as out
+    from linkwork.running.progress import preparing
 
     target = target or str(Path(file).with_suffix(".csv"))
     out.check_writable(target, "table")
     result = lw.Result.load(file)
-    text = result.to_csv(target, **chosen, overwrite=base.may_replace())
+    with preparing(None, f"writing {target}"):
+        text = result.to_csv(target, **chosen, overwrite=base.may_replace())
     columns = len(next(csv.reader(io.StringIO(text)))) - 1  # beside the time
     out.print_pairs([("table", f"{target} ({len(result)} frames, {columns} columns)")])

@@ -13,6 +13,7 @@ from linkwork.modeling.coordinates import coordinates_of
 from linkwork.modeling.elements import KINDS
 from linkwork.motion.header import ForceElement
 from linkwork.motion.records import ForceResult, rotate
+from linkwork.results.joint_motion import ends_of
 
 if TYPE_CHECKING:
     from linkwork.modeling.handles import Named
@@ -122,7 +123,7 @@ def _deflection(result: Result, which: int, turned: Floats) -> Floats | None:
         return None
     if free == "free_angle":
         return np.asarray(turned - rest)
-    ends = result._ends(header.force_bodies[which].tolist())
+    ends = next(ends_of(result, header.force_bodies[[which]]))
     origin, frame = header.force_origin[which], header.force_frame[which]
     if free == "free_displacement":
         shifted: Floats = coordinates_of("displacement", result.t, ends, origin, frame).value - rest

@@ -21,8 +21,8 @@ from linkwork.accuracy.verification import Finer, band, difference
 from linkwork.arguments import array, check_new, one_of
 from linkwork.arguments import path as path_of
 from linkwork.arrays import Floats, read_only
-from linkwork.errors import ModelError, OptionError, counted, nearest, warn
-from linkwork.modeling.coordinates import JointCoordinate, coordinate_of, coordinates_of
+from linkwork.errors import ModelError, OptionError, counted, nearest
+from linkwork.modeling.coordinates import JointCoordinate, coordinate_of
 from linkwork.modeling.handles import Body, Joint, Named
 from linkwork.motion.former_names import renamed_manifest, renamed_statistics
 from linkwork.motion.header import Header, record_reactions
@@ -37,6 +37,7 @@ from linkwork.motion.records import (
     energy_error,
     rotate,
 )
+from linkwork.results.joint_motion import each_coordinate
 
 if TYPE_CHECKING:
     import pandas
@@ -53,9 +54,6 @@ Frame = Literal["inertial", "joint"]
 
 #: Frames of which a hash is made at once.
 HASHED = 256
-
-#: By which the mean rate may miss an angle between two frames before its full turns are doubtful [rad].
-MISSED_TURN = np.pi / 2
 
 #: Of poses that are read at a time.
 READ_NUMBERS = 4_000_000
@@ -385,19 +383,7 @@ class Result:
         joint, header = self._place("joint", name), self._header
         kind = header.joint_kinds[joint]
         which = coordinate_of(kind, header.joint_names[joint], which)
-        ends = self._ends(header.joint_bodies[joint].tolist())
-        found = coordinates_of(which, self.t, ends, header.joint_origin[joint], header.joint_frame[joint])
-        if which != "displacement":
-            _check_turns(f"{which} of '{header.joint_names[joint]}'", self.t, found)
-        return found
-
-    def _ends(self, bodies: Sequence[int]) -> list[tuple[Floats, Floats]]:
-        """Poses (k, 7) and velocities (k, 6) of bodies, or of the ground."""
-        ground = np.tile([0.0, 0, 0, 1, 0, 0, 0], (len(self), 1)), np.zeros((len(self), 6))
-        return [
-            ground if body < 0 else (self._field("q", np.s_[:, body]), self._field("v", np.s_[:, body]))
-            for body in bodies
-        ]
+        return next(each_coordinate(self, [(joint, which)]))
 
     def force(self, name: str | int, model: Model | None = None) -> ForceResult:
         """What a force element does to its second body, by its name or index; see ForceResult.
@@ -466,7 +452,7 @@ class Result:
             self.recorded(name, np.s_[first : first + each : every])[:, chosen]
             for first in range(0, len(self), each)
         ]
-        return np.concatenate(pieces)
+        return np.concatenate([np.zeros((0, len(chosen), *shape[1:])), *pieces])
 
     def sampled_positions(self, every: int) -> Floats:
         """Centers of mass (., n, 3) of every so manyth frame [m].
@@ -918,17 +904,3 @@ def _places(given: ArrayLike, count: int) -> NDArray[np.intp]:
 def _check_every(every: object) -> None:
     if not isinstance(every, int | np.integer) or every < 1:
         raise OptionError(f"every {every!r:.80} is not a positive whole number of frames", code="every")
-
-
-def _check_turns(what: str, t: Floats, angle: JointCoordinate) -> None:
-    """LinkworkWarning: turns between frames follow from the rates at these alone, or not even from them."""
-    change = np.diff(angle.value)
-    missed = np.abs(change - np.diff(t) * (angle.rate[1:] + angle.rate[:-1]) / 2)
-    for doubtful, how in ((missed > MISSED_TURN, ""), (np.abs(change) > np.pi, " but by its rates there")):
-        if doubtful.any():
-            k = int(np.argmax(doubtful))
-            return warn(
-                f"{what}: frames are too far apart, such as at t = {t[k]:g} and {t[k + 1]:g} s, to tell{how} "
-                "how often it went round between them: record more frames"
-            )
-    return None

@@ -24,6 +24,7 @@ from linkwork.modeling.handles import Named
 from linkwork.motion.header import VIOLATION_UNITS
 from linkwork.motion.records import ForceResult
 from linkwork.replacement import replacing
+from linkwork.results.joint_motion import each_coordinate
 
 if TYPE_CHECKING:
     import pandas
@@ -179,11 +180,12 @@ def columns(result: Result, choice: Choice) -> Iterator[Column]:
 
 
 def _coordinates(result: Result, choice: Choice) -> Iterator[Column]:
-    for place in choice.places(result, "joint"):
-        for which in known_coordinates(result.header.joint_kinds[place]):
-            found, name = result.coordinate(place, which), f"{result.joint_names[place]}.{which}"
-            yield Column(name, COORDINATES[which], found.value)
-            yield Column(f"{name}_rate", f"{COORDINATES[which]}/s", found.rate)
+    kinds, joints = result.header.joint_kinds, choice.places(result, "joint")
+    chosen = [(place, which) for place in joints for which in known_coordinates(kinds[place])]
+    for (place, which), found in zip(chosen, each_coordinate(result, chosen), strict=True):
+        name = f"{result.joint_names[place]}.{which}"
+        yield Column(name, COORDINATES[which], found.value)
+        yield Column(f"{name}_rate", f"{COORDINATES[which]}/s", found.rate)
 
 
 def _forces(result: Result, quantity: str, forces: Mapping[str, ForceResult]) -> Iterator[Column]:
@@ -279,7 +281,7 @@ def _coordinate_variables(result: Result, choice: Choice) -> dict[str, Any]:
         of = [k for k in choice.places(result, "joint") if which in known_coordinates(kinds[k])]
         if not of:
             continue
-        motions = [result.coordinate(k, which) for k in of]
+        motions = list(each_coordinate(result, [(k, which) for k in of]))
         names, dims = [result.joint_names[k] for k in of], ("time", f"joint_with_{which}")
         for suffix, values, units in (
             ("", [it.value for it in motions], unit), ("_rate", [it.rate for it in motions], f"{unit}/s"),

@@ -1,0 +1,70 @@
+"""Coordinates of many joints at a time: from a file their poses are read together, not anew for each."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from linkwork.arrays import Floats, Indices
+from linkwork.errors import warn
+from linkwork.modeling.coordinates import JointCoordinate, coordinates_of
+
+if TYPE_CHECKING:
+    from linkwork.results.result import Result
+
+__all__ = ["each_coordinate", "ends_of"]
+
+#: By which the mean rate may miss an angle between two frames before its full turns are doubtful [rad].
+MISSED_TURN = np.pi / 2
+
+#: Of poses and velocities that are held at a time.
+HELD_NUMBERS = 16_000_000
+
+#: Of the pose and velocity of the two bodies of a joint.
+OF_JOINT = 2 * (7 + 6)
+
+
+def each_coordinate(result: Result, chosen: Sequence[tuple[int, str]]) -> Iterator[JointCoordinate]:
+    """Of joints by place, each with the name of the coordinate, which its kind has.
+
+    LinkworkWarning: frames too far apart to tell how often an angle went round.
+    """
+    at_once = max(1, HELD_NUMBERS // (OF_JOINT * max(1, len(result))))
+    for first in range(0, len(chosen), at_once):
+        yield from _read_together(result, chosen[first : first + at_once])
+
+
+def ends_of(result: Result, sides: Indices) -> Iterator[list[tuple[Floats, Floats]]]:
+    """Poses (k, 7) and velocities (k, 6) of the two bodies of each joint or force element, (., 2)."""
+    bodies = np.unique(sides[sides >= 0])
+    q, v = (result.recorded_of(name, bodies) for name in ("q", "v"))
+    ground = np.tile([0.0, 0, 0, 1, 0, 0, 0], (len(result), 1)), np.zeros((len(result), 6))
+    places = np.searchsorted(bodies, sides)
+    for of, at in zip(sides.tolist(), places.tolist(), strict=True):
+        yield [ground if body < 0 else (q[:, k], v[:, k]) for body, k in zip(of, at, strict=True)]
+
+
+def _read_together(result: Result, chosen: Sequence[tuple[int, str]]) -> Iterator[JointCoordinate]:
+    header = result.header
+    sides = header.joint_bodies[[joint for joint, _ in chosen]]
+    for (joint, which), ends in zip(chosen, ends_of(result, sides), strict=True):
+        found = coordinates_of(which, result.t, ends, header.joint_origin[joint], header.joint_frame[joint])
+        if which != "displacement":
+            _check_turns(f"{which} of '{header.joint_names[joint]}'", result.t, found)
+        yield found
+
+
+def _check_turns(what: str, t: Floats, angle: JointCoordinate) -> None:
+    """LinkworkWarning: turns between frames follow from the rates at these alone, or not even from them."""
+    change = np.diff(angle.value)
+    missed = np.abs(change - np.diff(t) * (angle.rate[1:] + angle.rate[:-1]) / 2)
+    for doubtful, how in ((missed > MISSED_TURN, ""), (np.abs(change) > np.pi, " but by its rates there")):
+        if doubtful.any():
+            k = int(np.argmax(doubtful))
+            return warn(
+                f"{what}: frames are too far apart, such as at t = {t[k]:g} and {t[k + 1]:g} s, to tell{how} "
+                "how often it went round between them: record more frames"
+            )
+    return None
