@@ -56,6 +56,23 @@ def test_kinematics_of_a_file_tells_the_torque_of_the_motor(
     assert lw.Result.load(output).position[-1, 0] == pytest.approx([0.7 * np.cos(1), 0.7 * np.sin(1), 0])
 
 
+def test_efforts_of_drives_have_the_unit_of_each(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A lift at constant speed bears its weight by a force, a motor that of the level rod by a torque."""
+    path = driven_pendulum(tmp_path / "driven.yaml")
+    model = lw.Model.load(path)
+    cage = model.body("cage", mass=3.0, inertia=(1, 1, 1))
+    model.translational(model.ground, cage, at=(0, 0, 0), axis=(0, 1, 0), name="shaft")
+    model.drive("shaft", velocity=0.5, name="lift")
+    model.save(path, overwrite=True)
+    words = ["kinematics", str(path), "--t-end", "0.1"]
+    motor, lift = answer(words, capsys)["drives"]
+    assert (motor["effort_unit"], lift["effort_unit"]) == ("N m", "N")
+    assert lift["largest_effort"] == pytest.approx(3 * 9.81)
+    assert run(words, debug=False) == 0
+    said = capsys.readouterr().out
+    assert "13.734 N m" in said and "29.43 N " in said and "[N or N m]" not in said
+
+
 def test_kinematics_drives_a_joint_at_a_speed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Power is torque times speed; after 0.5 s at 2 rad/s the crank has turned by 1 rad."""
     output = tmp_path / "motion.h5"

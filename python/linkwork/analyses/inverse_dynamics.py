@@ -38,6 +38,12 @@ class Drive(ReadOnly):
     power: Floats  #: that it gives to the mechanism [W]
     unique: bool  #: False: other drivers or joints could do a part of it; the effort is a share of least norm
 
+    @property
+    def unit(self) -> str:
+        """Of the effort: "N m" of a driver of an angle, "N" of a shift or distance."""
+        (equation,) = KINDS["joint"][self.kind].equations.values()
+        return UNITS.get(equation.quantity, "N or N m")
+
 
 @dataclass(frozen=True, eq=False)
 class InverseDynamics:
@@ -72,11 +78,9 @@ class InverseDynamics:
 
     def _line(self, drive: Drive) -> str:
         k = int(np.abs(drive.effort).argmax())
-        (equation,) = KINDS["joint"][drive.kind].equations.values()
-        unit = UNITS.get(equation.quantity, "N or N m")
         shared = "" if drive.unique else ", a share of what several could do"
         return (
-            f"{drive.joint}: {drive.effort[k]:.6g} {unit} at t = {self.t[k]:.6g} s, power from "
+            f"{drive.joint}: {drive.effort[k]:.6g} {drive.unit} at t = {self.t[k]:.6g} s, power from "
             f"{drive.power.min():.6g} to {drive.power.max():.6g} W{shared}"
         )
 

@@ -117,7 +117,7 @@ def kinematics_and_show(
     if plot:
         motion.plot(plot)
     drives = [
-        {"driver": drive.joint, "kind": drive.kind, "unique": drive.unique,
+        {"driver": drive.joint, "kind": drive.kind, "unique": drive.unique, "effort_unit": drive.unit,
          "largest_effort": np.abs(drive.effort).max(), "largest_power": np.abs(drive.power).max()}
         for drive in needed.drives.values()
     ]  # fmt: skip
@@ -129,10 +129,10 @@ def kinematics_and_show(
         return
     print(motion.summary())
     out.print_table(
-        ("driver", "kind", "largest effort [N or N m]", "largest power [W]", ""),
+        ("driver", "kind", "largest effort", "largest power [W]", ""),
         [
-            (it["driver"], it["kind"], f"{it['largest_effort']:.6g}", f"{it['largest_power']:.6g}",
-             "" if it["unique"] else "a share of least norm")
+            (it["driver"], it["kind"], f"{it['largest_effort']:.6g} {it['effort_unit']}",
+             f"{it['largest_power']:.6g}", "" if it["unique"] else "a share of least norm")
             for it in drives
         ],
         title="Drives",
