@@ -88,8 +88,8 @@ def by_value(kind: type[Found]) -> type[Found]:
         found = equal(one, other)
         return found if found is NotImplemented else not found
 
-    kind.__eq__ = equal  # type: ignore[assignment]
-    kind.__ne__ = unequal  # type: ignore[assignment]  # which tuples have of their own
+    kind.__eq__ = equal  # type: ignore[method-assign]
+    kind.__ne__ = unequal  # type: ignore[method-assign]  # which tuples have of their own
     return kind
 
 

@@ -115,7 +115,9 @@ class Model(ModelBuilder):
         simulation  arguments of `simulate` that the file recommends, such as {"t_end": 2.0, "step": 1e-3}
         overwrite   whether a file that is there may be replaced
 
-        ModelError: a Python function in the model, which a file cannot hold. FileError: it cannot be written.
+        ModelError: a Python function in the model, which a file cannot hold. OptionError: `simulation` is
+        nothing that a run takes. FileError: it cannot be written, or could not be read again: YAML may have
+        16 MiB, JSON 2 GiB.
         """
         from linkwork.modeling import files
 

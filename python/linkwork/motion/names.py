@@ -49,7 +49,11 @@ class Names(Sequence[str]):
     __hash__ = None  # type: ignore[assignment]  # like a list
 
     def __add__(self, other: Any) -> list[str]:
-        return [*self, *other] if isinstance(other, Names | list | tuple) else NotImplemented
+        if not isinstance(other, Names | list | tuple):
+            return NotImplemented
+        return [*self, *other]
 
     def __radd__(self, other: Any) -> list[str]:
-        return [*other, *self] if isinstance(other, list | tuple) else NotImplemented
+        if not isinstance(other, list | tuple):
+            return NotImplemented
+        return [*other, *self]

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from linkwork.arrays import Floats, Indices
+from linkwork.arrays import Floats
 from linkwork.errors import warn
 from linkwork.modeling.coordinates import JointCoordinate, coordinates_of
 
@@ -36,7 +37,7 @@ def each_coordinate(result: Result, chosen: Sequence[tuple[int, str]]) -> Iterat
         yield from _read_together(result, chosen[first : first + at_once])
 
 
-def ends_of(result: Result, sides: Indices) -> Iterator[list[tuple[Floats, Floats]]]:
+def ends_of(result: Result, sides: NDArray[np.integer[Any]]) -> Iterator[list[tuple[Floats, Floats]]]:
     """Poses (k, 7) and velocities (k, 6) of the two bodies of each joint or force element, (., 2)."""
     bodies = np.unique(sides[sides >= 0])
     q, v = (result.recorded_of(name, bodies) for name in ("q", "v"))
