@@ -20,7 +20,7 @@ from linkwork.cli import base, run
 from linkwork.functions import Sum
 from linkwork.mechanisms import MECHANISMS
 from linkwork.modeling import files
-from linkwork.modeling.files import syntax
+from linkwork.modeling.files import schema, syntax
 from linkwork.modeling.files.writing import json_lines, record_of, yaml_lines
 from random_mechanisms import FORCES, JOINTS, Maker, Mechanism, examples, make
 
@@ -514,6 +514,23 @@ def test_settings_of_numpy_are_saved_as_numbers(suffix: str, tmp_path: Path) -> 
     held = files.read(path, lw.Model).simulation
     assert held == {**given, "deterministic": True, "breaks": [0.5], "violation_limit": {"position": 1.0}}
     assert {type(held[name]) for name in ("t_end", "step")} == {float}
+
+
+@pytest.mark.parametrize("deep", [4, 5])
+def test_functions_deeper_than_files_take_are_not_saved(deep: int, tmp_path: Path) -> None:
+    function = lw.functions.harmonic(0.1, 2.0, offset=1.0)
+    for level in range(deep):
+        function = (
+            lw.functions.with_breaks(function, [level + 0.5])
+            if level % 2
+            else function + lw.functions.polynomial(0.0, 1e-3)
+        )
+    if deep == schema.SUMS:
+        model = driven(function)
+        assert bits(round_trip(model, tmp_path / "model.yaml")) == bits(model)
+    else:
+        with pytest.raises(lw.ModelError, match="more than 4 levels deep in each other"):
+            driven(function).save(tmp_path / "model.yaml")
 
 
 @pytest.mark.parametrize("by_command", [False, True])

@@ -138,8 +138,7 @@ class Header(ReadOnly):
 
     def detached(self) -> Header:
         """The same without the compiled model behind it, so that it can go to another process."""
-        names = {name: list(getattr(self, name)) for name in MODEL_NAMES}
-        return replace(self, reactions=None, force_element=None, **names)  # type: ignore[arg-type]
+        return replace(self, reactions=None, force_element=None)
 
     def parameters(self, role: Literal["joint", "force"], index: int) -> Floats:
         """The numbers of a joint or force element, as its kind lists them; none in a file that has none."""

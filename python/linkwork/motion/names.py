@@ -48,6 +48,10 @@ class Names(Sequence[str]):
 
     __hash__ = None  # type: ignore[assignment]  # like a list
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """For pickle: a list, which a header takes, too."""
+        return list, (list(self),)
+
     def __add__(self, other: Any) -> list[str]:
         if not isinstance(other, Names | list | tuple):
             return NotImplemented

@@ -230,15 +230,21 @@ def _function_names(model: ModelBuilder) -> dict[int, str]:
     return dict(zip(shared, (f"function {k}" for k in range(1, len(shared) + 1)), strict=True))
 
 
-def function_record(function: TimeFunction, who: str) -> dict[str, Any]:
-    """A function of time as a mapping. ModelError: it is no data."""
+def function_record(function: TimeFunction, who: str, levels: int = schema.SUMS) -> dict[str, Any]:
+    """A function of time as a mapping. ModelError: it is no data, or deeper than `levels`."""
+    if isinstance(function, Sum | Broken) and not levels:
+        raise ModelError(
+            f"{who} has sums and functions with breaks more than {schema.SUMS} levels deep in each other, "
+            "which a file does not take: give one sum of all terms, and all breaks together",
+            code="too_deep",
+        )
     if isinstance(function, Table):
         breaks, rows = function.breaks.tolist(), function.coefficients.tolist()
         return {"piecewise_polynomial": {"breaks": breaks, "coefficients": rows}}
     if isinstance(function, Sum):
-        return {"sum": [function_record(term, who) for term in function.terms]}
+        return {"sum": [function_record(term, who, levels - 1) for term in function.terms]}
     if isinstance(function, Broken):
-        inner = function_record(function.function, who)
+        inner = function_record(function.function, who, levels - 1)
         return {"with_breaks": {"function": inner, "breaks": list(function.times)}}
     if not is_data(function):
         raise ModelError(
