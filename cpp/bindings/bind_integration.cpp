@@ -75,6 +75,7 @@ py::dict to_dict(const AccumulatedError& found, const System& system, bool steps
   out["state"] = found.state;
   out["local_error"] = found.local_error;
   out["reactions_by_state"] = found.reactions_by_state;
+  out["yielding"] = std::isnan(found.yielding) ? 0.0 : found.yielding;
   out["onset"] = found.onset;
   out["violation"] = found.violation;
   out["rate"] = found.rate;
@@ -113,10 +114,11 @@ py::dict judged(const Dynamics& run, double end_violation, Dynamics& dynamics, b
 }
 
 py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, bool other,
-               const std::optional<JudgeProgress>& progress) {
+               const std::optional<JudgeProgress>& progress, Dynamics* recorded) {
   SecondTake take = second_take(method, other, run.records_inside());
-  return judged(run.dynamics(), relative_violation(run), dynamics, true,
-                [&] { return judge_run(run.sampling(), dynamics, std::move(take), progress.value_or(nullptr)); });
+  return judged(run.dynamics(), relative_violation(run), dynamics, true, [&] {
+    return judge_run(run.sampling(), dynamics, std::move(take), progress.value_or(nullptr), recorded);
+  });
 }
 
 double relative_violation_of_lane(const LaneRun& run) {
@@ -314,11 +316,12 @@ void bind_runs(py::module_& module) {
            "Times [s], ascending, at which something is not smooth and no step ends: steps that contain one are taken "
            "again, too, if there are not many.")
       .def("judge", exclusive(&judge), py::arg("dynamics"), py::arg("method"), py::arg("other") = false,
-           py::arg("progress") = py::none(),
+           py::arg("progress") = py::none(), py::arg("recorded") = py::none(),
            "Takes the kept steps of the run again by `dynamics`, which is used up, and says what they were off by, "
            "relative to the motion: steps (t, h, state, reactions or None), and what AccumulatedError has of the run. "
            "`method`: that of the run, or one that is much more accurate, and `other`. `progress` is called with the "
-           "share that is done, as each step is begun.")
+           "share that is done, as each step is begun. `recorded`, used up, too: by the equations of the run, where "
+           "`dynamics` has exact ones.")
       .def("statistics", &run_statistics);  // by way of those of its dynamics
   bind_measures(run);
   bind_checkpoints(run);

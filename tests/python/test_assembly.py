@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from linkwork import mechanisms
 from linkwork.arrays import Floats
+from scipy.sparse import csr_array
 from small_mechanisms import driven_pendulum, slider_crank
 
 
@@ -261,6 +262,54 @@ def test_rates_that_contradict_each_other_are_named() -> None:
         lw.assemble(too_short(rate=-0.1))
     assert sorted(caught.value.joints) == ["left", "right"]
     assert caught.value.residuals == pytest.approx({"left": 0.1, "right": 0.1}, abs=1e-6)
+
+
+def length_that_a_hinge_holds(seed: int, rate: float) -> lw.Model:
+    """A hinge between two bodies, and a rod whose length it keeps but which has a rate."""
+    rng = np.random.default_rng(seed)
+    model = lw.Model(gravity=(0, 0, 0))
+    first, second = (free_body(model, name, rng.normal(size=3)) for name in ("first", "second"))
+    turned, axis, at = rng.normal(size=3), rng.normal(size=3), rng.normal(size=3)
+    axis /= np.linalg.norm(axis)
+    cross = np.cross(axis, turned)
+    model.universal("ground", first, at=rng.normal(size=3), axes=(axis, cross), name="foot")
+    model.revolute(first, second, at=at, axis=turned, name="hinge")
+    end = at + 1.4 * rng.normal(size=3)
+    length = lw.functions.polynomial(0.6, rate)
+    other = end + 0.6 * cross / np.linalg.norm(cross)
+    model.revolute_spherical(first, second, at=(end, other), axis=axis, length=length, name="rod")
+    return model
+
+
+@pytest.mark.parametrize("seed", [0, 14, 59, 114, 210])
+def test_no_velocity_is_so_large_that_it_excuses_what_it_leaves(seed: int) -> None:
+    """Whatever is returned meets the joints, by a least-squares solution of the test's own."""
+    model = length_that_a_hinge_holds(seed, 0.2)
+    core, system = model.compiled(), lw.System(model)
+    at = system.evaluate(0.0, np.ravel(core.q0), 0.0 * np.ravel(core.v0))
+    D = csr_array(at.D, shape=(len(at.Phi), core.v0.size)).toarray()
+    least = D @ np.linalg.lstsq(D, -at.Phi_dot, rcond=1e-10)[0] + at.Phi_dot
+    try:
+        v = np.ravel(lw.assemble(model).model.compiled().v0)
+    except lw.NotConvergedError as error:
+        assert error.code == "conflicting_velocities" and np.abs(least).max() > 1e-9
+    else:
+        assert np.abs(least).max() < 1e-12
+        assert np.abs(D @ v + at.Phi_dot).max() < 1e-9
+
+
+@pytest.mark.parametrize("angle", [1e-2, 1e-4, 1e-6])
+def test_large_velocities_near_a_dead_point_are_met(angle: float) -> None:
+    """A bob on a rod of 1 m that is drawn in along it at 1 m/s goes cot(angle) across."""
+    model = lw.Model()
+    place = (np.cos(angle), np.sin(angle), 0)
+    bob = free_body(model, "bob", place)
+    model.distance("ground", bob, at=((0, 0, 0), place), length=1.0, name="rod")
+    inward = lw.functions.polynomial(0.0, -1.0)
+    model.displacement_driver("ground", bob, at=place, axis=(1, 0, 0), displacement=inward, name="draw")
+    v = state(lw.assemble(model).model)[1][0, :2]
+    assert v[0] == pytest.approx(-1.0, abs=1e-9 / angle)
+    assert v[1] == pytest.approx(1.0 / np.tan(angle), rel=1e-14 / angle**2)
 
 
 def test_a_held_body_that_is_out_of_reach_is_named_with_its_joint() -> None:

@@ -28,6 +28,8 @@ constexpr int most_conjugate = 300, patience = 20;
 constexpr std::size_t most_directions = 30;
 constexpr double progress = 0.9, new_part = 1e-8;  // of residuals; of a direction, beside those before
 constexpr double useful = 1e-3;                    // cosine of a direction and the residuals
+constexpr double unresisted = 1e-11;               // residuals that a velocity makes, relative to it: roundoff of none
+constexpr double most_growth = 1e6;  // of velocities near singular poses, that counts in the roundoff of residuals
 
 double largest(const VectorXd& x) { return x.size() > 0 ? x.cwiseAbs().maxCoeff() : 0.0; }
 
@@ -210,34 +212,47 @@ bool InitialConditions::positions(const VectorXd& given, VectorXd& q) {
   return reached;
 }
 
-/// Of velocities and drivers [1/s].
-double InitialConditions::rate(const VectorXd& v) const {
-  double out = largest(at_.Phi_t.cwiseQuotient(row_lengths_));
+/// Of velocities [1/s].
+double InitialConditions::rate_of_motion(const VectorXd& v) const {
+  double out = 0.0;
   for (int body = 0; body < system().body_count(); ++body)
     out = std::max({out, v.segment<3>(6 * body).norm() / lengths_[body], v.segment<3>(6 * body + 3).norm()});
   return out;
 }
 
+/// Of velocities and drivers [1/s].
+double InitialConditions::rate(const VectorXd& v) const {
+  return std::max(rate_of_motion(v), largest(at_.Phi_t.cwiseQuotient(row_lengths_)));
+}
+
 // dv = -M^-1 D^T (D M^-1 D^T + mu W)^-1 (D v + Phi_t), again for what mu left; long chains need a smaller one.
 bool InitialConditions::velocities(const VectorXd& q, VectorXd& v) {
   if (system().row_count() == 0) return true;
+  evaluate(q, v);
+  const double given = rate(v);
   VectorXd found = v;
-  double least = INFINITY, mu = most_velocity_damping, size = 0.0;  // the rate of the given velocities, or a larger one
+  double least = INFINITY, mu = most_velocity_damping;
   for (int k = 0; k < most_refinements; ++k) {
     evaluate(q, found);
-    size = std::max(size, rate(found));
-    const double now = size > 0.0 ? relative(at_.Phi_dot) / size : 0.0;
+    const double now = given > 0.0 ? relative(at_.Phi_dot) / given : 0.0;
     const bool shrinking = now < 0.5 * least;
     if (now < least) {
       v = found;
       least = now;
     }
-    if (now <= exact || (!shrinking && now <= roundoff)) break;
+    if (now <= exact || (!shrinking && is_roundoff(now, found, given))) break;
     if (!shrinking && (mu *= 0.01) < least_velocity_damping) break;
     if (!solve(rest_, -at_.Phi_dot, mu)) break;
     found += x_;
   }
-  return least <= roundoff || conjugate_velocities(q, v, least);
+  return is_roundoff(least, v, given) || conjugate_velocities(q, v, given, least);
+}
+
+// Residuals are relative to the rate of what is given: were it that of v, velocities that diverge, as they do where
+// joints contradict each other, would make roundoff of whatever is left. Near singular poses velocities are large
+// indeed, and so is their roundoff: as much as that counts, and never a part of what is given that would be seen.
+bool InitialConditions::is_roundoff(double residual, const VectorXd& v, double given) const {
+  return residual == 0.0 || residual <= roundoff * std::clamp(rate(v) / given, 1.0, most_growth);
 }
 
 /// Residuals of velocities, relative to the rows.
@@ -250,24 +265,23 @@ VectorXd InitialConditions::velocity_residuals(const VectorXd& q, const VectorXd
 // of n driven joints has sigma of 1 / n^4. So the steps above are made conjugate, D x orthogonal to those before, and
 // as long as leaves the least residual (Orthomin: P. K. W. Vinsome, An iterative method for solving sparse sets of
 // simultaneous linear equations, SPE 5729, 1976). Where joints contradict each other the residual stays what it is, and
-// so do the velocities: nothing of it is in the range of D.
-bool InitialConditions::conjugate_velocities(const VectorXd& q, VectorXd& v, double least) {
+// so do the velocities: nothing of it is in the range of D, and a direction that D does not resist but for roundoff is
+// no direction.
+bool InitialConditions::conjugate_velocities(const VectorXd& q, VectorXd& v, double given, double least) {
   struct Direction {
     VectorXd x, change;  // the velocity, and its part of the residuals
   };
   std::deque<Direction> before;
   VectorXd found = v, drift = velocity_residuals(q, rest_);
-  double size = 0.0;
   for (int k = 0, idle = 0; k < most_conjugate && idle < patience; ++k) {
     const VectorXd residuals = velocity_residuals(q, found);
-    size = std::max(size, rate(found));
-    const double now = largest(residuals) / rounding_ / size;
+    const double now = largest(residuals) / rounding_ / given;
     idle = now < progress * least ? 0 : idle + 1;
     if (now < least) {
       v = found;
       least = now;
     }
-    if (now <= exact || (idle > 0 && least <= roundoff)) break;
+    if (now <= exact || (idle > 0 && is_roundoff(least, v, given))) break;
     if (!solve(rest_, -at_.Phi_dot, least_conjugate_damping)) break;
     Direction next{x_, velocity_residuals(q, x_) - drift};
     const double whole = next.change.norm();
@@ -277,12 +291,13 @@ bool InitialConditions::conjugate_velocities(const VectorXd& q, VectorXd& v, dou
       next.change -= share * it.change;
     }
     const double change = next.change.norm(), aligned = residuals.dot(next.change) / change;
-    if (!(change > new_part * whole) || !(std::abs(aligned) > useful * residuals.norm())) break;
+    if (!(change > new_part * whole) || !(change > unresisted * rate_of_motion(next.x))) break;
+    if (!(std::abs(aligned) > useful * residuals.norm())) break;
     found -= (aligned / change) * next.x;
     before.push_back(std::move(next));
     if (before.size() > most_directions) before.pop_front();
   }
-  return least <= roundoff;
+  return is_roundoff(least, v, given);
 }
 
 }  // namespace linkwork

@@ -33,9 +33,11 @@ class InitialConditions {
   void evaluate(const VectorXd& q, const VectorXd& v);
   bool solve(const VectorXd& a, const VectorXd& b, double damping);
   double relative(const VectorXd& residuals) const;
+  double rate_of_motion(const VectorXd& v) const;
   double rate(const VectorXd& v) const;
+  bool is_roundoff(double residual, const VectorXd& v, double given) const;
   VectorXd velocity_residuals(const VectorXd& q, const VectorXd& v);
-  bool conjugate_velocities(const VectorXd& q, VectorXd& v, double least);
+  bool conjugate_velocities(const VectorXd& q, VectorXd& v, double given, double least);
   double merit() const;
   bool descend(VectorXd& q);
   void approach(const VectorXd& given, VectorXd& q);

@@ -120,13 +120,14 @@ class Accumulation {
   }
 
   void list_steps() {
-    double largest = 0.0, reactions = 0.0, states = 0.0;
+    double largest = 0.0, reactions = 0.0, states = 0.0, yielded = NAN;
     for (const StepError& it : errors_.steps)
       if (!it.failed && std::isfinite(of(it).force))
         largest = std::max({largest, of(it).largest_force, of(it).largest_torque / L_});
     for (const StepError& it : errors_.steps) {
       if (it.failed) continue;
       const double reaction = largest > 0.0 ? std::max(of(it).force, of(it).torque / L_) / largest : NAN;
+      yielded = std::fmax(yielded, std::fmax(of(it).yielded_force, of(it).yielded_torque / L_));
       const double state = error(of(it).end);
       out_.steps.push_back({it.t, it.h, state, reaction});
       out_.violation = std::max(out_.violation, it.violation);
@@ -135,6 +136,7 @@ class Accumulation {
       states += state;
     }
     out_.reactions_by_state = reactions / states;  // 0 / 0: not known
+    out_.yielding = largest > 0.0 ? yielded / largest : NAN;
     std::stable_sort(out_.steps.begin(), out_.steps.end(),
                      [](const JudgedStep& a, const JudgedStep& b) { return a.t < b.t; });
   }
@@ -213,10 +215,11 @@ class Accumulation {
 /// Takes over what counts of all parts, whichever is worst.
 AccumulatedError worse(AccumulatedError a, AccumulatedError b) {
   const double reactions = std::fmax(a.reactions_by_state * a.state, b.reactions_by_state * b.state);
-  const double onset = std::max(a.onset, b.onset);
+  const double onset = std::max(a.onset, b.onset), yielding = std::fmax(a.yielding, b.yielding);
   AccumulatedError out = b.state > a.state || std::isnan(b.state) ? std::move(b) : std::move(a);
   out.reactions_by_state = reactions / out.state;
   out.onset = onset;
+  out.yielding = yielding;
   return out;
 }
 

@@ -220,9 +220,11 @@ void RunJudge::look_for_rest() {
   }
 }
 
-RunErrors judge_run(const StepSampling& sampling, Dynamics& dynamics, SecondTake take, JudgeProgress progress) {
+RunErrors judge_run(const StepSampling& sampling, Dynamics& dynamics, SecondTake take, JudgeProgress progress,
+                    Dynamics* recorded) {
   RunJudge judge(sampling, dynamics, std::move(take));
   judge.report_to(std::move(progress));
+  judge.compare_with(recorded);
   judge.judge();
   return judge.judge_worst();
 }

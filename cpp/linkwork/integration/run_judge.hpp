@@ -49,6 +49,8 @@ class RunJudge {
   const std::vector<const KeptStep*>& steps() const { return kept_; }
   int divisions() const { return divisions_; }
   void judge(const RetakenSteps& retaken = {});
+  /// As of StepJudge.
+  void compare_with(Dynamics* recorded) { judge_.compare_with(recorded); }
   void report_to(JudgeProgress progress) { progress_ = std::move(progress); }
 
   /// After that likewise.
@@ -84,6 +86,8 @@ class RunJudge {
   double done_ = 0.0;  ///< parts of steps
 };
 
-RunErrors judge_run(const StepSampling& sampling, Dynamics& dynamics, SecondTake take, JudgeProgress progress = {});
+/// `recorded`: see StepJudge.
+RunErrors judge_run(const StepSampling& sampling, Dynamics& dynamics, SecondTake take, JudgeProgress progress = {},
+                    Dynamics* recorded = nullptr);
 
 }  // namespace linkwork

@@ -117,8 +117,9 @@ StepJudge::StepJudge(Dynamics& dynamics, SecondTake take, std::vector<double> br
     stepper_ = std::make_unique<PairStepper>(*take_.pair);
     stepper_->start(dynamics.y_size());
   }
-  for (Eigen::Matrix3Xd* vectors : {&force_, &torque_, &other_force_, &other_torque_})
-    vectors->setZero(3, dynamics.system().joint_count());
+  for (Reactions* reactions : {&reactions_, &there_, &yielding_})
+    for (Eigen::Matrix3Xd* vectors : {&reactions->force, &reactions->torque})
+      vectors->setZero(3, dynamics.system().joint_count());
 }
 
 StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside, const RetakenStep& retaken) {
@@ -134,7 +135,7 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside, co
     compare(step, out);
     if (step.history_new.size() > 0) compare_history(step, out);
     out.violation = violation_.largest(step.t + step.h, step.y_new, step.history);
-    if (reactions && dynamics_.system().joint_count() > 0) compare_reactions(step, out);
+    if ((reactions || recorded_) && dynamics_.system().joint_count() > 0) compare_reactions(step, out);
     out.failed = !y_.allFinite();
     if (inside && stepper_ && came_inside_) compare_inside(step, out);
   } catch (const Error&) {
@@ -253,8 +254,8 @@ std::vector<Span> StepParts::of(const KeptStep& step) const {
 }
 
 /// The rows that the run left out in this step; others have become redundant since, or were before.
-void StepJudge::leave_out(const std::vector<int>& rows) {
-  if (dynamics_.dropped().rows() != rows) dynamics_.formulation().change_redundant_rows(rows, {});
+void StepJudge::leave_out(Dynamics& dynamics, const std::vector<int>& rows) {
+  if (dynamics.dropped().rows() != rows) dynamics.formulation().change_redundant_rows(rows, {});
 }
 
 void StepJudge::finish(double t) {
@@ -396,22 +397,39 @@ void StepJudge::compare_history(const KeptStep& step, StepError& out) {
 }
 
 void StepJudge::compare_reactions(const KeptStep& step, StepError& out) {
-  find_reactions(step.t + step.h, y_, force_, torque_);
-  find_reactions(step.t + step.h, step.y_new, other_force_, other_torque_);
+  const double end = step.t + step.h;
+  find_reactions(dynamics_, end, y_, reactions_);
+  find_reactions(dynamics_, end, step.y_new, there_);
+  if (recorded_) find_recorded_reactions(step);
   const std::vector<Element>& joints = dynamics_.system().model().joints();
-  for (Eigen::Index k = 0; k < force_.cols(); ++k) {
+  for (Eigen::Index k = 0; k < reactions_.force.cols(); ++k) {
     const Element& joint = joints[static_cast<std::size_t>(k)];
     PartError& of_part = out.of_part[connected_.of_bodies(joint.i, joint.j)];
-    raise(of_part.largest_force, of_part.largest_torque, force_.col(k).norm(), torque_.col(k).norm());
-    raise(of_part.force, of_part.torque, factor_ * (force_.col(k) - other_force_.col(k)).norm(),
-          factor_ * (torque_.col(k) - other_torque_.col(k)).norm());
+    const auto apart = [k](const Reactions& a, const Reactions& b) {
+      return std::pair((a.force.col(k) - b.force.col(k)).norm(), (a.torque.col(k) - b.torque.col(k)).norm());
+    };
+    raise(of_part.largest_force, of_part.largest_torque, reactions_.force.col(k).norm(),
+          reactions_.torque.col(k).norm());
+    const auto [force, torque] = apart(reactions_, there_);
+    raise(of_part.force, of_part.torque, factor_ * force, factor_ * torque);
+    if (!recorded_) continue;
+    const auto [yielded_force, yielded_torque] = apart(there_, yielding_);
+    raise(of_part.yielded_force, of_part.yielded_torque, yielded_force, yielded_torque);
   }
 }
 
-void StepJudge::find_reactions(double t, const VectorXd& y, Eigen::Matrix3Xd& force, Eigen::Matrix3Xd& torque) {
-  dynamics_.evaluate(t, y);
-  dynamics_.accelerations(v_dot_, lambda_);
-  dynamics_.reactions(lambda_, force, torque);
+/// Where the run ended the step.
+void StepJudge::find_recorded_reactions(const KeptStep& step) {
+  recorded_->set_history(dynamics_.history());
+  recorded_->evaluate(step.t, step.y);
+  leave_out(*recorded_, rows_);
+  find_reactions(*recorded_, step.t + step.h, step.y_new, yielding_);
+}
+
+void StepJudge::find_reactions(Dynamics& dynamics, double t, const VectorXd& y, Reactions& out) {
+  dynamics.evaluate(t, y);
+  dynamics.accelerations(v_dot_, lambda_);
+  dynamics.reactions(lambda_, out.force, out.torque);
 }
 
 }  // namespace linkwork

@@ -77,6 +77,7 @@ struct PartError {
   double speed = 0.0;                                       ///< also of turning, by the arm of the part [m/s]
   double acceleration = 0.0, spin_rate = 0.0;               ///< mean over the step [m/s^2, rad/s^2]
   double largest_force = force, largest_torque = force;     ///< NaN likewise
+  double yielded_force = force, yielded_torque = force;     ///< of reactions where constraints yield; NaN likewise
   double onset = 0.0;  ///< of the speed at which a contact begins [m/s], also in that of the velocity
 };
 
@@ -106,7 +107,11 @@ class StepJudge {
   /// may come too near, and another is taken.
   void choose_from(std::vector<std::vector<int>> choices) { choices_ = std::move(choices); }
 
-  /// `reactions`: those, too; it takes two more evaluations. `inside`: where the run records there, too; it takes one
+  /// The same mechanism, to be used up, by the equations of the run where `dynamics` has exact ones: what is recorded of
+  /// reactions, be the state right or wrong, is what these give.
+  void compare_with(Dynamics* recorded) { recorded_ = recorded; }
+
+  /// `reactions`: those, too, as always where there are others to compare with; it takes two more evaluations. `inside`: where the run records there, too; it takes one
   /// more step. `retaken`: if somebody else has taken it again.
   StepError judge(const KeptStep& step, bool reactions, bool inside = false, const RetakenStep& retaken = {});
   /// Motion is seen from these, from now on; from the ground, if nobody says so. `arms`: of each connected part [m], by
@@ -126,7 +131,8 @@ class StepJudge {
   void choose_rows(const KeptStep& step);
   double least_with(const std::vector<int>& rows, const KeptStep& step);
   void leave_out_as_in(const KeptStep& step);
-  void leave_out(const std::vector<int>& rows);
+  void leave_out(const std::vector<int>& rows) { leave_out(dynamics_, rows); }
+  static void leave_out(Dynamics& dynamics, const std::vector<int>& rows);
   void finish(double t);
   void compare(const KeptStep& step, StepError& out);
   void separate_fading(const KeptStep& step, double share, StepError& out);
@@ -135,10 +141,15 @@ class StepJudge {
   void compare_inside(const KeptStep& step, StepError& out);
   void compare_history(const KeptStep& step, StepError& out);
   void compare_reactions(const KeptStep& step, StepError& out);
-  void find_reactions(double t, const VectorXd& y, Eigen::Matrix3Xd& force, Eigen::Matrix3Xd& torque);
+  struct Reactions {
+    Eigen::Matrix3Xd force, torque;
+  };
+  void find_reactions(Dynamics& dynamics, double t, const VectorXd& y, Reactions& out);
+  void find_recorded_reactions(const KeptStep& step);
   VectorXd kinetic_energies_of(const VectorXd& y) const;
 
   Dynamics& dynamics_;
+  Dynamics* recorded_ = nullptr;
   const ConnectedParts& connected_;
   SecondTake take_;
   StepParts parts_;
@@ -154,8 +165,8 @@ class StepJudge {
   std::vector<int> rows_;  ///< that are left out in this step
   VectorXd y_, v_dot_, lambda_, seen_;
   VectorXd inside_, interpolated_;
-  bool came_inside_ = false;  ///< to inside_, where the first part ends
-  Eigen::Matrix3Xd force_, torque_, other_force_, other_torque_;
+  bool came_inside_ = false;                ///< to inside_, where the first part ends
+  Reactions reactions_, there_, yielding_;  ///< of this end, of that of the run, and there by its own equations
 };
 
 }  // namespace linkwork

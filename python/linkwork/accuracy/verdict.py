@@ -82,13 +82,14 @@ class Verdict:
 
     level        "good": up to 1 % off, "coarse", or "wrong": beyond 10 %
     sentence     "accurate to about 3e-7", or what is the matter and what would help
-    error        the largest of `state`, `energy` and `violation`; of unstable and chaotic motion it may be
-                 too small by any factor, unless there was a second run
+    error        the largest of `state`, `energy`, `violation` and `yielding`; of unstable and chaotic motion
+                 it may be too small by any factor, unless there was a second run
     state        of poses, relative to the smaller of the path and the size of the motion, and of velocities,
                  relative to the largest: local errors accumulated over the run; None: no step was taken
                  again. Parts that neither joints nor forces connect are judged as if alone: the worst counts
     local_error  of the state, per second [1/s]: the mean over the run
-    reactions    of forces and torques, relative to the largest, accumulated likewise; None: not known
+    reactions    of forces and torques, relative to the largest, accumulated likewise, and what they lose by
+                 `yielding`; None: not known
     energy       made or lost, relative to the largest kinetic energy or energy exchanged
     violation    largest of position constraints, as a displacement relative to the size of the mechanism
     steps        what was taken again
@@ -101,6 +102,8 @@ class Verdict:
     before       error of the runs that this one goes on from, see `start`; part of `state`
     memory       functions of the user's that remember calls: how far the motion is off is not known then
     recalled     what a function returned in the run, and later for the same arguments, in words
+    yielding     of forces and torques, relative to the largest: what they lose in the states of the run where
+                 constraints yield, by a penalty or by iterations that end early
     body         of the connected part that the error is of; "": all bodies are one part, or it is of no one
     """
 
@@ -122,6 +125,7 @@ class Verdict:
     verified: float | None = None
     memory: tuple[str, ...] = ()
     recalled: str = ""
+    yielding: float = 0.0
     body: str = ""
 
     def numbers(self) -> dict[str, Any]:
@@ -255,8 +259,9 @@ def estimate(
     turns = 0.25 * min(duration, duration / replaced if replaced > 0 else duration) * found["rate"]
     by_steps = before + SAFETY * found["state"]
     state = max(by_steps, before + max(energy * turns if turns > 1 else 0.0, VIOLATED * violation))
-    ratio, failed = found["reactions_by_state"], found["failed"]
-    error, steps = max(state, energy), tuple(itertools.starmap(StepEstimate, found["steps"]))
+    ratio, failed, yielding = found["reactions_by_state"], found["failed"], found["yielding"]
+    reactions = state * ratio if math.isfinite(ratio) else 0.0 if yielding > 0 else None
+    error, steps = max(state, energy, yielding), tuple(itertools.starmap(StepEstimate, found["steps"]))
     body = body if by_steps >= error else ""
     return Verdict(
         level=_level(error),
@@ -264,12 +269,13 @@ def estimate(
         error=error,
         state=state,
         local_error=found["local_error"],
-        reactions=state * ratio if math.isfinite(ratio) else None,
+        reactions=None if reactions is None else reactions + yielding,
         energy=energy,
         violation=violation,
         steps=steps,
         left_out=f"{failed} of {failed + taken} steps could not be taken again" if failed else "",
         before=before,
+        yielding=yielding,
         body=body,
         **_counts(statistics),
     )
@@ -295,7 +301,7 @@ def verified(
     """The same with what a finer run says of the state, and of which `body`, in place of the estimate:
     unless that of the `second`, finer run is hardly smaller, as where steps of both leap over a pulse, or are
     in step with what oscillates."""
-    error = max(state + verdict.before, verdict.energy, verdict.violation)
+    error = max(state + verdict.before, verdict.energy, verdict.violation, verdict.yielding)
     body = body if state + verdict.before >= error else ""
     found = _sentence(error, verdict.violation, state, method, verdict.before, verdict.steps, body)
     sentence = f"{found} by a second run"
@@ -353,12 +359,20 @@ def _passed(touch: Mapping[str, Any]) -> str:
 
 
 def loose(verdict: Verdict, formulation: str) -> Verdict:
-    """Says that it is the formulation that is inexact, as constraints yield: by no more than that, and less
-    the shorter the steps."""
+    """Says that it is the formulation that is inexact, as constraints yield: by no more than that, and motion,
+    other than reactions, less the shorter the steps."""
+    if verdict.yielding >= verdict.error:
+        return replace(verdict, sentence=_yields(verdict, formulation))
     remedy = "a larger penalty or a shorter step" if formulation == "penalty" else "a smaller tolerance"
     what = f"formulation '{formulation}' is not exact enough here"
     off = f"up to {_off(verdict.error).removeprefix('about ')}" if verdict.error < 1 else _off(verdict.error)
     return replace(verdict, sentence=f"{what}: {off}; use 'standard', {remedy}")
+
+
+def _yields(verdict: Verdict, formulation: str) -> str:
+    remedy = "a larger penalty" if formulation == "penalty" else "a smaller tolerance"
+    off = f"about {_percent(verdict.yielding)} off"
+    return f"formulation '{formulation}' is not exact enough here: reactions are {off}; use 'standard' or {remedy}"
 
 
 def say(verdict: Verdict, name: str | None) -> str:

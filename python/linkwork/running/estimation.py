@@ -261,8 +261,10 @@ class ErrorEstimator:
         report: Callable[[float], None] | None,
     ) -> Verdict:
         try:
-            verdict = self._judged(self._strict(system), statistics, steps=steps, report=report)
-            if verdict.level != "good" and strict(self._options) != self._options:
+            exact = self._strict(system)
+            own = system if exact is not system else None
+            verdict = self._judged(exact, statistics, steps=steps, report=report, recorded=own)
+            if verdict.level != "good" and own is not None:
                 by_steps = self._judged(system, statistics, steps=steps, report=report)
                 self._inexact = by_steps.error < CAUSE * verdict.error
         except Exception as error:  # also of the user's functions
@@ -282,12 +284,15 @@ class ErrorEstimator:
         *,
         steps: bool,
         report: Callable[[float], None] | None,
+        recorded: System | None = None,
     ) -> Verdict:
+        """By the equations of `system`; `recorded`: with those that gave the run its reactions."""
         if isinstance(self._run, _core.LaneRun):
             listed = steps or bool(self._looks.pulses)
             found = self._run.judge(system.compiled(), *self._compiled(), steps=listed)
         else:
-            found = self._run.judge(system.compiled(), *self._compiled(), progress=report)
+            its = None if recorded is None else recorded.compiled()
+            found = self._run.judge(system.compiled(), *self._compiled(), progress=report, recorded=its)
         self._carried, self._onset = found["carried"], found["onset"]
         self._at_rest = AtRest(found["rest_length"], found["rest_speed"])
         body = self._name(found["body"])
@@ -340,7 +345,7 @@ def strict(options: Options) -> Options:
         return options
     out = options.copy()
     out["formulation"] = "augmented_lagrangian"
-    for name in ("penalty", "tolerance", "max_iterations"):
+    for name in ("penalty", "penalty_scale", "tolerance", "max_iterations"):
         out.pop(name, None)  # type: ignore[misc]
     return out
 
