@@ -81,3 +81,14 @@ TEST_CASE("constraints that cannot be met are said to be, and are violated least
   CHECK(r > 1.0);
   CHECK(r < 2.0);
 }
+
+TEST_CASE("rates that contradict each other are refused, and leave velocities as small as what is given") {
+  Model model = on_a_sphere({1.0, 0, 0});
+  const Mat3<double> I = Mat3<double>::Identity();
+  const Vec3<double> O = Vec3<double>::Zero();
+  model.add_joint("distance", "growing", ground, 0, {O, O, I, I}, {{0.0, model.add_signal(polynomial({1.0, 0.5}))}});
+  const System system(model);
+  VectorXd v = VectorXd::Zero(6);
+  CHECK(!InitialConditions(system, {}, {}).velocities(model.initial_q(), v));
+  CHECK(v.norm() < 1.0);
+}

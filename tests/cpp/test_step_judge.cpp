@@ -54,3 +54,26 @@ TEST_CASE("a step that cannot be taken again is said to have failed") {
   step.y[7] = NAN;
   CHECK(judge.judge(step, false).failed);
 }
+
+TEST_CASE("reactions that yielding constraints give are compared in the state of the run, and go with the compliance") {
+  double last = 0.0;
+  for (const double scale : {1e4, 1e5}) {
+    Options yielding;
+    yielding.formulation = "penalty";
+    yielding.penalty_scale = scale;
+    Dynamics dynamics(pendulum(), Options()), recorded(pendulum(), yielding);
+    StepJudge judge(dynamics, in_parts(make_runge_kutta(rk4())));
+    KeptStep step;
+    step.h = 0.1;
+    step.y = step.y_new = dynamics.initial_y();
+    step.history = dynamics.initial_history();
+    CHECK(std::isnan(judge.judge(step, true).of_part[0].yielded_force));
+    judge.compare_with(&recorded);
+    const PartError error = judge.judge(step, false).of_part[0];
+    const double lost = error.yielded_force / error.largest_force;
+    CHECK(lost > 0.1 / scale);
+    CHECK(lost < 10.0 / scale);
+    if (last > 0.0) CHECK(last / lost == doctest::Approx(10.0).epsilon(0.01));
+    last = lost;
+  }
+}

@@ -360,6 +360,59 @@ def test_the_command_tells_it_in_its_table_and_in_json() -> None:
     assert code == 1 and error.startswith("error: four_bar: the step is too long")
 
 
+def held_arm(inertance: float) -> lw.Model:
+    """At rest by a driver, beside a rotor on the same hinge: the driver bears 2 kg, 0.5 m away."""
+    model = lw.Model()
+    arm = model.body("arm", mass=2.0, inertia=(0.01, 0.05, 0.05), position=(0.5, 0, 0))
+    axis: dict[str, Any] = {"at": (0, 0, 0), "axis": (0, 1, 0)}
+    model.revolute("ground", arm, **axis, name="hinge")
+    model.drive("hinge", position=lw.functions.polynomial(0.0), name="motor")
+    if inertance:
+        model.rotational_inerter("ground", arm, **axis, inertance=inertance)
+    return model
+
+
+PENALTY: dict[str, Any] = {"formulation": "penalty"}
+
+
+@pytest.mark.parametrize(
+    ("inertance", "how"),
+    [
+        (0.0, PENALTY | {"penalty_scale": 1e3}),
+        (1e3, PENALTY | {"penalty_scale": 1e5}),
+        (1e5, PENALTY),
+    ],
+)
+def test_reactions_that_are_lost_where_constraints_yield_are_told(
+    inertance: float, how: dict[str, Any]
+) -> None:
+    result = quick(held_arm(inertance), 0.1, step=1e-3, **how)
+    torque = -2.0 * 9.81 * 0.5
+    lost = float(np.abs(result.reaction("motor").torque[:, 1] / torque - 1).max())
+    found = result.verdict
+    assert found is not None and found.reactions is not None and lost > 1e-3
+    assert found.yielding == pytest.approx(lost, rel=0.05)
+    assert found.reactions >= found.yielding and found.error >= found.yielding
+    assert (found.level == "good") is (lost < 0.01)
+    assert ("reactions are about" in found.sentence) is (lost > 0.01)
+
+
+def test_reactions_of_exact_equations_lose_nothing() -> None:
+    found = quick(held_arm(1e3), 0.1, step=1e-3).verdict
+    assert found is not None and found.yielding == 0.0 and found.level == "good"
+
+
+def test_reactions_that_may_be_off_are_named_beside_a_good_motion() -> None:
+    numbers: dict[str, Any] = {
+        "taken": 1, "failed": 0, "kinetic_share": 1.0, "rest_energy": 1.0, "violation": 0.0, "seconds": 1.0,
+        "rate": 1.0, "state": 1e-3, "local_error": 1e-3, "yielding": 0.0, "steps": [(0.0, 1e-3, 1e-6, None)],
+    }  # fmt: skip
+    method = verdict.Method(4, step=1e-3)
+    for ratio, said in ((10.0, "2e-3"), (100.0, "20 % off"), (1e4, "far off")):
+        found = verdict.estimate(numbers | {"reactions_by_state": ratio}, verdict.Energies(), method, {})
+        assert found.level == "good" and found.sentence.endswith(said)
+
+
 def test_what_stays_at_rest_is_judged_by_its_size() -> None:
     """A door in two hinges, whose reactions leave it speeds of 1e-18 m/s."""
     model = lw.Model(name="door")

@@ -260,16 +260,17 @@ def estimate(
     by_steps = before + SAFETY * found["state"]
     state = max(by_steps, before + max(energy * turns if turns > 1 else 0.0, VIOLATED * violation))
     ratio, failed, yielding = found["reactions_by_state"], found["failed"], found["yielding"]
-    reactions = state * ratio if math.isfinite(ratio) else 0.0 if yielding > 0 else None
+    accumulated = state * ratio if math.isfinite(ratio) else 0.0 if yielding > 0 else None
+    reactions = None if accumulated is None else accumulated + yielding
     error, steps = max(state, energy, yielding), tuple(itertools.starmap(StepEstimate, found["steps"]))
     body = body if by_steps >= error else ""
     return Verdict(
         level=_level(error),
-        sentence=_sentence(error, violation, state, method, before, steps, body),
+        sentence=_sentence(error, violation, state, method, before, steps, body) + _but(error, reactions),
         error=error,
         state=state,
         local_error=found["local_error"],
-        reactions=None if reactions is None else reactions + yielding,
+        reactions=reactions,
         energy=energy,
         violation=violation,
         steps=steps,
@@ -359,8 +360,8 @@ def _passed(touch: Mapping[str, Any]) -> str:
 
 
 def loose(verdict: Verdict, formulation: str) -> Verdict:
-    """Says that it is the formulation that is inexact, as constraints yield: by no more than that, and motion,
-    other than reactions, less the shorter the steps."""
+    """Says that it is the formulation that is inexact, as constraints yield: by no more than that, and the
+    motion, other than reactions, less the shorter the steps."""
     if verdict.yielding >= verdict.error:
         return replace(verdict, sentence=_yields(verdict, formulation))
     remedy = "a larger penalty or a shorter step" if formulation == "penalty" else "a smaller tolerance"
@@ -371,8 +372,8 @@ def loose(verdict: Verdict, formulation: str) -> Verdict:
 
 def _yields(verdict: Verdict, formulation: str) -> str:
     remedy = "a larger penalty" if formulation == "penalty" else "a smaller tolerance"
-    off = f"about {_percent(verdict.yielding)} off"
-    return f"formulation '{formulation}' is not exact enough here: reactions are {off}; use 'standard' or {remedy}"
+    what = f"formulation '{formulation}' is not exact enough here"
+    return f"{what}: reactions are about {_percent(verdict.yielding)} off; use 'standard' or {remedy}"
 
 
 def say(verdict: Verdict, name: str | None) -> str:
@@ -415,6 +416,14 @@ def _sentence(
         size = f"{_percent(violation)} of the mechanism's size"
         return f"the constraints are violated by {size}: {method.advice(error)}"
     return there + method.advice(error, steps, state)
+
+
+def _but(error: float, reactions: float | None) -> str:
+    """Of a good motion whose reactions may not be: where they are steep, as near singular poses and in stiff
+    contacts. No reason to warn: what they accumulate to is much too large as a rule."""
+    if error > GOOD or reactions is None or reactions <= WRONG:
+        return ""
+    return f", but reactions may be {f'{_percent(reactions)} ' if reactions < 1 else 'far '}off"
 
 
 def _blind(steps: Sequence[StepEstimate], rtol: float, error: float, state: float) -> StepEstimate | None:

@@ -264,8 +264,9 @@ class ErrorEstimator:
             exact = self._strict(system)
             own = system if exact is not system else None
             verdict = self._judged(exact, statistics, steps=steps, report=report, recorded=own)
-            if verdict.level != "good" and own is not None:
-                by_steps = self._judged(system, statistics, steps=steps, report=report)
+            self._inexact = verdict.yielding >= verdict.error > 0.0
+            if verdict.level != "good" and own is not None and not self._inexact:
+                by_steps = self._judged(own, statistics, steps=steps, report=report)
                 self._inexact = by_steps.error < CAUSE * verdict.error
         except Exception as error:  # also of the user's functions
             return self._by_balance(f"no step could be taken again ({error})", statistics)
