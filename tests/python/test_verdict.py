@@ -397,6 +397,20 @@ def test_reactions_that_are_lost_where_constraints_yield_are_told(
     assert ("reactions are about" in found.sentence) is (lost > 0.01)
 
 
+@pytest.mark.parametrize("gravity", [(0, 0, 0), (0, 0, -9.81)])
+@pytest.mark.parametrize("how", [PENALTY, PENALTY | {"penalty_scale": 1e4}])
+def test_reactions_that_are_rounding_of_none_lose_nothing(
+    gravity: tuple[float, float, float], how: dict[str, Any]
+) -> None:
+    """Two bodies on a hinge that fall or fly side by side."""
+    model = lw.Model(gravity=gravity)
+    first = model.body("first", mass=1.0, inertia=(0.1, 0.1, 0.1), velocity=(1, 2, 3))
+    second = model.body("second", mass=2.0, inertia=(0.1, 0.2, 0.1), position=(1, 0, 0), velocity=(1, 2, 3))
+    model.revolute(first, second, at=(0.5, 0, 0), axis=(0, 1, 0.3))
+    found = quick(model, 0.2, step=1e-3, **how).verdict
+    assert found is not None and found.level == "good" and found.yielding < 1e-6
+
+
 def test_reactions_of_exact_equations_lose_nothing() -> None:
     found = quick(held_arm(1e3), 0.1, step=1e-3).verdict
     assert found is not None and found.yielding == 0.0 and found.level == "good"

@@ -6,10 +6,11 @@
 namespace linkwork {
 namespace {
 
-constexpr double growth = 5.0;   // characteristic times L / V in which an error of a velocity moves positions
-constexpr double steep = 10.0;   // times the mean of its part: a change of accelerations out of the ordinary
-constexpr double slowest = 0.1;  // pace from which errors along the path grow
-constexpr double still = 1e-6;   // relative to L, or to L / duration: below nothing moves, what is left is rounding
+constexpr double growth = 5.0;     // characteristic times L / V in which an error of a velocity moves positions
+constexpr double steep = 10.0;     // times the mean of its part: a change of accelerations out of the ordinary
+constexpr double slowest = 0.1;    // pace from which errors along the path grow
+constexpr double unloaded = 1e-9;  // of forces, or of those of the motion: reactions below are rounding
+constexpr double still = 1e-6;     // relative to L, or to L / duration: below nothing moves, what is left is rounding
 
 /// A part of a run with the steps that are known of it: one, or two, the second the steepest.
 struct KnownPart {
@@ -121,9 +122,11 @@ class Accumulation {
 
   void list_steps() {
     double largest = 0.0, reactions = 0.0, states = 0.0, yielded = NAN;
+    const double of_motion = unloaded * judged_.kinetic / L_;
     for (const StepError& it : errors_.steps)
       if (!it.failed && std::isfinite(of(it).force))
-        largest = std::max({largest, of(it).largest_force, of(it).largest_torque / L_});
+        largest =
+            std::max({largest, of_motion, unloaded * of(it).load, of(it).largest_force, of(it).largest_torque / L_});
     for (const StepError& it : errors_.steps) {
       if (it.failed) continue;
       const double reaction = largest > 0.0 ? std::max(of(it).force, of(it).torque / L_) / largest : NAN;

@@ -400,6 +400,7 @@ void StepJudge::compare_reactions(const KeptStep& step, StepError& out) {
   const double end = step.t + step.h;
   find_reactions(dynamics_, end, y_, reactions_);
   find_reactions(dynamics_, end, step.y_new, there_);
+  look_at_loads(out);
   if (recorded_) find_recorded_reactions(step);
   const std::vector<Element>& joints = dynamics_.system().model().joints();
   for (Eigen::Index k = 0; k < reactions_.force.cols(); ++k) {
@@ -415,6 +416,16 @@ void StepJudge::compare_reactions(const KeptStep& step, StepError& out) {
     if (!recorded_) continue;
     const auto [yielded_force, yielded_torque] = apart(there_, yielding_);
     raise(of_part.yielded_force, of_part.yielded_torque, yielded_force, yielded_torque);
+  }
+}
+
+void StepJudge::look_at_loads(StepError& out) {
+  const VectorXd& g = dynamics_.evaluation().g;
+  for (int body = 0; body < dynamics_.system().body_count(); ++body) {
+    const int part = connected_.of_body(body);
+    const auto force = g.segment<3>(velocity_size * body), torque = g.segment<3>(velocity_size * body + 3);
+    out.of_part[part].load =
+        std::max({out.of_part[part].load, force.norm(), torque.norm() / violation_.lengths()[part]});
   }
 }
 

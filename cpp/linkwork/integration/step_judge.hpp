@@ -78,6 +78,7 @@ struct PartError {
   double acceleration = 0.0, spin_rate = 0.0;               ///< mean over the step [m/s^2, rad/s^2]
   double largest_force = force, largest_torque = force;     ///< NaN likewise
   double yielded_force = force, yielded_torque = force;     ///< of reactions where constraints yield; NaN likewise
+  double load = 0.0;   ///< largest force on a body, or torque by the size of the part; looked at with reactions [N]
   double onset = 0.0;  ///< of the speed at which a contact begins [m/s], also in that of the velocity
 };
 
@@ -145,6 +146,7 @@ class StepJudge {
     Eigen::Matrix3Xd force, torque;
   };
   void find_reactions(Dynamics& dynamics, double t, const VectorXd& y, Reactions& out);
+  void look_at_loads(StepError& out);
   void find_recorded_reactions(const KeptStep& step);
   VectorXd kinetic_energies_of(const VectorXd& y) const;
 
