@@ -7,13 +7,13 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
 from linkwork import _core
 from linkwork.arrays import Floats
 from linkwork.constraints import solver
+from linkwork.constraints.crossing import Crossing, MotionState, Search, reach
 from linkwork.constraints.equations import LISTED, Equations, Sparse
 from linkwork.constraints.rolling import rolled
 from linkwork.constraints.solver import (
@@ -31,6 +31,9 @@ __all__ = ["SINGULAR", "SUSPICIOUS", "Continuation", "Impasse", "MotionState", "
 
 AnyConstraints = Constraints | SparseConstraints
 
+#: Of the ends of a step, and of the pose that it crosses.
+Watch = Callable[[MotionState, MotionState, Crossing | None], None]
+
 #: The smallest singular value at the start as a part of what counts as one, see SparseConstraints.
 USUAL = 0.1
 
@@ -47,11 +50,11 @@ LONGEST_STEP, LARGEST_CORRECTION = LIMITS.longest_step, LIMITS.largest_correctio
 #: Motions [rad, sizes] of a step that look like none, and where inside of it they are looked at.
 HARDLY, INSIDE = 1e-2, 0.618
 
-#: From where a singular pose takes the velocity that it leaves open, as a part of the step.
-NEARBY = 1e-2
-
 #: Of the largest rate that a driver asks for: what no velocity gives, where that is no rounding.
 ASKED = 1e-3
+
+#: Steps that are tiny parts of the way, and how many of them are taken before it is given up.
+TINY, MOST_TINY = 1e-6, 1000
 
 #: The shortest step, as a part of the way, which is the time between two frames in `kinematics`.
 SHORTEST_STEP = 2.0**-40
@@ -64,30 +67,6 @@ CLOSED = LIMITS.closed
 
 #: Corrections relative to the size of the mechanism at which Newton's method ends.
 CONVERGED, ITERATIONS = LIMITS.converged, LIMITS.iterations
-
-
-@dataclass(frozen=True)
-class MotionState:
-    """The mechanism at one time; omega and its rate in body axes in v and a, inertial in x_dot and x_ddot."""
-
-    t: float
-    q: Floats
-    v: Floats
-    a: Floats
-    factors: Callable[[], AnyConstraints]
-    history: Floats  # of couplers and force elements, see linkwork.System
-
-    @cached_property
-    def constraints(self) -> AnyConstraints:
-        return self.factors()
-
-    @property
-    def x_dot(self) -> Floats:
-        return to_inertial_axes(self.q, self.v)
-
-    @property
-    def x_ddot(self) -> Floats:
-        return to_inertial_axes(self.q, self.a)
 
 
 @dataclass(frozen=True)
@@ -121,9 +100,8 @@ class Continuation:
     unit: float = 1.0  # of singular values
     shortest: float = SHORTEST_STEP  # as a part of the way
     most_seconds: float = math.inf  # from now on
-    beside: bool = False  # a singular pose, which is left on both of its sides
-    watch: Callable[[MotionState, MotionState], None] | None = None  # told of the ends of each step
-    crossings: list[dict[str, Any]] = field(default_factory=list)
+    watch: Watch | None = None  # told of the ends of each step, and what it crosses
+    crossed: list[Crossing] = field(default_factory=list)
     counts: dict[str, int] = field(
         default_factory=lambda: {"steps": 0, "evaluations": 0, "factorizations": 0}
     )
@@ -188,72 +166,104 @@ class Continuation:
 
     def way_to(self, t: float) -> float:
         """How far bodies come until then as they move now, at most [rad, sizes]."""
-        return _reach((t - self.at.t) * self.at.x_dot, self.equations.length)
+        return reach((t - self.at.t) * self.at.x_dot, self.equations.length)
 
     def go_to(self, t: float) -> None:
         """NotConvergedError: there is no way to go on."""
+        if self.crossed:
+            self._go_on(self.crossed[-1], t)
         h = t - self.at.t
         smallest, soon = self.shortest * h, max(LIMITS.touch_part * h, ROUNDING_OF_TIMES * t)
+        short, tiny = 0, TINY * h
         while self.at.t < t:
             last = self.at.t + h >= t - smallest
-            found = self._step(t if last else self.at.t + h)
+            found = self._step(self.at, t if last else self.at.t + h)
+            short += h < tiny
             if found is None or (h > soon and self._touches(found)):
                 h = min(h, t - self.at.t) / 2
-                if h < smallest:
+                if h < smallest or short > MOST_TINY:
                     self._refuse_to_go_on(t)
             else:
-                before = self.at
-                self._accept(found)
                 self.counts["steps"] += 1
+                self._take(found, t)
                 h *= 2
-                if self.watch is not None:
-                    self.watch(before, found)
+
+    def _take(self, found: MotionState, t: float) -> None:
+        """The step to it, or on the way to t over a singular pose that is beside it or before."""
+        before = self.at
+        passed = self.crossed and before.t <= self.crossed[-1].t <= found.t
+        crossing = None if passed else self._crossing(before, found)
+        if crossing is not None:
+            self.crossed.append(crossing)
+        if self.watch is not None:
+            self.watch(before, found, crossing)
+        self._accept(found)
+        if crossing is not None:
+            self._go_on(crossing, t)
+
+    def _go_on(self, crossing: Crossing, t: float) -> None:
+        """On the way to t to a state that is beside the singular pose, or in it."""
+        if crossing.covers(t):
+            return self._accept(crossing.state(t, self.constraints_at))
+        if crossing.covers(self.at.t) or crossing.states[0].t < self.at.t:
+            known = [it for it in crossing.states if it.t <= t]
+            if known and (known[-1].t > self.at.t or crossing.covers(self.at.t)):
+                self._accept(known[-1])
+        return None
+
+    def _crossing(self, first: MotionState, second: MotionState) -> Crossing | None:
+        """The singular pose between the states, or beside the second one; None: the motion passes none."""
+        breaks = [0.0, *self._breaks, self.t_end]
+        begin = max(t for t in breaks if t <= first.t)
+        end = min((t for t in breaks if t >= second.t), default=second.t)
+        search = Search(self._step, self._smallest, self.equations.length, begin, end)
+        kept = self.at
+        try:
+            return search.find(first, second) if search.leads_there(first, second) else None
+        finally:
+            self.equations.dynamics.history = kept.history
+
+    @cached_property
+    def _breaks(self) -> list[float]:
+        """Of drivers [s]: beyond them the motion is another function."""
+        signals = [signal for _, signal in self.equations.model.drivers]
+        return sorted({t for signal in signals for t in signal.break_points})
+
+    def _smallest(self, state: MotionState) -> float:
+        return state.constraints.smallest(self.rank)
+
+    def constraints_at(self, t: float, q: Floats) -> AnyConstraints:
+        return self._constraints(self.equations.terms(t, q).D)
 
     def _touches(self, found: MotionState) -> bool:
         """Whether a contact begins on the way: its force depends on the speed there."""
         return bool(self.equations.dynamics.begins_contact(self.at.history, found.history))
 
-    def soon_after(self, first: MotionState, t: float) -> MotionState | None:
-        """The mechanism soon after `first`, without going there."""
-        kept, watch = self.at, self.watch
-        self.watch = None
-        self._accept(first)
-        try:
-            self.go_to(t)
-            return self.at
-        except NotConvergedError:
-            return None
-        finally:
-            self._accept(kept)
-            self.watch = watch
-
-    def _step(self, t: float) -> MotionState | None:
+    def _step(self, at: MotionState, t: float) -> MotionState | None:
         """q + h v + h^2 v_dot / 2, corrected; None: the step is too long for the predictor to be trusted."""
-        at, h = self.at, t - self.at.t
-        length = self.equations.length
+        h, length = t - at.t, self.equations.length
+        self.equations.dynamics.history = at.history
         x = h * at.x_dot + h * h / 2 * at.x_ddot
-        moved = _reach(x, length)
-        if moved > LONGEST_STEP or (moved < HARDLY and not self._foreseen(h)):
+        moved = reach(x, length)
+        if moved > LONGEST_STEP or (moved < HARDLY and not self._foreseen(at, h)):
             return None
-        predicted = displaced(at.q, x) if self.equations.holonomic.all() else self._rolled(t)
+        predicted = displaced(at.q, x) if self.equations.holonomic.all() else self._rolled(at, t)
         q = self._corrected(t, predicted, at.constraints, max(LARGEST_CORRECTION * moved, 1e-9))
         if q is None:
             return None
         state = self._state(t, q, at)
-        if state.constraints.rank == self.rank:
-            return state
-        if self.beside or at.constraints.rank < self.rank:
+        if state.constraints.rank < self.rank and at.constraints.rank < self.rank:
             return None  # singular poses one after the other: no step, however short, leaves them
-        return self._singular(state, h) if h > 1e-6 * max(t, 1e-3 * self.t_end) else state
+        return state
 
-    def _foreseen(self, h: float) -> bool:
+    def _foreseen(self, at: MotionState, h: float) -> bool:
         """Whether drivers do nothing else within the step: a whole turn looks like none at its end."""
-        at, part = self.at, INSIDE * h
+        part = INSIDE * h
         predicted = displaced(at.q, part * at.x_dot + part * part / 2 * at.x_ddot)
         Phi = self.equations.Phi(at.t + part, predicted)
         return self.equations.violation(np.where(self.equations.holonomic, Phi, 0.0)) < HARDLY
 
-    def _rolled(self, t: float) -> Floats:
+    def _rolled(self, at: MotionState, t: float) -> Floats:
         """q at t by integration of D v = -Phi_t, where joints restrict velocities only."""
 
         def velocity(t: float, q: Floats) -> Floats:
@@ -261,27 +271,7 @@ class Continuation:
             self.counts["evaluations"] += 1
             return self._constraints(terms.D).solve(-terms.Phi_t)
 
-        return rolled(self.at.q, velocity, self.at.t, t)
-
-    def _singular(self, state: MotionState, h: float) -> MotionState | None:
-        """The same, with the velocity and acceleration that it leaves open from both sides of it.
-
-        Hermite's interpolation: f(t) = (f_1 + f_2) / 2 + (t_2 - t_1) (f_1' - f_2') / 8 in the middle.
-        """
-        d = NEARBY * h
-        self.beside = True
-        try:
-            before = self.soon_after(self.at, state.t - d)
-            if before is None:
-                return None
-            after = self.soon_after(before, state.t + d) if state.t + d <= self.t_end else None
-        finally:
-            self.beside = False
-        if after is None:
-            return self._state(state.t, state.q, before)
-        x_ddot = (before.x_ddot + after.x_ddot) / 2
-        x_dot = (before.x_dot + after.x_dot) / 2 + d / 4 * (before.x_ddot - after.x_ddot)
-        return self._completed(state.t, state.q, x_dot, x_ddot)
+        return rolled(at.q, velocity, at.t, t)
 
     # Newton's method with the D of the last moment, renewed where it converges slowly
     def _corrected(
@@ -292,7 +282,7 @@ class Continuation:
             Phi = eq.Phi(t, q)
             self.counts["evaluations"] += 1
             x = constraints.solve(-Phi)
-            size = _reach(x, eq.length)
+            size = reach(x, eq.length)
             total += size
             if not np.isfinite(size) or total > largest:
                 return None
@@ -301,7 +291,7 @@ class Continuation:
                     return displaced(q, x) if self._closed(Phi) else None
                 constraints = self._constraints(eq.terms(t, q).D)
                 x = constraints.solve(-Phi)
-                size = _reach(x, eq.length)
+                size = reach(x, eq.length)
             q, before = displaced(q, x), size
             if size < CONVERGED:
                 return q if self._closed(eq.Phi(t, q)) else None
@@ -380,12 +370,6 @@ class Continuation:
             time=it.time,
             residuals={"smallest_singular_value": it.sigma},
         )
-
-
-def _reach(x: Floats, length: float) -> float:
-    """The largest shift in sizes of the mechanism, or angle [rad]."""
-    parts = np.abs(x.reshape(-1, 2, 3)).max(axis=(0, 2))
-    return float(max(parts[0] / length, parts[1]))
 
 
 def named(names: list[str]) -> str:

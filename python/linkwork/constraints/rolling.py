@@ -22,7 +22,7 @@ def rolled(q: Floats, velocity: Callable[[float, Floats], Floats], start: float,
     def rate(t: float, q: Floats) -> Floats:
         return rate_of_change(q, velocity(t, _normalized(q)))
 
-    options = {"rtol": ACCURACY, "atol": ACCURACY, "first_step": end - start}
+    options = {"rtol": ACCURACY, "atol": ACCURACY, "first_step": abs(end - start)}
     found = solve_ivp(rate, (start, end), q, "DOP853", **options)
     return _normalized(found.y[:, -1])
 

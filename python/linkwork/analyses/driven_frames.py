@@ -1,0 +1,219 @@
+"""The frames of a motion that drivers prescribe, and what it needs in them."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from linkwork import _core
+from linkwork.arrays import Floats
+from linkwork.constraints.continuation import Continuation
+from linkwork.constraints.crossing import SAME, Crossing, MotionState
+from linkwork.constraints.equations import Sparse
+from linkwork.constraints.tangent import to_inertial_axes
+from linkwork.equations.system import System
+from linkwork.errors import LinkworkError, warn
+from linkwork.modeling.model import Model
+from linkwork.motion.header import Header
+from linkwork.results.result import Result
+from linkwork.running import breakpoints
+from linkwork.running.manifest import manifest
+
+__all__ = ["Frames"]
+
+#: From this error on, relative, it is told that frames beside a singular pose are not known better.
+TOLD = 1e-4
+
+
+@dataclass(frozen=True)
+class Passed:
+    """A singular pose on the way, with the multipliers (k, m) that the states beside it need."""
+
+    crossing: Crossing
+    multipliers: Floats
+
+
+class Frames:
+    """The frames of a Result, and those beside breaks of drivers: a driver may turn and rest in between."""
+
+    def __init__(self, model: Model, asked: Floats) -> None:
+        self.model, self.asked = model, asked
+        self.system = System(model)
+        self.rows: dict[str, list[Any]] = {}
+        self.poses: list[dict[str, Any]] = []  # that are singular
+        self.passed: list[Passed] = []
+        self.struck = breakpoints.struck_between_frames(model, float(asked[0]), float(asked[-1]))
+        breaks = sorted({t for _, signal in model.drivers for t in signal.break_points if t > 0.0})
+        #: The last time before each of these, and the first after it.
+        sides = list(map(breakpoints.on_either_side, breaks))
+        self.sides = [it for it in sides if it[1] < asked[-1]]
+        at_end = [before for before, after in sides if asked[-2] < before <= asked[-1] <= after]
+        #: When frames are found: at a break the last one is of what comes before it, as that of a run.
+        self.taken = np.append(asked[:-1], at_end[:1]) if at_end else asked
+
+    @property
+    def times(self) -> Floats:
+        return np.union1d(self.taken, np.ravel(self.sides))
+
+    @property
+    def begun(self) -> bool:
+        """Whether there is one of those that are asked for."""
+        return any(np.max(t) >= self.asked[0] for t in self.rows.get("t", ()))
+
+    def add(self, at: MotionState) -> None:
+        self.extend({name: [value] for name, value in self._values(at).items()})
+
+    def extend(self, found: Mapping[str, ArrayLike]) -> None:
+        """With frames (k, ...) of each."""
+        for name, values in found.items():
+            self.rows.setdefault(name, []).append(values)
+
+    def cross(self, crossing: Crossing) -> list[str]:
+        """The joints whose reactions grow without limit toward this pose, whose frames it will tell."""
+        multipliers = np.array([self._values(state)["lambda"] for state in crossing.states])
+        self.passed.append(Passed(crossing, multipliers))
+        _, grow, _ = crossing.multipliers(multipliers, np.array([]))
+        core = self.model.compiled()
+        joints = np.repeat(np.arange(core.joint_count), np.diff(core.joint_rows))[grow]
+        return [core.joint_name(int(joint)) for joint in dict.fromkeys(joints)]
+
+    def in_pose(self, crossing: Crossing) -> float:
+        """The time of the frame in the pose, or that of the pose [s]."""
+        times = self.times
+        nearest = float(times[np.abs(times - crossing.t).argmin()])
+        return nearest if abs(nearest - crossing.t) < SAME * crossing.spacing else crossing.t
+
+    def result(self, continuation: Continuation, began: float, failed: bool = False) -> Result:
+        fields, dynamics = self._fields(continuation), self.system.compiled()
+        given = {"times": self.asked}
+        chosen = {"analysis": "kinematics", "integrator": "kinematics"}
+        facts = {
+            **manifest(self.model, self.model.hash(), given, chosen),
+            "breaks": {"count": len(self.sides), **breakpoints.noted(self.struck)},
+        }
+        header = Header.of(self.model.compiled(), dynamics, facts, None, self.model.shapes, self.model.curves)
+        crossings = self.poses
+        struck = {it.time for it in self.struck if it.time <= fields["t"][-1]}
+        statistics = {**continuation.counts, "impacts": len(struck), "singular_poses": len(crossings),
+                      "singularity_crossings": crossings, "seconds": time.perf_counter() - began,
+                      "failed": failed}  # fmt: skip
+        return Result(fields, header, statistics)
+
+    def _values(self, it: MotionState, multipliers: Floats | None = None) -> dict[str, Any]:
+        dynamics = self.system.compiled()
+        found = dynamics.evaluate(it.t, it.q, it.v, it.history)
+        D = self._matrix(found["D"], self.model.row_count)
+        if multipliers is None:
+            multipliers = _multipliers(dynamics, it)
+            left = self._inertial_forces(it.a, found) - found["g"] - D.T @ multipliers
+            multipliers = multipliers + it.constraints.solve_transposed(to_inertial_axes(it.q, left))
+        residuals = (found["Phi"], found["Phi_dot"], D @ it.a - found["gamma"])
+        return {
+            "t": it.t,
+            "q": it.q,
+            "v": it.v,
+            "vdot": it.a,
+            "lambda": multipliers,
+            "potential": found["potential"],
+            "power": found["force_power"] - multipliers @ found["Phi_t"],
+            "violation": [float(np.abs(x).max(initial=0.0)) for x in residuals],
+            "history": it.history,
+        }
+
+    def _tell(self, arrays: Mapping[str, Floats], passed: Passed, continuation: Continuation) -> None:
+        """Those beside this pose or in it. LinkworkWarning: they are known badly."""
+        crossing = passed.crossing
+        beside = np.array([k for k, t in enumerate(arrays["t"]) if crossing.covers(t)], dtype=int)
+        multipliers, _, error = crossing.multipliers(passed.multipliers, arrays["t"][beside])
+        for k, its in zip(beside, multipliers, strict=True):
+            state = crossing.state(float(arrays["t"][k]), continuation.constraints_at)
+            for name, value in self._values(state, its).items():
+                arrays[name][k] = value
+        error = max(error, crossing.error)
+        if len(beside) and error > TOLD:
+            warn(
+                f"kinematics: within {crossing.spacing:.1g} s of the singular pose at t = {crossing.t:.6g} s "
+                f"accelerations, reactions and efforts of frames may be {100 * min(error, 1.0):.1g} % off: "
+                "what happens there is not smooth"
+            )
+
+    def _fields(self, continuation: Continuation) -> Mapping[str, Floats]:
+        arrays = {name: np.concatenate(values, dtype=float) for name, values in self.rows.items()}
+        for passed in self.passed:
+            self._tell(arrays, passed, continuation)
+        arrays = {name: values[arrays["t"] >= self.asked[0]] for name, values in arrays.items()}
+        t, power = arrays["t"], arrays.pop("power")
+        states = (arrays["q"].reshape(len(t), -1), arrays["v"].reshape(len(t), -1))
+        kinetic = self.system.compiled().kinetic_energies(*states)
+        found = {**arrays, "kinetic": kinetic, "work": self._work(t, power, kinetic)}
+        found = {name: values[np.isin(t, self.taken)] for name, values in found.items()}
+        found["t"] = self.asked[: len(found["t"])]
+        return found
+
+    def _work(self, t: Floats, power: Floats, kinetic: Floats) -> Floats:
+        """The integral of the power, and what bodies gain or lose where drivers demand another velocity."""
+        blows, within = np.zeros(len(t)), np.zeros(len(t), dtype=bool)
+        for before, after in self.sides:
+            there = np.flatnonzero((t >= before) & (t <= after))
+            within |= (t > before) & (t < after)
+            blows[there[1:]] = np.diff(kinetic[there])
+        breaks = breakpoints.of_run(self.system.model, (), float(t[0]), float(t[-1]))
+        work = np.zeros(len(t))
+        work[~within] = _integral(t[~within], power[~within], breaks)
+        last = np.maximum.accumulate(np.where(within, 0, np.arange(len(t))))
+        return work[last] + np.cumsum(blows)
+
+    def _matrix(self, rows: Mapping[str, Any], count: int) -> Sparse:
+        from scipy.sparse import csr_array
+
+        shape = (count, 6 * self.model.body_count)
+        return csr_array((rows["data"], rows["indices"], rows["indptr"]), shape=shape)
+
+    def _inertial_forces(self, a: Floats, found: Mapping[str, Any]) -> Floats:
+        """M v_dot (6n,), torques in body axes."""
+        core, parts = self.model.compiled(), a.reshape(-1, 2, 3)
+        force = np.asarray(core.mass)[:, None] * parts[:, 0]
+        of_bodies = np.stack([force, np.einsum("nij,nj->ni", core.inertia, parts[:, 1])], axis=1).ravel()
+        rows = self._matrix(found["inerters"], len(found["inertance"]))
+        total: Floats = of_bodies + rows.T @ (found["inertance"] * (rows @ a))
+        return total
+
+
+def _multipliers(dynamics: _core.Dynamics, it: MotionState) -> Floats:
+    """Those that the motion needs, of least norm; zero where they are not found, to be corrected."""
+    try:
+        multipliers: Floats = dynamics.accelerations(it.t, it.q, it.v, it.history)[1]
+        return multipliers
+    except LinkworkError:
+        return np.zeros(dynamics.row_count)
+
+
+def _integral(t: Floats, power: Floats, breaks: Sequence[float]) -> Floats:
+    """Of cubic splines through the powers, from the first time on, each from one of the breaks to the next.
+
+    At a break frames are of what follows; up to there the spline before it goes on.
+    """
+    from scipy.interpolate import CubicSpline
+
+    if len(t) < 2 or not np.isfinite(power).all():
+        known = np.where(np.isfinite(power), power, 0.0)
+        steps = np.diff(t) * (known[1:] + known[:-1]) / 2
+        return np.concatenate([[0.0], np.cumsum(steps)])
+    inside = [time for time in breaks if t[0] < time <= t[-1]]
+    begins = np.unique(np.searchsorted(t, inside))  # of the parts that have frames
+    edges = [t[0], *(next(time for time in reversed(inside) if time <= t[k]) for k in begins), t[-1]]
+    work, done = np.zeros(len(t)), 0.0
+    for begin, end, frames in zip(edges[:-1], edges[1:], np.split(np.arange(len(t)), begins), strict=True):
+        if len(frames) < 2:
+            spent = power[frames[0]] * (np.array([t[frames[0]], end]) - begin)
+        else:
+            spline = CubicSpline(t[frames], power[frames]).antiderivative()
+            spent = spline(np.append(t[frames], end)) - spline(begin)
+        work[frames] = done + spent[:-1]
+        done += spent[-1]
+    return work

@@ -1,0 +1,282 @@
+"""Singular poses that a driven motion passes on one branch: what lies in and beside them is told from both
+sides.
+
+Phi is known to delta by rounding, and so the pose along the weakest direction to delta / sigma; velocities are
+off by delta / sigma^2 there, accelerations by delta / sigma^3. On its branch the motion is smooth, and sigma
+falls like the way to the pose. States some hundredths of a radian away have nearly all digits, and tell the
+others by polynomials.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from linkwork.arrays import Floats
+from linkwork.constraints.solver import Constraints, SparseConstraints
+from linkwork.constraints.tangent import between, displaced, to_body_axes, to_inertial_axes
+
+__all__ = ["Crossing", "MotionState", "Search", "reach"]
+
+AnyConstraints = Constraints | SparseConstraints
+
+#: The ways between neighboring states [rad, sizes], and from the pose to the first; the longest that is good.
+SPACINGS = 0.015, 0.004, 0.001
+
+#: So many states on a side, where the motion has both; on one side at most; and in all at least.
+ON_EACH_SIDE, ON_ONE_SIDE, LEAST = 5, 8, 6
+
+#: From where on either side the pose is looked for, in spacings, and how often.
+LOOK, LOOKS = 1.5, 8
+
+#: By how much polynomials may differ with and without the outermost states: good ones, and any, relative.
+GOOD, USABLE = 1e-8, 1e-2
+
+#: Of the secant method, for the time at which sigma is zero.
+ROOT_STEPS = 8
+
+#: A time so near to that of the pose, in spacings, is that of the pose.
+SAME = 1e-6
+
+#: Multipliers that grow toward the pose by more than these parts of their own size, and of the largest.
+GROWS, GROWS_OF_ALL = 1e-6, 1e-9
+
+#: What counts of multipliers, as a part of the largest.
+OF_ALL = 1e-6
+
+
+@dataclass(frozen=True)
+class MotionState:
+    """The mechanism at one time; omega and its rate in body axes in v and a, inertial in x_dot and x_ddot."""
+
+    t: float
+    q: Floats
+    v: Floats
+    a: Floats
+    factors: Callable[[], AnyConstraints]
+    history: Floats  # of couplers and force elements, see linkwork.System
+
+    @cached_property
+    def constraints(self) -> AnyConstraints:
+        return self.factors()
+
+    @property
+    def x_dot(self) -> Floats:
+        return to_inertial_axes(self.q, self.v)
+
+    @property
+    def x_ddot(self) -> Floats:
+        return to_inertial_axes(self.q, self.a)
+
+
+def reach(x: Floats, length: float) -> float:
+    """The largest shift in sizes of the mechanism, or angle [rad]."""
+    parts = np.abs(x.reshape(-1, 2, 3)).max(axis=(0, 2))
+    return float(max(parts[0] / length, parts[1]))
+
+
+@dataclass(frozen=True)
+class Crossing:
+    """A singular pose at `t` between regular states of one branch, `spacing` [s] apart."""
+
+    t: float
+    spacing: float
+    states: Sequence[MotionState]  # by time
+    error: float  # of what they tell, relative
+
+    def covers(self, t: float) -> bool:
+        """Whether t is nearer to the pose than any of the states."""
+        return abs(t - self.t) < (1 - SAME) * self.spacing
+
+    @property
+    def end(self) -> MotionState:
+        """From where the motion goes on."""
+        return self.states[-1]
+
+    @cached_property
+    def _values(self) -> tuple[Floats, Floats, Floats]:
+        """Motions from the first state, velocities and accelerations (k, 6n), inertial."""
+        q = self.states[0].q
+        x = np.array([between(q, it.q) for it in self.states])
+        return x, np.array([it.x_dot for it in self.states]), np.array([it.x_ddot for it in self.states])
+
+    def state(self, t: float, factors: Callable[[float, Floats], AnyConstraints]) -> MotionState:
+        """The one on the branch at t."""
+        x, x_dot, x_ddot = (self._weights(t) @ values for values in self._values)
+        q = displaced(self.states[0].q, x)
+        before = [it for it in self.states if it.t <= t] or self.states[:1]
+        v, a = to_body_axes(q, x_dot), to_body_axes(q, x_ddot)
+        return MotionState(t, q, v, a, lambda: factors(t, q), before[-1].history)
+
+    def _weights(self, t: float, without: int = 0) -> Floats:
+        """Of the values in a polynomial at t; without so many states, those farthest from the pose."""
+        times = self._ways
+        kept = np.sort(np.argsort(np.abs(times), kind="stable")[: len(times) - without])
+        out = np.zeros(len(times))
+        out[kept] = _lagrange(times[kept], (t - self.t) / self.spacing)
+        return out
+
+    @cached_property
+    def _ways(self) -> Floats:
+        return (np.array([it.t for it in self.states]) - self.t) / self.spacing
+
+    def root(self, values: Floats) -> float:
+        """When the polynomial through the values is zero, near the pose [s]."""
+        times = np.array([self.t, self.t + self.spacing / 8])
+        for _ in range(ROOT_STEPS):
+            low, high = (float(self._weights(t) @ values) for t in times)
+            if low == high:
+                break
+            times = np.array([times[1], times[1] - high * (times[1] - times[0]) / (high - low)])
+        return float(times[1])
+
+    def doubt(self, values: Floats) -> Floats:
+        """By how much the outermost states change the value in the pose."""
+        change: Floats = (self._weights(self.t) - self._weights(self.t, 2)) @ values
+        return change
+
+    # lambda = a(t) + b / (t - t_p)
+    def multipliers(self, values: Floats, t: Floats) -> tuple[Floats, Floats, float]:
+        """At times t (k, m), by those of the states; which of them grow without limit toward the pose (m,);
+        and by how much they may be off, relative.
+
+        In the pose these are large numbers of either sign.
+        """
+        limits = values * self._ways[:, None]
+        sizes = np.abs(limits).max(axis=0)
+        b = self._weights(self.t) @ limits
+        grow = np.abs(b) > np.maximum(GROWS * sizes, GROWS_OF_ALL * sizes.max(initial=0.0))
+        rows = []
+        for at in t:
+            way = (at - self.t) / self.spacing
+            way = np.copysign(max(abs(way), SAME), way)
+            weights = self._weights(at)
+            rows.append(np.where(grow, weights @ limits / way, weights @ values))
+        off = np.abs(np.where(grow, self.doubt(limits), self.doubt(values)))
+        own = np.where(grow, sizes, np.abs(values).max(axis=0))
+        unit = np.maximum(own, OF_ALL * own.max(initial=0.0))
+        off = np.divide(off, unit, out=np.zeros_like(off), where=unit > 0)
+        return np.array(rows).reshape(len(t), len(grow)), grow, float(off.max(initial=0.0))
+
+
+def _lagrange(times: Floats, t: float) -> Floats:
+    """The weights of values at `times` in the polynomial through them at t."""
+    apart = times[:, None] - times
+    np.fill_diagonal(apart, 1.0)
+    ways = np.where(np.eye(len(times), dtype=bool), 1.0, t - times)
+    weights: Floats = (ways / apart).prod(axis=1)
+    return weights
+
+
+@dataclass(frozen=True)
+class Search:
+    """For a pose near a state, by states of its branch."""
+
+    step: Callable[[MotionState, float], MotionState | None]  # to a time nearby, before or after
+    smallest: Callable[[MotionState], float]  # singular value
+    length: float  # of the mechanism
+    begin: float  # the times between which drivers are known, and smooth
+    end: float
+
+    def find(self, first: MotionState, second: MotionState) -> Crossing | None:
+        """The pose to which sigma leads from the first state by the second."""
+        best: Crossing | None = None
+        for way in SPACINGS:
+            found = self._at(first, second, way)
+            if found is not None and (best is None or found.error < best.error):
+                best = found
+            if best is not None and best.error < GOOD:
+                break
+        return best if best is not None and best.error < USABLE else None
+
+    def leads_there(self, first: MotionState, second: MotionState) -> bool:
+        """Whether the pose to which sigma leads is beside the second state, or the motion has passed it."""
+        pose = self._pose(first, second, 1.0)
+        return pose is not None and first.t < pose < second.t + self._spacing(first, second, SPACINGS[0])
+
+    def _spacing(self, first: MotionState, second: MotionState, way: float) -> float:
+        """[s] that the motion needs for it, by the state that is known better; 0: it rests."""
+        it = max((first, second), key=self.smallest)
+        rate, rise = reach(it.x_dot, self.length), reach(it.x_ddot, self.length)
+        whole = rate + np.sqrt(rate**2 + 2 * rise * way)
+        return 2 * way / whole if whole > 0.0 else 0.0
+
+    def _pose(self, first: MotionState, second: MotionState, sign: float) -> float | None:
+        """By a line through the two values of sigma, the first of this sign; None: they are the same."""
+        low = sign * self.smallest(first)
+        high = sign * _turned(first, second) * self.smallest(second)
+        return None if low == high else first.t + (second.t - first.t) * low / (low - high)
+
+    def _at(self, first: MotionState, second: MotionState, way: float) -> Crossing | None:
+        """With states so far apart at both sides of the pose, which begins as a guess."""
+        low, sign, pose = first, 1.0, self._pose(first, second, 1.0)
+        spacing = self._spacing(first, second, way)
+        for _ in range(LOOKS):
+            if pose is None or spacing == 0.0 or not self.begin - spacing < pose < self.end + spacing:
+                return None
+            times = self._sides(pose, spacing)
+            near = self.step(low, times[0])
+            beyond = None if near is None else self.step(near, times[1])
+            if near is None or beyond is None:
+                return None
+            sign *= _turned(low, near)
+            low, last, former = near, pose, spacing
+            pose, spacing = self._pose(near, beyond, sign), self._spacing(near, beyond, way)
+            if pose is not None and abs(pose - last) < spacing / 4 and abs(spacing - former) < spacing / 4:
+                return self._between(near, beyond, pose, spacing)
+        return None
+
+    def _sides(self, pose: float, spacing: float) -> tuple[float, float]:
+        """Times before and after it, or two on one side where the motion ends, or begins."""
+        if pose + LOOK * spacing > self.end:
+            return pose - 2 * LOOK * spacing, pose - LOOK * spacing
+        if pose - LOOK * spacing < self.begin:
+            return pose + LOOK * spacing, pose + 2 * LOOK * spacing
+        return pose - LOOK * spacing, pose + LOOK * spacing
+
+    def _between(self, low: MotionState, high: MotionState, pose: float, spacing: float) -> Crossing | None:
+        before = [] if low.t > pose else self._walk([high if high.t < pose else low], pose, -spacing)
+        after = [] if high.t < pose else self._walk([low if low.t > pose else high], pose, spacing)
+        if before and after and _turned(before[0], after[0]) > 0:
+            return None  # sigma has a minimum there
+        for side, other, way in ((before, after, -spacing), (after, before, spacing)):
+            if side and len(other) < ON_EACH_SIDE:
+                side[:] = self._walk(side, pose, way, min(2 * ON_EACH_SIDE - len(other), ON_ONE_SIDE))
+        states = [*before[::-1], *after]
+        if len(states) < LEAST:
+            return None
+        return self._judged(Crossing(pose, spacing, states, np.inf))
+
+    def _walk(
+        self, states: list[MotionState], pose: float, spacing: float, count: int = ON_EACH_SIDE
+    ) -> list[MotionState]:
+        """States on one side of the pose, from it on, as many as there are, after those that are known."""
+        known = [it for it in states if len(states) > 1]
+        last = states[-1]
+        for k in range(len(known) + 1, count + 1):
+            t = pose + k * spacing
+            following = self.step(last, t) if self.begin <= t <= self.end else None
+            if following is None:
+                break
+            known.append(following)
+            last = following
+        return known
+
+    def _judged(self, crossing: Crossing) -> Crossing:
+        """With its time where sigma, which changes its sign, is zero, and with its error."""
+        sigma = np.array([np.copysign(self.smallest(it), it.t - crossing.t) for it in crossing.states])
+        t = crossing.root(sigma)
+        accelerations = np.array([it.x_ddot for it in crossing.states])
+        rate = max(reach(it.x_dot, self.length) for it in crossing.states)
+        unit = max(rate**2, *(reach(x, self.length) for x in accelerations))
+        off = reach(crossing.doubt(accelerations), self.length) / unit
+        off = max(off, float(abs(crossing.doubt(sigma)) / np.abs(sigma).max()))
+        return replace(crossing, t=t, error=off if abs(t - crossing.t) < crossing.spacing / 2 else np.inf)
+
+
+def _turned(first: MotionState, second: MotionState) -> float:
+    """Whether sigma has changed its sign: -1."""
+    return -1.0 if first.constraints.turns(second.constraints) else 1.0
