@@ -14,7 +14,7 @@ from linkwork import _core
 from linkwork.arrays import Floats
 from linkwork.constraints.continuation import Continuation
 from linkwork.constraints.crossing import SAME, Crossing, MotionState
-from linkwork.constraints.equations import Sparse
+from linkwork.constraints.equations import LAST_DIGITS, Sparse
 from linkwork.constraints.tangent import to_inertial_axes
 from linkwork.equations.system import System
 from linkwork.errors import LinkworkError, warn
@@ -47,6 +47,7 @@ class Frames:
         self.rows: dict[str, list[Any]] = {}
         self.poses: list[dict[str, Any]] = []  # that are singular
         self.passed: list[Passed] = []
+        self.doubts: dict[float, float] = {}  # by how much what equations say at a time may be off, relative
         self.struck = breakpoints.struck_between_frames(model, float(asked[0]), float(asked[-1]))
         breaks = sorted({t for _, signal in model.drivers for t in signal.break_points if t > 0.0})
         #: The last time before each of these, and the first after it.
@@ -65,7 +66,11 @@ class Frames:
         """Whether there is one of those that are asked for."""
         return any(np.max(t) >= self.asked[0] for t in self.rows.get("t", ()))
 
-    def add(self, at: MotionState) -> None:
+    def add(self, at: MotionState, sigma: float) -> None:
+        """One in a pose with this smallest singular value."""
+        off = LAST_DIGITS / max(sigma, LAST_DIGITS) ** 3
+        if off > TOLD and not any(it.crossing.covers(at.t) for it in self.passed):
+            self.doubts[at.t] = off
         self.extend({name: [value] for name, value in self._values(at).items()})
 
     def extend(self, found: Mapping[str, ArrayLike]) -> None:
@@ -142,10 +147,24 @@ class Frames:
                 "what happens there is not smooth"
             )
 
+    def _warn_of_doubts(self) -> None:
+        """LinkworkWarning: frames nearly in a pose that the motion does not cross."""
+        beside = {t for it in self.passed for t in self.doubts if it.crossing.covers(t)}
+        left = {t: off for t, off in self.doubts.items() if t >= self.asked[0] and t not in beside}
+        if left:
+            worst = max(left, key=left.__getitem__)
+            others = f", and {len(left) - 1} more frames" if len(left) > 1 else ""
+            warn(
+                f"kinematics: at t = {worst:.6g} s{others} the mechanism is in a singular pose or nearly so: "
+                "accelerations, reactions and efforts there may be "
+                f"{100 * min(left[worst], 1.0):.1g} % off by rounding of the pose"
+            )
+
     def _fields(self, continuation: Continuation) -> Mapping[str, Floats]:
         arrays = {name: np.concatenate(values, dtype=float) for name, values in self.rows.items()}
         for passed in self.passed:
             self._tell(arrays, passed, continuation)
+        self._warn_of_doubts()
         arrays = {name: values[arrays["t"] >= self.asked[0]] for name, values in arrays.items()}
         t, power = arrays["t"], arrays.pop("power")
         states = (arrays["q"].reshape(len(t), -1), arrays["v"].reshape(len(t), -1))

@@ -13,8 +13,8 @@ from linkwork.accuracy.verdict import WRONG, Energies
 from linkwork.analyses.driven_frames import Frames
 from linkwork.arguments import array, one_of
 from linkwork.arrays import Floats
-from linkwork.constraints.continuation import SINGULAR, Continuation, named
-from linkwork.constraints.crossing import Crossing, MotionState
+from linkwork.constraints.continuation import Continuation, named
+from linkwork.constraints.crossing import SINGULAR, Crossing, MotionState
 from linkwork.constraints.equations import Equations
 from linkwork.constraints.solver import strongest
 from linkwork.errors import OptionError, SingularSystemError, carry, warn
@@ -79,13 +79,13 @@ def _motion(model: Model, t: Floats, on_singular: Literal["pass", "warn", "stop"
     watch = _Watch(continuation, frames, on_singular)
     k = 0
     try:
-        if not fast.ready:
-            watch.look(continuation.at, continuation.at)
+        if not fast.ready and continuation.at.constraints.smallest(continuation.rank) < SINGULAR:
+            watch.look(continuation.at)
         while k < len(t):
             if not (taken := fast.follow(t[k:])):
                 continuation.go_to(float(t[k]))
                 watch.warn()
-                frames.add(continuation.at)
+                frames.add(continuation.at, continuation.at.constraints.smallest(continuation.rank))
                 fast.resume()
             k += taken or 1
     except Exception as error:
@@ -178,18 +178,14 @@ class _Watch:
         self.messages: list[str] = []
         continuation.watch = self.look
 
-    def look(self, first: MotionState, second: MotionState, crossing: Crossing | None = None) -> None:
-        """SingularSystemError: there is one, with on_singular="stop"."""
-        continuation, count = self.continuation, self.continuation.rank
-        if crossing is not None:
-            pose = crossing.state(self.frames.in_pose(crossing), continuation.constraints_at)
-            growing = self.frames.cross(crossing)
-            grow = f"; toward it the reactions of {named(growing)} grow without limit" if growing else ""
-            self._note(pose, grow)
-        elif second.constraints.smallest(count) < SINGULAR and (
-            first is second or first.constraints.smallest(count) >= SINGULAR  # which has been noted
-        ):
-            self._note(second, "; what joints and drivers exert in it is not known")
+    def look(self, at: Crossing | MotionState) -> None:
+        """SingularSystemError: with on_singular="stop"."""
+        if isinstance(at, MotionState):
+            return self._note(at, "; what joints and drivers exert in it is not known")
+        pose = at.state(self.frames.in_pose(at), self.continuation.constraints_at)
+        growing = self.frames.cross(at)
+        grow = f"; toward it the reactions of {named(growing)} grow without limit" if growing else ""
+        return self._note(pose, grow)
 
     def _note(self, pose: MotionState, forces: str) -> None:
         eq, count = self.continuation.equations, self.continuation.rank

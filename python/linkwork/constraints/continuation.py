@@ -13,7 +13,7 @@ import numpy as np
 from linkwork import _core
 from linkwork.arrays import Floats
 from linkwork.constraints import solver
-from linkwork.constraints.crossing import Crossing, MotionState, Search, reach
+from linkwork.constraints.crossing import SUSPICIOUS, Crossing, MotionState, Search, reach
 from linkwork.constraints.equations import LISTED, Equations, Sparse
 from linkwork.constraints.rolling import rolled
 from linkwork.constraints.solver import (
@@ -27,21 +27,15 @@ from linkwork.constraints.tangent import displaced, to_body_axes, to_inertial_ax
 from linkwork.errors import ModelError, NotConvergedError
 from linkwork.motion.records import Snapshot
 
-__all__ = ["SINGULAR", "SUSPICIOUS", "Continuation", "Impasse", "MotionState", "named"]
+__all__ = ["Continuation", "Impasse", "named"]
 
 AnyConstraints = Constraints | SparseConstraints
 
-#: Of the ends of a step, and of the pose that it crosses.
-Watch = Callable[[MotionState, MotionState, Crossing | None], None]
+#: Of singular poses: those that are crossed, and others in which the motion stands, or nearly so.
+Watch = Callable[[Crossing | MotionState], None]
 
 #: The smallest singular value at the start as a part of what counts as one, see SparseConstraints.
 USUAL = 0.1
-
-#: A pose whose scaled constraints have a singular value below this is singular, or as good as that.
-SINGULAR = 1e-6
-
-#: Minima of that value below this are looked at more closely: they may hide a singular pose.
-SUSPICIOUS = 0.05
 
 #: The most a predictor may move a body [rad, sizes of the mechanism], and the correction as a part of it.
 LIMITS = _core.DrivenLimits()
@@ -100,7 +94,7 @@ class Continuation:
     unit: float = 1.0  # of singular values
     shortest: float = SHORTEST_STEP  # as a part of the way
     most_seconds: float = math.inf  # from now on
-    watch: Watch | None = None  # told of the ends of each step, and what it crosses
+    watch: Watch | None = None  # told of singular poses
     crossed: list[Crossing] = field(default_factory=list)
     counts: dict[str, int] = field(
         default_factory=lambda: {"steps": 0, "evaluations": 0, "factorizations": 0}
@@ -192,14 +186,14 @@ class Continuation:
         """The step to it, or on the way to t over a singular pose that is beside it or before."""
         before = self.at
         passed = self.crossed and before.t <= self.crossed[-1].t <= found.t
-        crossing = None if passed else self._crossing(before, found)
-        if crossing is not None:
-            self.crossed.append(crossing)
-        if self.watch is not None:
-            self.watch(before, found, crossing)
+        pose = None if passed else self._pose(before, found)
+        if isinstance(pose, Crossing):
+            self.crossed.append(pose)
+        if pose is not None and self.watch is not None:
+            self.watch(pose)
         self._accept(found)
-        if crossing is not None:
-            self._go_on(crossing, t)
+        if isinstance(pose, Crossing):
+            self._go_on(pose, t)
 
     def _go_on(self, crossing: Crossing, t: float) -> None:
         """On the way to t to a state that is beside the singular pose, or in it."""
@@ -211,17 +205,16 @@ class Continuation:
                 self._accept(known[-1])
         return None
 
-    def _crossing(self, first: MotionState, second: MotionState) -> Crossing | None:
+    def _pose(self, first: MotionState, second: MotionState) -> Crossing | MotionState | None:
         """The singular pose between the states, or beside the second one; None: the motion passes none."""
         breaks = [0.0, *self._breaks, self.t_end]
         begin = max(t for t in breaks if t <= first.t)
         end = min((t for t in breaks if t >= second.t), default=second.t)
         search = Search(self._step, self._smallest, self.equations.length, begin, end)
-        kept = self.at
         try:
-            return search.find(first, second) if search.leads_there(first, second) else None
+            return search.find(first, second) or search.stands(first, second)
         finally:
-            self.equations.dynamics.history = kept.history
+            self.equations.dynamics.history = self.at.history
 
     @cached_property
     def _breaks(self) -> list[float]:

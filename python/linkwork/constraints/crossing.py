@@ -1,10 +1,10 @@
 """Singular poses that a driven motion passes on one branch: what lies in and beside them is told from both
 sides.
 
-Phi is known to delta by rounding, and so the pose along the weakest direction to delta / sigma; velocities are
-off by delta / sigma^2 there, accelerations by delta / sigma^3. On its branch the motion is smooth, and sigma
-falls like the way to the pose. States some hundredths of a radian away have nearly all digits, and tell the
-others by polynomials.
+Phi is known to delta by rounding, and so the pose along the weakest direction to delta / sigma; velocities
+are off by delta / sigma^2 there, accelerations by delta / sigma^3. On its branch the motion is smooth, and
+sigma falls like the way to the pose. States some hundredths of a radian away have nearly all digits, and
+tell the others by polynomials.
 """
 
 from __future__ import annotations
@@ -23,6 +23,12 @@ __all__ = ["Crossing", "MotionState", "Search", "reach"]
 
 AnyConstraints = Constraints | SparseConstraints
 
+#: A pose whose scaled constraints have a singular value below this is singular, or as good as that.
+SINGULAR = 1e-6
+
+#: Minima of that value below this are looked at more closely: they may hide a singular pose.
+SUSPICIOUS = 0.05
+
 #: The ways between neighboring states [rad, sizes], and from the pose to the first; the longest that is good.
 SPACINGS = 0.015, 0.004, 0.001
 
@@ -34,6 +40,9 @@ LOOK, LOOKS = 1.5, 8
 
 #: By how much polynomials may differ with and without the outermost states: good ones, and any, relative.
 GOOD, USABLE = 1e-8, 1e-2
+
+#: Of times between which sigma changes its sign, where no states tell the pose.
+HALVINGS = 20
 
 #: Of the secant method, for the time at which sigma is zero.
 ROOT_STEPS = 8
@@ -184,6 +193,8 @@ class Search:
     def find(self, first: MotionState, second: MotionState) -> Crossing | None:
         """The pose to which sigma leads from the first state by the second."""
         best: Crossing | None = None
+        if not self._leads_there(first, second):
+            return None
         for way in SPACINGS:
             found = self._at(first, second, way)
             if found is not None and (best is None or found.error < best.error):
@@ -192,10 +203,30 @@ class Search:
                 break
         return best if best is not None and best.error < USABLE else None
 
-    def leads_there(self, first: MotionState, second: MotionState) -> bool:
+    def _leads_there(self, first: MotionState, second: MotionState) -> bool:
         """Whether the pose to which sigma leads is beside the second state, or the motion has passed it."""
         pose = self._pose(first, second, 1.0)
         return pose is not None and first.t < pose < second.t + self._spacing(first, second, SPACINGS[0])
+
+    def stands(self, first: MotionState, second: MotionState) -> MotionState | None:
+        """One in a pose that is not crossed by such states: the second, or one between, where sigma changes
+        its sign."""
+        if self.smallest(first) < SINGULAR:
+            return None  # which has been told
+        if self.smallest(second) < SINGULAR:
+            return second
+        low, high, best = first, second, second
+        for _ in range(HALVINGS):
+            if _turned(low, high) > 0:
+                return None
+            middle = self.step(low, (low.t + high.t) / 2)
+            if middle is None:
+                break
+            best = min(best, middle, key=self.smallest)
+            if self.smallest(middle) < SINGULAR:
+                break
+            low, high = (low, middle) if _turned(low, middle) < 0 else (middle, high)
+        return best if self.smallest(best) < SUSPICIOUS else None
 
     def _spacing(self, first: MotionState, second: MotionState, way: float) -> float:
         """[s] that the motion needs for it, by the state that is known better; 0: it rests."""
