@@ -14,7 +14,7 @@ from linkwork import _core
 from linkwork.arrays import Floats
 from linkwork.constraints.continuation import Continuation
 from linkwork.constraints.crossing import SAME, Crossing, MotionState
-from linkwork.constraints.equations import LAST_DIGITS, Sparse
+from linkwork.constraints.equations import Sparse
 from linkwork.constraints.tangent import to_inertial_axes
 from linkwork.equations.system import System
 from linkwork.errors import LinkworkError, warn
@@ -66,9 +66,8 @@ class Frames:
         """Whether there is one of those that are asked for."""
         return any(np.max(t) >= self.asked[0] for t in self.rows.get("t", ()))
 
-    def add(self, at: MotionState, sigma: float) -> None:
-        """One in a pose with this smallest singular value."""
-        off = LAST_DIGITS / max(sigma, LAST_DIGITS) ** 3
+    def add(self, at: MotionState, off: float) -> None:
+        """One in which accelerations and forces are known to that, relative."""
         if off > TOLD and not any(it.crossing.covers(at.t) for it in self.passed):
             self.doubts[at.t] = off
         self.extend({name: [value] for name, value in self._values(at).items()})

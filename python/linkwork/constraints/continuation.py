@@ -7,6 +7,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import NoReturn
 
 import numpy as np
 
@@ -14,7 +15,7 @@ from linkwork import _core
 from linkwork.arrays import Floats
 from linkwork.constraints import solver
 from linkwork.constraints.crossing import SUSPICIOUS, Crossing, MotionState, Search, reach
-from linkwork.constraints.equations import LISTED, Equations, Sparse
+from linkwork.constraints.equations import LAST_DIGITS, LISTED, Equations, Sparse
 from linkwork.constraints.rolling import rolled
 from linkwork.constraints.solver import (
     Constraints,
@@ -56,6 +57,9 @@ SHORTEST_STEP = 2.0**-40
 #: Of times, relative.
 ROUNDING_OF_TIMES = 4 * np.finfo(float).eps
 
+#: The smallest singular value of a pose that is far from singular.
+REGULAR = 1e-4
+
 #: Violations of joints, relative to the size of the mechanism, of a pose in which all hold.
 CLOSED = LIMITS.closed
 
@@ -96,6 +100,7 @@ class Continuation:
     most_seconds: float = math.inf  # from now on
     watch: Watch | None = None  # told of singular poses
     crossed: list[Crossing] = field(default_factory=list)
+    unmet: Floats | None = field(default=None, init=False)  # Phi of the last pose found, where not all can hold
     counts: dict[str, int] = field(
         default_factory=lambda: {"steps": 0, "evaluations": 0, "factorizations": 0}
     )
@@ -104,6 +109,17 @@ class Continuation:
     def rank(self) -> int:
         """How many rows of D are independent away from singular poses; 6n, or freedoms are left."""
         return 6 * self.equations.core.body_count - self.equations.rank.degrees_of_freedom
+
+    def doubt(self) -> float:
+        """By how much accelerations and forces that the equations tell may be off here, relative.
+
+        By rounding delta of Phi: velocities delta / sigma^2, accelerations v^2 delta / sigma^3.
+        """
+        at, length = self.at, self.equations.length
+        sigma = max(self._smallest(at), LAST_DIGITS)
+        square = reach(at.x_dot, length) ** 2
+        part = square / (square + reach(at.x_ddot, length)) if square > 0.0 else 0.0
+        return LAST_DIGITS / sigma**2 * (1 + part / sigma)
 
     def _accept(self, state: MotionState) -> None:
         self.at = state
@@ -271,6 +287,7 @@ class Continuation:
         self, t: float, q: Floats, constraints: AnyConstraints, largest: float = np.inf
     ) -> Floats | None:
         eq, total, before = self.equations, 0.0, np.inf
+        self.unmet = None
         for _ in range(ITERATIONS):
             Phi = eq.Phi(t, q)
             self.counts["evaluations"] += 1
@@ -292,7 +309,9 @@ class Continuation:
 
     def _closed(self, Phi: Floats) -> bool:
         """Whether redundant equations hold as well as the others."""
-        return bool(self.equations.violation(Phi) < CLOSED + self.equations.rounding)
+        closed = bool(self.equations.violation(Phi) < CLOSED + self.equations.rounding)
+        self.unmet = None if closed else Phi
+        return closed
 
     def _state(self, t: float, q: Floats, last: MotionState | None) -> MotionState:
         """With velocities and accelerations; what a singular pose leaves open goes on as before."""
@@ -350,8 +369,10 @@ class Continuation:
         names = self.equations.joints(strongest(left))
         return Impasse(at.t, names, constraints.smallest(count), bool(driven))
 
-    def _refuse_to_go_on(self, t: float) -> None:
+    def _refuse_to_go_on(self, t: float) -> NoReturn:
         it = self.impasse()
+        if self.unmet is not None and it.sigma > REGULAR:
+            self._refuse_contradiction(self.unmet)
         remedy = "end before it, or drive another joint"
         if it.time == 0.0:
             remedy = "begin in a pose beside it, which says how the motion goes on, or drive another joint"
@@ -362,6 +383,20 @@ class Continuation:
             joints=it.joints,
             time=it.time,
             residuals={"smallest_singular_value": it.sigma},
+        )
+
+    def _refuse_contradiction(self, Phi: Floats) -> NoReturn:
+        """Of equations that depend on each other, and held together up to now."""
+        at, eq = self.at, self.equations
+        rows = strongest(at.constraints.contradiction(Phi))
+        driving = eq.terms(at.t, at.q).Phi_t[rows] != 0.0
+        names = eq.joints(np.concatenate([rows[driving], rows[~driving]]))
+        raise NotConvergedError(
+            f"kinematics: {named(names)} contradict each other from t = {at.t:.6g} s on: they demand the same "
+            "motion in different ways; drive it once only, or by functions that agree",
+            code="contradiction",
+            joints=names,
+            time=at.t,
         )
 
 

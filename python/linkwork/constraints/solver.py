@@ -94,6 +94,12 @@ class Constraints:
         left: Floats = self.U[:, count - 1]
         return left
 
+    def contradiction(self, Phi: Floats) -> Floats:
+        """What of Phi (m,) no motion corrects, in scaled rows: how rows contradict each other."""
+        scaled, independent = self.row_scale * Phi, self.U[:, : self.rank]
+        left: Floats = scaled - independent @ (independent.T @ scaled)
+        return left
+
     def turns(self, other: Any) -> bool:
         """Whether D may have lost its rank between two poses that are near: singular values that passed
         through zero are negative in U^T D_2 V, be they an even number, which its determinant does not tell.
@@ -174,6 +180,16 @@ class SparseConstraints:
         left = np.zeros(len(self.row_scale))
         left[self.rows] = self.left
         return left
+
+    def contradiction(self, Phi: Floats) -> Floats:
+        """As that of Constraints, by the redundant row that is off most, and those on which it depends."""
+        left = self.row_scale * Phi
+        left[self.rows] = 0.0
+        worst = int(np.abs(left).argmax())
+        parts = np.zeros_like(left)
+        parts[self.rows] = -self.factor.solve(self.scaled[[worst]].toarray()[0], "T")
+        parts[worst] = 1.0
+        return parts * left[worst]
 
     def turns(self, other: Any) -> bool:
         """As that of Constraints, by the smallest singular value, of the same rows."""
