@@ -17,6 +17,7 @@ from linkwork.constraints.equations import called
 from linkwork.equations.system import System
 from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.modeling.elements import KINDS
+from linkwork.modeling.handles import Joint
 from linkwork.modeling.model import Model, check_bodies
 from linkwork.motion import summary
 from linkwork.results.result import Result
@@ -57,18 +58,19 @@ class InverseDynamics:
         """Times (k,) [s]."""
         return self.motion.t
 
-    def effort(self, name: str) -> Floats:
-        """Torque [N m] or force [N] (k,) of one driver on its second body.
+    def effort(self, name: str | Joint) -> Floats:
+        """Torque [N m] or force [N] (k,) of one driver on its second body, by its name or handle.
 
             torque = needed.effort("motor")
 
         ModelError: no such driver.
         """
-        if name not in self.drives:
+        text = name.name if isinstance(name, Joint) else name
+        if not isinstance(text, str) or text not in self.drives:
             raise ModelError(
-                f"no driver named {name!r}{nearest(str(name), self.drives)}", code="unknown_name"
+                f"no driver named {text!r:.80}{nearest(str(text), self.drives)}", code="unknown_name"
             )
-        return self.drives[name].effort
+        return self.drives[text].effort
 
     def __str__(self) -> str:
         """A line for each driver, with the largest of what it needs, and one for impacts."""
@@ -89,7 +91,7 @@ def inverse_dynamics(
     model: Model,
     times: ArrayLike,
     *,
-    drivers: Sequence[str] | None = None,
+    drivers: Sequence[str | Joint] | None = None,
     on_singular: Literal["pass", "warn", "stop"] = "warn",
 ) -> InverseDynamics:
     """The driving forces and torques, and all reactions, of a mechanism whose freedoms drivers fix.
@@ -101,14 +103,14 @@ def inverse_dynamics(
     exerts. As a function of time, `lw.functions.table(needed.t, needed.effort("motor"))`, given to a torque
     or actuator in the driver's place, it makes forward dynamics return the motion.
 
-    drivers  names of one-equation joints; without them all that are drivers, and others of one
+    drivers  names or handles of one-equation joints; without them all that are drivers, and others of one
              equation with a function of time, such as a distance joint of variable length
 
     Where the velocity of a driver jumps, bodies are struck by an impulse, which no effort has a part of: a
     warning says when, and so does what is printed.
 
     Errors as for `kinematics`. ModelError: a driver that does not exist, or with more than one equation.
-    OptionError: drivers that are no names.
+    OptionError: drivers that are no list of names or handles.
     """
     check_bodies(model)
     core = model.compiled()
@@ -127,10 +129,10 @@ def inverse_dynamics(
     return InverseDynamics(motion, {drive.joint: drive for drive in drives})
 
 
-def _check_names(drivers: Sequence[str]) -> None:
-    """OptionError: not a list of names."""
+def _check_names(drivers: Sequence[str | Joint]) -> None:
+    """OptionError: not a list of names or handles."""
     names = [] if isinstance(drivers, str) or not is_iterable(drivers) else list(drivers)
-    if not names or not all(isinstance(name, str) for name in names):
+    if not names or not all(isinstance(name, str | Joint) for name in names):
         raise OptionError(
             f"inverse_dynamics: drivers {drivers!r:.80} are not a list of names of joints", code="drivers"
         )
@@ -162,9 +164,16 @@ def _drivers(model: Model) -> list[int]:
     return [int(joint) for joint in found]
 
 
-def _driver(core: _core.Model, name: str) -> int:
+def _driver(core: _core.Model, given: str | Joint) -> int:
     """ModelError: no such joint, or not of one equation."""
+    name = given.name if isinstance(given, Joint) else given
     joint = core.find_joint(name)
+    if (
+        isinstance(given, Joint)
+        and joint >= 0
+        and (joint, core.joint_kind(joint)) != (given.index, given.kind)
+    ):
+        raise ModelError(f"inverse_dynamics: joint '{name}' belongs to another model", code="unknown_joint")
     if joint < 0:
         known = [core.joint_name(k) for k in range(core.joint_count)]
         raise ModelError(f"no joint named '{name}'{nearest(name, known)}", code="unknown_name")

@@ -13,9 +13,10 @@ from linkwork.accuracy.verdict import WRONG, Energies
 from linkwork.analyses.driven_frames import Frames
 from linkwork.arguments import array, one_of
 from linkwork.arrays import Floats
-from linkwork.constraints.continuation import Continuation, named
+from linkwork.constraints.continuation import Continuation
 from linkwork.constraints.crossing import SINGULAR, Crossing, MotionState
 from linkwork.constraints.equations import Equations
+from linkwork.constraints.impasse import named
 from linkwork.constraints.solver import strongest
 from linkwork.errors import OptionError, SingularSystemError, carry, warn
 from linkwork.modeling.model import Model, check_bodies

@@ -14,8 +14,9 @@ import numpy as np
 from linkwork import _core
 from linkwork.arrays import Floats
 from linkwork.constraints import solver
-from linkwork.constraints.crossing import SUSPICIOUS, Crossing, MotionState, Search, reach
-from linkwork.constraints.equations import LAST_DIGITS, LISTED, Equations, Sparse
+from linkwork.constraints.crossing import Crossing, MotionState, Search, reach
+from linkwork.constraints.equations import LISTED, Equations, Sparse
+from linkwork.constraints.impasse import Impasse, named
 from linkwork.constraints.rolling import rolled
 from linkwork.constraints.solver import (
     Constraints,
@@ -28,7 +29,7 @@ from linkwork.constraints.tangent import displaced, to_body_axes, to_inertial_ax
 from linkwork.errors import ModelError, NotConvergedError
 from linkwork.motion.records import Snapshot
 
-__all__ = ["Continuation", "Impasse", "named"]
+__all__ = ["Continuation"]
 
 AnyConstraints = Constraints | SparseConstraints
 
@@ -57,6 +58,9 @@ SHORTEST_STEP = 2.0**-40
 #: Of times, relative.
 ROUNDING_OF_TIMES = 4 * np.finfo(float).eps
 
+#: Of Phi, relative to the size of the mechanism, as a rule.
+ROUNDING = 5e-17
+
 #: The smallest singular value of a pose that is far from singular.
 REGULAR = 1e-4
 
@@ -65,27 +69,6 @@ CLOSED = LIMITS.closed
 
 #: Corrections relative to the size of the mechanism at which Newton's method ends.
 CONVERGED, ITERATIONS = LIMITS.converged, LIMITS.iterations
-
-
-@dataclass(frozen=True)
-class Impasse:
-    """The pose beyond which no motion was found."""
-
-    time: float  # [s]
-    joints: list[str]  # whose equations depend on each other there, the strongest first
-    sigma: float  # the smallest singular value
-    driven: bool  # whether a driver asks for a velocity that they do not allow: u D = 0, and u Phi_t is not
-
-    @property
-    def dead(self) -> bool:
-        return self.sigma < SUSPICIOUS
-
-    def __str__(self) -> str:
-        pose = "a dead point" if self.dead else "a pose"
-        return (
-            f"{pose} where the equations of {named(self.joints)} depend on each other (smallest singular "
-            f"value {self.sigma:.2g})"
-        )
 
 
 @dataclass
@@ -100,7 +83,9 @@ class Continuation:
     most_seconds: float = math.inf  # from now on
     watch: Watch | None = None  # told of singular poses
     crossed: list[Crossing] = field(default_factory=list)
-    unmet: Floats | None = field(default=None, init=False)  # Phi of the last pose found, where not all can hold
+    unmet: Floats | None = field(
+        default=None, init=False
+    )  # Phi of the last pose found, where not all can hold
     counts: dict[str, int] = field(
         default_factory=lambda: {"steps": 0, "evaluations": 0, "factorizations": 0}
     )
@@ -116,10 +101,10 @@ class Continuation:
         By rounding delta of Phi: velocities delta / sigma^2, accelerations v^2 delta / sigma^3.
         """
         at, length = self.at, self.equations.length
-        sigma = max(self._smallest(at), LAST_DIGITS)
+        sigma = max(self._smallest(at), ROUNDING)
         square = reach(at.x_dot, length) ** 2
         part = square / (square + reach(at.x_ddot, length)) if square > 0.0 else 0.0
-        return LAST_DIGITS / sigma**2 * (1 + part / sigma)
+        return ROUNDING / sigma**2 * (1 + part / sigma)
 
     def _accept(self, state: MotionState) -> None:
         self.at = state
@@ -392,13 +377,9 @@ class Continuation:
         driving = eq.terms(at.t, at.q).Phi_t[rows] != 0.0
         names = eq.joints(np.concatenate([rows[driving], rows[~driving]]))
         raise NotConvergedError(
-            f"kinematics: {named(names)} contradict each other from t = {at.t:.6g} s on: they demand the same "
-            "motion in different ways; drive it once only, or by functions that agree",
+            f"kinematics: {named(names)} contradict each other from t = {at.t:.6g} s on: they demand the "
+            "same motion in different ways; drive it once only, or by functions that agree",
             code="contradiction",
             joints=names,
             time=at.t,
         )
-
-
-def named(names: list[str]) -> str:
-    return ", ".join(f"'{name}'" for name in names[:LISTED]) + (", ..." if len(names) > LISTED else "")

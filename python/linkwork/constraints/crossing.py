@@ -233,7 +233,7 @@ class Search:
         it = max((first, second), key=self.smallest)
         rate, rise = reach(it.x_dot, self.length), reach(it.x_ddot, self.length)
         whole = rate + np.sqrt(rate**2 + 2 * rise * way)
-        return 2 * way / whole if whole > 0.0 else 0.0
+        return float(2 * way / whole) if whole > 0.0 else 0.0
 
     def _pose(self, first: MotionState, second: MotionState, sign: float) -> float | None:
         """By a line through the two values of sigma, the first of this sign; None: they are the same."""

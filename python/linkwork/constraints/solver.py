@@ -189,7 +189,8 @@ class SparseConstraints:
         parts = np.zeros_like(left)
         parts[self.rows] = -self.factor.solve(self.scaled[[worst]].toarray()[0], "T")
         parts[worst] = 1.0
-        return parts * left[worst]
+        parts *= left[worst]
+        return parts
 
     def turns(self, other: Any) -> bool:
         """As that of Constraints, by the smallest singular value, of the same rows."""

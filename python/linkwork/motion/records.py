@@ -9,7 +9,9 @@ from typing import NamedTuple, NoReturn
 
 import numpy as np
 
+from linkwork.arguments import array
 from linkwork.arrays import Floats, ReadOnly, by_value
+from linkwork.errors import OptionError
 
 __all__ = [
     "BodyResult",
@@ -135,9 +137,15 @@ class Snapshot(NamedTuple):
         From y = (q, v) (13n,).
 
             start = lw.Snapshot.of(0.0, lw.System(model).initial_state())
+
+        OptionError: y of another shape.
         """
+        y = np.array(array(y, "Snapshot.of: y"))  # the caller may go on in his
+        if y.ndim != 1 or not y.size or y.size % 13:
+            raise OptionError(
+                f"Snapshot.of: y of shape {y.shape} must be (q, v) in one, (13n,) for n bodies", code="y"
+            )
         split = 7 * (len(y) // 13)
-        y = np.array(y)  # the caller may go on in his
         return cls(t, y[:split].reshape(-1, 7), y[split:].reshape(-1, 6), history)
 
     @property

@@ -11,8 +11,9 @@ from contextlib import contextmanager, suppress
 
 import numpy as np
 
-from linkwork.constraints.continuation import Continuation, Impasse
+from linkwork.constraints.continuation import Continuation
 from linkwork.constraints.equations import Equations
+from linkwork.constraints.impasse import Impasse
 from linkwork.errors import (
     LinkworkError,
     NotConvergedError,
