@@ -23,9 +23,9 @@ def parallelogram(turn: object = None, masses: tuple[float, float, float] = (1.0
         at, inertia = np.array([x, 0.0, 0.0]), (0.01, mass / 12, mass / 12)
         model.body(name, mass=mass, inertia=inertia, position=at + u / 2, orientation=turned)
         model.revolute("ground", name, at=at, axis=axis, name=f"pin {name}")
-    model.body("coupler", mass=masses[2], inertia=(0.01, 0.7, 0.7), position=u + (BASE / 2, 0, 0))
+    model.body("coupler", mass=masses[2], inertia=(0.01, 0.7, 0.7), position=u + np.array([BASE / 2, 0, 0]))
     model.revolute("left", "coupler", at=u, axis=axis, name="joint left")
-    model.point_on_line("right", "coupler", at=u + (BASE, 0, 0), axis=axis, name="joint right")
+    model.point_on_line("right", "coupler", at=u + np.array([BASE, 0, 0]), axis=axis, name="joint right")
     turn = lw.functions.polynomial(0.0, RATE) if turn is None else turn
     model.drive("pin left", position=turn, name="motor")
     return model
@@ -97,12 +97,19 @@ def test_reactions_that_grow_toward_a_pose_are_told_and_grow_like_its_distance()
     assert before - after == pytest.approx((before - after)[0] * apart[0] / apart, rel=1e-3)
 
 
-@pytest.mark.filterwarnings("ignore:kinematics. the work")
-def test_a_motion_that_turns_back_in_a_pose_says_what_is_not_known() -> None:
-    turn = lw.functions.harmonic(-START, 5.0)
-    with pytest.warns(lw.LinkworkWarning, match=r"may be .* % off") as told:
-        lw.inverse_dynamics(parallelogram(turn), [0.0, 0.1, np.pi / 10, 0.5])
-    assert any("is not known" in str(it.message) for it in told)
+@pytest.mark.usefixtures("matrices")
+@pytest.mark.filterwarnings("ignore:kinematics")
+@pytest.mark.parametrize("beyond", [-1e-4, 0.0, 1e-4, 1e-2])
+def test_a_motion_may_turn_back_beside_a_pose_or_in_it(beyond: float) -> None:
+    """Soon before and after it is in a pose twice, once, or not at all."""
+    turn, w = lw.functions.harmonic(-START + beyond, 5.0), 5.0
+    t = np.sort(np.append(np.linspace(0, 0.6, 61), np.pi / (2 * w)))
+    needed = lw.inverse_dynamics(parallelogram(turn), t)
+    angle = (-START + beyond) * np.sin(w * t)
+    inertia = 2 / 3 + 2
+    torque = 3 * G * np.cos(START + angle) - inertia * w**2 * angle
+    assert needed.effort("motor") == pytest.approx(torque, abs=1e-5)
+    assert len(needed.motion.singular_poses) == (2 if beyond > 0 else int(beyond == 0.0))
 
 
 def test_poses_are_found_to_nearly_all_digits() -> None:

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from linkwork import _core
 from linkwork.arrays import Floats
 from linkwork.constraints.continuation import Continuation
-from linkwork.constraints.crossing import SAME, Crossing, MotionState
+from linkwork.constraints.crossing import Crossing, MotionState
 from linkwork.constraints.equations import Sparse
 from linkwork.constraints.tangent import to_inertial_axes
 from linkwork.equations.system import System
@@ -86,11 +86,10 @@ class Frames:
         joints = np.repeat(np.arange(core.joint_count), np.diff(core.joint_rows))[grow]
         return [core.joint_name(int(joint)) for joint in dict.fromkeys(joints)]
 
-    def in_pose(self, crossing: Crossing) -> float:
-        """The time of the frame in the pose, or that of the pose [s]."""
-        times = self.times
-        nearest = float(times[np.abs(times - crossing.t).argmin()])
-        return nearest if abs(nearest - crossing.t) < SAME * crossing.spacing else crossing.t
+    def nearest(self, t: float, apart: float) -> float:
+        """The time of the frame so near to t, or t [s]."""
+        nearest = float(self.times[np.abs(self.times - t).argmin()])
+        return nearest if abs(nearest - t) < apart else t
 
     def result(self, continuation: Continuation, began: float, failed: bool = False) -> Result:
         fields, dynamics = self._fields(continuation), self.system.compiled()
@@ -141,7 +140,7 @@ class Frames:
         error = max(error, crossing.error)
         if len(beside) and error > TOLD:
             warn(
-                f"kinematics: within {crossing.spacing:.1g} s of the singular pose at t = {crossing.t:.6g} s "
+                f"kinematics: within {crossing.spacing:.1g} s of a singular pose at t = {crossing.t:.6g} s "
                 f"accelerations, reactions and efforts of frames may be {100 * min(error, 1.0):.1g} % off: "
                 "what happens there is not smooth"
             )

@@ -14,7 +14,7 @@ from linkwork.analyses.driven_frames import Frames
 from linkwork.arguments import array, one_of
 from linkwork.arrays import Floats
 from linkwork.constraints.continuation import Continuation
-from linkwork.constraints.crossing import SINGULAR, Crossing, MotionState
+from linkwork.constraints.crossing import SAME, SINGULAR, Crossing, MotionState
 from linkwork.constraints.equations import Equations
 from linkwork.constraints.impasse import named
 from linkwork.constraints.solver import strongest
@@ -183,10 +183,12 @@ class _Watch:
         """SingularSystemError: with on_singular="stop"."""
         if isinstance(at, MotionState):
             return self._note(at, "; what joints and drivers exert in it is not known")
-        pose = at.state(self.frames.in_pose(at), self.continuation.constraints_at)
         growing = self.frames.cross(at)
         grow = f"; toward it the reactions of {named(growing)} grow without limit" if growing else ""
-        return self._note(pose, grow)
+        for t in at.poses:
+            time_of_frame = self.frames.nearest(t, SAME * at.spacing)
+            self._note(at.state(time_of_frame, self.continuation.constraints_at), grow)
+        return None
 
     def _note(self, pose: MotionState, forces: str) -> None:
         eq, count = self.continuation.equations, self.continuation.rank

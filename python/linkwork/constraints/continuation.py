@@ -237,12 +237,14 @@ class Continuation:
         """q + h v + h^2 v_dot / 2, corrected; None: the step is too long for the predictor to be trusted."""
         h, length = t - at.t, self.equations.length
         self.equations.dynamics.history = at.history
-        x = h * at.x_dot + h * h / 2 * at.x_ddot
+        parts = h * at.x_dot, h * h / 2 * at.x_ddot
+        x = parts[0] + parts[1]
         moved = reach(x, length)
         if moved > LONGEST_STEP or (moved < HARDLY and not self._foreseen(at, h)):
             return None
         predicted = displaced(at.q, x) if self.equations.holonomic.all() else self._rolled(at, t)
-        q = self._corrected(t, predicted, at.constraints, max(LARGEST_CORRECTION * moved, 1e-9))
+        way = max(moved, *(reach(part, length) for part in parts))  # there and back, where it turns
+        q = self._corrected(t, predicted, at.constraints, max(LARGEST_CORRECTION * way, 1e-9))
         if q is None:
             return None
         state = self._state(t, q, at)

@@ -41,6 +41,9 @@ LOOK, LOOKS = 1.5, 8
 #: By how much polynomials may differ with and without the outermost states: good ones, and any, relative.
 GOOD, USABLE = 1e-8, 1e-2
 
+#: The same where the motion turns back beside a pose that it does not reach.
+TURNING = 1e-6
+
 #: Of times between which sigma changes its sign, where no states tell the pose.
 HALVINGS = 20
 
@@ -89,21 +92,23 @@ def reach(x: Floats, length: float) -> float:
 
 @dataclass(frozen=True)
 class Crossing:
-    """A singular pose at `t` between regular states of one branch, `spacing` [s] apart."""
+    """Singular poses about `t` between regular states of one branch, `spacing` [s] apart.
+
+    The smallest singular value, with its sign, is a smooth function of time: one that passes through zero,
+    or, where the motion turns back beside a pose or in it, a parabola.
+    """
 
     t: float
     spacing: float
     states: Sequence[MotionState]  # by time
-    error: float  # of what they tell, relative
+    sigma: Floats  # of the states, with its sign
+    turns: bool  # whether the motion turns back between them
+    poses: Sequence[float] = ()  # times at which it is zero [s]
+    error: float = np.inf  # of what they tell, relative
 
     def covers(self, t: float) -> bool:
-        """Whether t is nearer to the pose than any of the states."""
+        """Whether t is nearer to the middle than any of the states."""
         return abs(t - self.t) < (1 - SAME) * self.spacing
-
-    @property
-    def end(self) -> MotionState:
-        """From where the motion goes on."""
-        return self.states[-1]
 
     @cached_property
     def _values(self) -> tuple[Floats, Floats, Floats]:
@@ -121,49 +126,67 @@ class Crossing:
         return MotionState(t, q, v, a, lambda: factors(t, q), before[-1].history)
 
     def _weights(self, t: float, without: int = 0) -> Floats:
-        """Of the values in a polynomial at t; without so many states, those farthest from the pose."""
-        times = self._ways
+        """Of the values in a polynomial at t; without so many states, those farthest from the middle."""
+        times = (np.array([it.t for it in self.states]) - self.t) / self.spacing
         kept = np.sort(np.argsort(np.abs(times), kind="stable")[: len(times) - without])
         out = np.zeros(len(times))
         out[kept] = _lagrange(times[kept], (t - self.t) / self.spacing)
         return out
 
-    @cached_property
-    def _ways(self) -> Floats:
-        return (np.array([it.t for it in self.states]) - self.t) / self.spacing
-
-    def root(self, values: Floats) -> float:
-        """When the polynomial through the values is zero, near the pose [s]."""
-        times = np.array([self.t, self.t + self.spacing / 8])
-        for _ in range(ROOT_STEPS):
-            low, high = (float(self._weights(t) @ values) for t in times)
-            if low == high:
-                break
-            times = np.array([times[1], times[1] - high * (times[1] - times[0]) / (high - low)])
-        return float(times[1])
-
     def doubt(self, values: Floats) -> Floats:
-        """By how much the outermost states change the value in the pose."""
+        """By how much the outermost states change the value in the middle."""
         change: Floats = (self._weights(self.t) - self._weights(self.t, 2)) @ values
         return change
 
-    # lambda = a(t) + b / (t - t_p)
+    def judged(self, length: float) -> Crossing:
+        """With its poses, and its error."""
+        x_dot, x_ddot = self._values[1:]
+        unit = max([reach(x, length) ** 2 for x in x_dot] + [reach(x, length) for x in x_ddot])
+        off = reach(self.doubt(x_ddot), length) / unit
+        off = max(off, float(abs(self.doubt(self.sigma)) / np.abs(self.sigma).max()))
+        return replace(self, poses=self._zeros(), error=off)
+
+    def _zeros(self) -> list[float]:
+        """When sigma is zero: once, twice, or where it only touches zero; by the parabola, then exactly."""
+        if not self.turns:
+            return [self._zero(self.t)]
+        ways = np.array([-0.5, 0.0, 0.5])
+        values = [self._weights(t) @ self.sigma for t in self.t + ways * self.spacing]
+        bend, slope, middle = map(float, np.polyfit(ways, values, 2))
+        least, place = middle - slope**2 / (4 * bend), -slope / (2 * bend)
+        if abs(least) <= SAME * np.abs(self.sigma).max():
+            return [self.t + place * self.spacing]
+        if bend < 0.0 or least > 0.0:
+            return []
+        half = np.sqrt(-least / bend)
+        return [self._zero(float(self.t + (place + side * half) * self.spacing)) for side in (-1, 1)]
+
+    def _zero(self, t: float) -> float:
+        """The one near t, by the secant method."""
+        times = t, t + self.spacing / 64
+        for _ in range(ROOT_STEPS):
+            low, high = (float(self._weights(it) @ self.sigma) for it in times)
+            if low == high:
+                break
+            times = times[1], times[1] - high * (times[1] - times[0]) / (high - low)
+        return times[1]
+
+    # sigma lambda is smooth, lambda itself where nothing pushes along the other branch
     def multipliers(self, values: Floats, t: Floats) -> tuple[Floats, Floats, float]:
-        """At times t (k, m), by those of the states; which of them grow without limit toward the pose (m,);
+        """At times t (k, m), by those of the states; which of them grow without limit toward a pose (m,);
         and by how much they may be off, relative.
 
         In the pose these are large numbers of either sign.
         """
-        limits = values * self._ways[:, None]
-        sizes = np.abs(limits).max(axis=0)
-        b = self._weights(self.t) @ limits
-        grow = np.abs(b) > np.maximum(GROWS * sizes, GROWS_OF_ALL * sizes.max(initial=0.0))
+        limits = values * self.sigma[:, None]
+        sizes, least = np.abs(limits).max(axis=0), SAME * np.abs(self.sigma).max()
+        b = np.max([np.abs(self._weights(it) @ limits) for it in self.poses or [self.t]], axis=0)
+        grow = b > np.maximum(GROWS * sizes, GROWS_OF_ALL * sizes.max(initial=0.0))
         rows = []
-        for at in t:
-            way = (at - self.t) / self.spacing
-            way = np.copysign(max(abs(way), SAME), way)
-            weights = self._weights(at)
-            rows.append(np.where(grow, weights @ limits / way, weights @ values))
+        for weights in map(self._weights, t):
+            sigma = weights @ self.sigma
+            sigma = np.copysign(max(abs(sigma), least), sigma)
+            rows.append(np.where(grow, weights @ limits / sigma, weights @ values))
         off = np.abs(np.where(grow, self.doubt(limits), self.doubt(values)))
         own = np.where(grow, sizes, np.abs(values).max(axis=0))
         unit = np.maximum(own, OF_ALL * own.max(initial=0.0))
@@ -201,7 +224,7 @@ class Search:
                 best = found
             if best is not None and best.error < GOOD:
                 break
-        return best if best is not None and best.error < USABLE else None
+        return best
 
     def _leads_there(self, first: MotionState, second: MotionState) -> bool:
         """Whether the pose to which sigma leads is beside the second state, or the motion has passed it."""
@@ -255,10 +278,24 @@ class Search:
                 return None
             sign *= _turned(low, near)
             low, last, former = near, pose, spacing
-            pose, spacing = self._pose(near, beyond, sign), self._spacing(near, beyond, way)
+            vertex = self._vertex(near, beyond) if near.t < pose < beyond.t else None
+            pose = self._pose(near, beyond, sign) if vertex is None else vertex
+            spacing = self._spacing(near, beyond, way)
             if pose is not None and abs(pose - last) < spacing / 4 and abs(spacing - former) < spacing / 4:
                 return self._between(near, beyond, pose, spacing)
         return None
+
+    def _vertex(self, near: MotionState, beyond: MotionState) -> float | None:
+        """Where sigma has a minimum between them, by a parabola; None: it has none, or changes its sign."""
+        if _turned(near, beyond) < 0:
+            return None
+        outer = self.step(near, near.t - (beyond.t - near.t) / 2)
+        if outer is None or outer.t < self.begin:
+            return None
+        ways = np.array([it.t - near.t for it in (outer, near, beyond)]) / (beyond.t - near.t)
+        bend, slope, _ = np.polyfit(ways, [self.smallest(it) for it in (outer, near, beyond)], 2)
+        part = -slope / (2 * bend) if bend > 0.0 else 0.0
+        return float(near.t + part * (beyond.t - near.t)) if 0.0 < part < 1.0 else None
 
     def _sides(self, pose: float, spacing: float) -> tuple[float, float]:
         """Times before and after it, or two on one side where the motion ends, or begins."""
@@ -269,43 +306,40 @@ class Search:
         return pose - LOOK * spacing, pose + LOOK * spacing
 
     def _between(self, low: MotionState, high: MotionState, pose: float, spacing: float) -> Crossing | None:
-        before = [] if low.t > pose else self._walk([high if high.t < pose else low], pose, -spacing)
-        after = [] if high.t < pose else self._walk([low if low.t > pose else high], pose, spacing)
-        if before and after and _turned(before[0], after[0]) > 0:
-            return None  # sigma has a minimum there
+        before: list[MotionState] = []
+        after: list[MotionState] = []
+        if low.t < pose:
+            before = self._walk(high if high.t < pose else low, pose, -spacing, range(1, ON_EACH_SIDE + 1))
+        if high.t > pose:
+            after = self._walk(low if low.t > pose else high, pose, spacing, range(1, ON_EACH_SIDE + 1))
         for side, other, way in ((before, after, -spacing), (after, before, spacing)):
-            if side and len(other) < ON_EACH_SIDE:
-                side[:] = self._walk(side, pose, way, min(2 * ON_EACH_SIDE - len(other), ON_ONE_SIDE))
+            more = min(2 * ON_EACH_SIDE - len(other), ON_ONE_SIDE)
+            if side and more > len(side):
+                side.extend(self._walk(side[-1], pose, way, range(len(side) + 1, more + 1)))
         states = [*before[::-1], *after]
         if len(states) < LEAST:
             return None
-        return self._judged(Crossing(pose, spacing, states, np.inf))
+        turns = bool(before and after) and _turned(before[0], after[0]) > 0
+        signs = [1.0 if turns or it.t > pose else -1.0 for it in states]
+        sigma = np.array([sign * self.smallest(it) for sign, it in zip(signs, states, strict=True)])
+        return self._usable(Crossing(pose, spacing, states, sigma, turns).judged(self.length))
 
-    def _walk(
-        self, states: list[MotionState], pose: float, spacing: float, count: int = ON_EACH_SIDE
-    ) -> list[MotionState]:
-        """States on one side of the pose, from it on, as many as there are, after those that are known."""
-        known = [it for it in states if len(states) > 1]
-        last = states[-1]
-        for k in range(len(known) + 1, count + 1):
+    def _usable(self, crossing: Crossing) -> Crossing | None:
+        """None: what the states tell is not smooth, or of no pose."""
+        within = all(abs(it - crossing.t) < crossing.spacing for it in crossing.poses)
+        return crossing if within and crossing.error < (USABLE if crossing.poses else TURNING) else None
+
+    def _walk(self, last: MotionState, pose: float, spacing: float, places: range) -> list[MotionState]:
+        """States at these places, in spacings from the pose, as many as there are."""
+        found: list[MotionState] = []
+        for k in places:
             t = pose + k * spacing
             following = self.step(last, t) if self.begin <= t <= self.end else None
             if following is None:
                 break
-            known.append(following)
+            found.append(following)
             last = following
-        return known
-
-    def _judged(self, crossing: Crossing) -> Crossing:
-        """With its time where sigma, which changes its sign, is zero, and with its error."""
-        sigma = np.array([np.copysign(self.smallest(it), it.t - crossing.t) for it in crossing.states])
-        t = crossing.root(sigma)
-        accelerations = np.array([it.x_ddot for it in crossing.states])
-        rate = max(reach(it.x_dot, self.length) for it in crossing.states)
-        unit = max(rate**2, *(reach(x, self.length) for x in accelerations))
-        off = reach(crossing.doubt(accelerations), self.length) / unit
-        off = max(off, float(abs(crossing.doubt(sigma)) / np.abs(sigma).max()))
-        return replace(crossing, t=t, error=off if abs(t - crossing.t) < crossing.spacing / 2 else np.inf)
+        return found
 
 
 def _turned(first: MotionState, second: MotionState) -> float:
