@@ -112,6 +112,18 @@ def test_a_motion_may_turn_back_beside_a_pose_or_in_it(beyond: float) -> None:
     assert len(needed.motion.singular_poses) == (2 if beyond > 0 else int(beyond == 0.0))
 
 
+@pytest.mark.filterwarnings("ignore:kinematics. (the work|singular pose)")
+@pytest.mark.parametrize("begins", [POSE, POSE + 2e-3])
+def test_forces_that_begin_beside_a_pose_are_told_and_leave_no_trace_beyond(begins: float) -> None:
+    """A torque on the driven crank is what its motor needs more."""
+    model, jump = parallelogram(), lw.functions.piecewise_polynomial([-1, begins, 9], [[0.0], [100.0]])
+    model.force("left", torque=(0, jump, 0))
+    t = np.array([0.0, POSE - 5e-3, POSE - 1e-3, POSE, POSE + 1e-3, POSE + 5e-3, 0.6])
+    with pytest.warns(lw.LinkworkWarning, match="forces are not smooth there"):
+        needed = lw.inverse_dynamics(model, t)
+    assert needed.effort("motor") == pytest.approx(weight_torque(t) + 100.0 * (t >= begins), rel=1e-6)
+
+
 def test_poses_are_found_to_nearly_all_digits() -> None:
     motion = lw.kinematics(parallelogram(), np.linspace(0, 1, 8), on_singular="pass")
     assert [pose.t for pose in motion.singular_poses] == pytest.approx([POSE], abs=1e-10)

@@ -330,6 +330,12 @@ def test_what_is_made_for_the_one_who_asks_is_his() -> None:
     assert start.q[0, 0] == x
 
 
+@pytest.mark.parametrize("y", [None, [1.0, 2.0], np.zeros((2, 13)), []])
+def test_a_snapshot_is_made_of_the_coordinates_and_velocities_of_bodies(y: object) -> None:
+    with pytest.raises(lw.OptionError, match=r"Snapshot\.of: y .*"):
+        lw.Snapshot.of(0.0, y)  # type: ignore[arg-type]
+
+
 def test_tables_can_be_written_in_and_leave_the_result_as_it_is() -> None:
     pytest.importorskip("xarray")
     pytest.importorskip("pandas")

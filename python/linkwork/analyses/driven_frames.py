@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from linkwork import _core
 from linkwork.arrays import Floats
 from linkwork.constraints.continuation import Continuation
-from linkwork.constraints.crossing import Crossing, MotionState
+from linkwork.constraints.crossing import IN_POSE, Crossing, MotionState
 from linkwork.constraints.equations import Sparse
 from linkwork.constraints.tangent import to_inertial_axes
 from linkwork.equations.system import System
@@ -81,7 +81,9 @@ class Frames:
         """The joints whose reactions grow without limit toward this pose, whose frames it will tell."""
         multipliers = np.array([self._values(state)["lambda"] for state in crossing.states])
         self.passed.append(Passed(crossing, multipliers))
-        _, grow, _ = crossing.multipliers(multipliers, np.array([]))
+        _, grow, error = crossing.multipliers(multipliers, np.array([]))
+        if error > TOLD:
+            return []  # forces are not smooth there
         core = self.model.compiled()
         joints = np.repeat(np.arange(core.joint_count), np.diff(core.joint_rows))[grow]
         return [core.joint_name(int(joint)) for joint in dict.fromkeys(joints)]
@@ -105,6 +107,8 @@ class Frames:
         statistics = {**continuation.counts, "impacts": len(struck), "singular_poses": len(crossings),
                       "singularity_crossings": crossings, "seconds": time.perf_counter() - began,
                       "failed": failed}  # fmt: skip
+        if not failed:
+            self._warn_of_doubts()
         return Result(fields, header, statistics)
 
     def _values(self, it: MotionState, multipliers: Floats | None = None) -> dict[str, Any]:
@@ -129,20 +133,33 @@ class Frames:
         }
 
     def _tell(self, arrays: Mapping[str, Floats], passed: Passed, continuation: Continuation) -> None:
-        """Those beside this pose or in it. LinkworkWarning: they are known badly."""
+        """Those beside this pose or in it. LinkworkWarning: they are known badly.
+
+        Forces that are not smooth there, as where a contact begins, are those of the equations at the state
+        that is told.
+        """
         crossing = passed.crossing
+        pose = crossing.poses[0] if crossing.poses else crossing.t
         beside = np.array([k for k, t in enumerate(arrays["t"]) if crossing.covers(t)], dtype=int)
         multipliers, _, error = crossing.multipliers(passed.multipliers, arrays["t"][beside])
         for k, its in zip(beside, multipliers, strict=True):
-            state = crossing.state(float(arrays["t"][k]), continuation.constraints_at)
+            t = float(arrays["t"][k])
+            if error > TOLD:
+                outside = crossing.state(crossing.outside(t), continuation.constraints_at)
+                its = self._values(outside)["lambda"]
+            state = crossing.state(t, continuation.constraints_at)
             for name, value in self._values(state, its).items():
                 arrays[name][k] = value
-        error = max(error, crossing.error)
-        if len(beside) and error > TOLD:
+        if len(beside) and crossing.error > TOLD:
             warn(
-                f"kinematics: within {crossing.spacing:.1g} s of a singular pose at t = {crossing.t:.6g} s "
-                f"accelerations, reactions and efforts of frames may be {100 * min(error, 1.0):.1g} % off: "
-                "what happens there is not smooth"
+                f"kinematics: in the singular pose at t = {pose:.6g} s, and beside it, accelerations, "
+                f"reactions and efforts of frames may be {100 * crossing.error:.1g} % off: the motion is not "
+                "smooth there"
+            )
+        elif any(crossing.outside(t) != t for t in arrays["t"][beside]) and error > TOLD:
+            warn(
+                f"kinematics: reactions and efforts in the singular pose at t = {pose:.6g} s are those "
+                f"of up to {crossing.spacing * IN_POSE:.1g} s before or after it: forces are not smooth there"
             )
 
     def _warn_of_doubts(self) -> None:
@@ -162,7 +179,6 @@ class Frames:
         arrays = {name: np.concatenate(values, dtype=float) for name, values in self.rows.items()}
         for passed in self.passed:
             self._tell(arrays, passed, continuation)
-        self._warn_of_doubts()
         arrays = {name: values[arrays["t"] >= self.asked[0]] for name, values in arrays.items()}
         t, power = arrays["t"], arrays.pop("power")
         states = (arrays["q"].reshape(len(t), -1), arrays["v"].reshape(len(t), -1))

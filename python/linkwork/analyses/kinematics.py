@@ -52,13 +52,17 @@ def kinematics(
                  `Result.singular_poses` has them, found between the times as well, with the joints whose
                  equations depend on each other there; `pivot` is the smallest singular value of D, scaled
 
+    In and beside such a pose frames are those of the branch, as states on both sides of it tell; reactions
+    that grow without limit toward it are large numbers in it.
+
     ModelError: freedoms are left, which the message names.
     NotConvergedError: the drivers ask for what the joints do not allow: at the start, or after a dead point,
-    which the message names with its time; the error's `result` is the motion up to there.
+    which the message names with its time; the error's `result` is the motion up to there. With the code
+    "contradiction": drivers ask for different motions from some time on.
     SingularSystemError: a singular pose with on_singular="stop", or at the start of a large model.
     OptionError: times, or a function of time that is not known there. LinkworkWarning: a singular pose was
-    passed; the velocity of a driver jumps, by an impulse that multipliers and reactions are without;
-    functions of the model remember calls.
+    passed; accelerations and forces in or beside one are known badly; the velocity of a driver jumps, by an
+    impulse that multipliers and reactions are without; functions of the model remember calls.
     """
     one_of(on_singular, ("pass", "warn", "stop"), "on_singular")
     check_bodies(model)

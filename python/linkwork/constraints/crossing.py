@@ -53,6 +53,9 @@ ROOT_STEPS = 8
 #: A time so near to that of the pose, in spacings, is that of the pose.
 SAME = 1e-6
 
+#: So near to a pose, in spacings, equations at the states that are told have no forces.
+IN_POSE = 1e-2
+
 #: Multipliers that grow toward the pose by more than these parts of their own size, and of the largest.
 GROWS, GROWS_OF_ALL = 1e-6, 1e-9
 
@@ -109,6 +112,14 @@ class Crossing:
     def covers(self, t: float) -> bool:
         """Whether t is nearer to the middle than any of the states."""
         return abs(t - self.t) < (1 - SAME) * self.spacing
+
+    def outside(self, t: float) -> float:
+        """The time, or one on its side of a pose in which it is: equations have no forces there."""
+        apart = IN_POSE * self.spacing
+        for pose in self.poses:
+            if abs(t - pose) < apart:
+                return pose + apart if t >= pose else pose - apart
+        return t
 
     @cached_property
     def _values(self) -> tuple[Floats, Floats, Floats]:
