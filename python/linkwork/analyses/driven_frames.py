@@ -29,6 +29,9 @@ __all__ = ["Frames"]
 #: From this error on, relative, it is told that frames beside a singular pose are not known better.
 TOLD = 1e-4
 
+#: The same by an estimate that is high as a rule.
+BADLY = 1e-3
+
 
 @dataclass(frozen=True)
 class Passed:
@@ -142,19 +145,22 @@ class Frames:
         pose = crossing.poses[0] if crossing.poses else crossing.t
         beside = np.array([k for k, t in enumerate(arrays["t"]) if crossing.covers(t)], dtype=int)
         multipliers, _, error = crossing.multipliers(passed.multipliers, arrays["t"][beside])
+        off = crossing.error if len(beside) else 0.0
         for k, its in zip(beside, multipliers, strict=True):
             t = float(arrays["t"][k])
             if error > TOLD:
                 outside = crossing.state(crossing.outside(t), continuation.constraints_at)
                 its = self._values(outside)["lambda"]
+                doubt = continuation.doubt(outside)
+                off = max(off, doubt if doubt > BADLY else 0.0)
             state = crossing.state(t, continuation.constraints_at)
             for name, value in self._values(state, its).items():
                 arrays[name][k] = value
-        if len(beside) and crossing.error > TOLD:
+        if off > TOLD:
             warn(
                 f"kinematics: in the singular pose at t = {pose:.6g} s, and beside it, accelerations, "
-                f"reactions and efforts of frames may be {100 * crossing.error:.1g} % off: the motion is not "
-                "smooth there"
+                f"reactions and efforts of frames may be {100 * min(off, 1.0):.1g} % off: the motion is not "
+                "smooth there, or other loops are in such poses nearly at once"
             )
         elif any(crossing.outside(t) != t for t in arrays["t"][beside]) and error > TOLD:
             warn(

@@ -90,7 +90,7 @@ def _motion(model: Model, t: Floats, on_singular: Literal["pass", "warn", "stop"
             if not (taken := fast.follow(t[k:])):
                 continuation.go_to(float(t[k]))
                 watch.warn()
-                frames.add(continuation.at, continuation.doubt())
+                frames.add(continuation.at, continuation.doubt(continuation.at))
                 fast.resume()
             k += taken or 1
     except Exception as error:

@@ -95,12 +95,12 @@ class Continuation:
         """How many rows of D are independent away from singular poses; 6n, or freedoms are left."""
         return 6 * self.equations.core.body_count - self.equations.rank.degrees_of_freedom
 
-    def doubt(self) -> float:
-        """By how much accelerations and forces that the equations tell may be off here, relative.
+    def doubt(self, at: MotionState) -> float:
+        """By how much accelerations and forces that the equations tell may be off there, relative.
 
         By rounding delta of Phi: velocities delta / sigma^2, accelerations v^2 delta / sigma^3.
         """
-        at, length = self.at, self.equations.length
+        length = self.equations.length
         sigma = max(self._smallest(at), ROUNDING)
         square = reach(at.x_dot, length) ** 2
         part = square / (square + reach(at.x_ddot, length)) if square > 0.0 else 0.0
