@@ -6,7 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from linkwork.analyses.stiffness import Stiffness, damping, stiffness_and_parts, velocity_part
+from linkwork.analyses.force_derivatives import Doubt
+from linkwork.analyses.stiffness import Stiffness, damping_and_doubt, stiffness_and_parts, velocity_part
 from linkwork.arrays import Floats
 from linkwork.constraints.equations import LAST_DIGITS, Equations, Sparse
 from linkwork.constraints.solver import DENSE, balance, null_space
@@ -40,6 +41,7 @@ class Coefficients(NamedTuple):
     fixed: Sparse  # rows with D x = 0
     rolling: tuple[Sparse, Sparse]  # D and E of rows with D x' + E x = 0: of velocities, in motion
     stiffness: Stiffness
+    doubts: tuple[Doubt, Doubt]  # of K and C at a kink of the forces
     multipliers: Floats
     unbalanced: Floats  # (6n,) forces that accelerate the bodies
 
@@ -64,9 +66,10 @@ def coefficients(eq: Equations, at: Snapshot) -> Coefficients:
     E = velocity_part(eq, at.t, q, v) if rolls.any() else csr_array(D.shape)
     every = np.arange(len(rolls)) if rolls.any() and D.shape[1] <= DENSE else rows
     fixed, rolling = every[~rolls[every]], every[rolls[every]]
+    C, doubt = damping_and_doubt(eq, at.t, q, v, eq.length * (abs(found.K) @ eq.scale))
     return Coefficients(
-        M, damping(eq, at.t, q, v), found.K, D[rows], E[rows], D[fixed], (D[rolling], E[rolling]),
-        found, multipliers, unbalanced,
+        M, C, found.K, D[rows], E[rows], D[fixed], (D[rolling], E[rolling]),
+        found, (found.doubt, doubt), multipliers, unbalanced,
     )  # fmt: skip
 
 

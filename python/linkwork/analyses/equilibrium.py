@@ -56,6 +56,9 @@ COUNTED_TURN = np.pi / 2
 ITERATIONS, ALL_ITERATIONS, CORRECTIONS, DEPARTURES = 400, 4000, 20, 5
 
 
+Stability = Literal["stable", "neutral", "unstable", "unknown"]
+
+
 @dataclass(frozen=True, eq=False)
 class Equilibrium(ReadOnly):
     """A model at rest in balance: g + D^T lambda = 0, Phi = 0."""
@@ -68,9 +71,10 @@ class Equilibrium(ReadOnly):
     #: it adds up, reactions included; to 1e-5 of the largest such force in the model where that is more; 0
     #: where it is no more than stiffness makes of the last digits of positions
     imbalance: float
-    softest: float  #: smallest stiffness among the motions that the joints leave [N/m]; NaN: there is none
-    softest_motion: str  #: which this is, in words
-    stability: Literal["stable", "neutral", "unstable"]
+    #: smallest stiffness among the motions that the joints leave [N/m]; NaN: there is none, or it is unknown
+    softest: float
+    softest_motion: str  #: which this is, in words; or why it is unknown
+    stability: Stability  #: "unknown" at a kink of the forces, as where a contact or stop just touches
     iterations: int
     _equations: Equations = field(repr=False)
 
@@ -104,8 +108,11 @@ class Equilibrium(ReadOnly):
     def __str__(self) -> str:
         """One line."""
         soft = f": softest, {self.softest:.4g} N/m, {self.softest_motion}" if self.softest_motion else ""
+        called = f"{self.stability} equilibrium"
+        if self.stability == "unknown":
+            called, soft = "equilibrium of unknown stability", f": {self.softest_motion}"
         return (
-            f"{self.stability} equilibrium after {self.iterations} steps; bodies moved by at most "
+            f"{called} after {self.iterations} steps; bodies moved by at most "
             f"{self.moved.max():.4g} m and {self.turned.max():.4g} rad; imbalance {self.imbalance:.1e}{soft}"
         )
 
@@ -128,7 +135,8 @@ def equilibrium(model: Model, *, stable: bool = True) -> Equilibrium:
     stable  False: the nearest equilibrium of any kind, by steps that reduce the imbalance
 
     `stability` is that of the stiffness; a rotation counts by the size of the mechanism. Where forces follow
-    the bodies, linkwork.linearize has the last word.
+    the bodies, linkwork.linearize has the last word. It is "unknown" where a contact or stop just touches,
+    and wherever else forces have a kink: stiffness is another one to each side.
 
     NotConvergedError: no equilibrium, with the body that is driven most, or that goes round and round, as by
     a motor against friction, which does not hold at rest; the error's `state` is the pose that was reached.
@@ -184,8 +192,8 @@ class _Search:
             q = self._descend(q)
             if not self.stable:
                 return q
-            soft, motion, neutral = softest(self.eq, q, self._balance(q)[1])
-            if not soft < -neutral:
+            soft, motion, neutral, kink = softest(self.eq, q, self._balance(q)[1])
+            if kink or not soft < -neutral:
                 return q
             away = self._moved(q, 0.01 * motion / self._reach(motion))
             if away is None:
@@ -379,17 +387,19 @@ class _Search:
             error.state = self._snapshot(q)
             raise
         r, multipliers = self._balance(q)
-        soft, motion, neutral = softest(eq, q, multipliers)
+        soft, motion, neutral, kink = softest(eq, q, multipliers)
         K = stiffness(eq, 0.0, q, self.rest, multipliers)
         self.acting = eq.acting(0.0, q, self.rest, multipliers, K)
         at_rest = eq.model.with_initial_state(q, self.rest, self._turns(q))
         multipliers = shared(eq, 0.0, q, multipliers)
         x = between(np.array(eq.core.q0), q).reshape(-1, 2, 3)
         shift, angle = np.linalg.norm(x, axis=2).T
-        kinds: tuple[Literal["unstable", "neutral", "stable"], ...] = ("unstable", "neutral", "stable")
+        kinds: tuple[Stability, ...] = ("unstable", "neutral", "stable")
         kind = kinds[2 if np.isnan(soft) else 1 + int(np.sign(soft) * (abs(soft) > neutral))]
         imbalance = self._size(eq.beyond_rounding(r, q, K, self.acting))
         words = "" if np.isnan(soft) else eq.motion(motion)
+        if kink:
+            kind, soft, words = "unknown", np.nan, str(kink)
         return Equilibrium(
             at_rest, moved=shift, turned=angle, multipliers=multipliers, imbalance=imbalance,
             softest=soft, softest_motion=words, stability=kind, iterations=self.steps,

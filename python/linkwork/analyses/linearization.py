@@ -16,6 +16,7 @@ from linkwork.analyses.eigenmodes import (
     nearest_to,
     one_of_each_pair,
 )
+from linkwork.analyses.kinks import kink
 from linkwork.analyses.steadiness import Steadiness
 from linkwork.analyses.stiffness import Stiffness
 from linkwork.arguments import is_number
@@ -209,7 +210,22 @@ def _in_balance(eq: Equations, at: Snapshot) -> Coefficients:
     _check_velocities(eq, eq.terms(at.t, q, v), v, eq.gross_forces(at.t, q, v))
     now = coefficients(eq, at)
     refuse_imbalance(eq, at, now)
+    _refuse_kink(eq, at, now)
     return now
+
+
+def _refuse_kink(eq: Equations, at: Snapshot, now: Coefficients) -> None:
+    """ModelError: there is no stiffness or damping at the state."""
+    found = kink(eq, at, now.D, *now.doubts)
+    if found is not None:
+        raise ModelError(
+            f"linearize: {eq.called} is where small motions are not linear: {found}, as of a contact or stop "
+            "that just touches, or a spring whose ends coincide; press the bodies together by a preload, or "
+            "move them apart",
+            code="kink",
+            bodies=[found.body],
+            forces=[found.force] if found.force else [],
+        )
 
 
 def _modes(

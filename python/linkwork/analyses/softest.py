@@ -7,11 +7,13 @@ from typing import NamedTuple
 import numpy as np
 
 from linkwork.analyses.eigenmodes import softest_by_lanczos
+from linkwork.analyses.kinks import Kink, kink
 from linkwork.analyses.stiffness import stiffness_and_parts
 from linkwork.arrays import Floats
 from linkwork.constraints.equations import Equations, Sparse
 from linkwork.constraints.solver import DENSE, null_space
 from linkwork.errors import NotFiniteError
+from linkwork.motion.records import Snapshot
 
 __all__ = ["Softest", "softest"]
 
@@ -26,6 +28,7 @@ class Softest(NamedTuple):
     stiffness: float  # [N/m]; NaN: the joints leave no motion
     motion: Floats  # (6n,)
     neutral: float  # which stiffness would be rounding of the terms that it is the sum of [N/m]
+    kink: Kink | None  # where there is one stiffness is none
 
 
 def softest(eq: Equations, q: Floats, multipliers: Floats) -> Softest:
@@ -33,9 +36,11 @@ def softest(eq: Equations, q: Floats, multipliers: Floats) -> Softest:
     rest = np.zeros(6 * eq.core.body_count)
     found = stiffness_and_parts(eq, 0.0, q, rest, multipliers)
     D = eq.terms(0.0, q).D
-    value, x = _smallest(eq, found.K, D[eq.independent(D)])
+    D = D[eq.independent(D)]
+    value, x = _smallest(eq, found.K, D)
     noise = float(found.rounding(x, NEUTRAL)) / (float(np.sum((x / eq.scale) ** 2)) or 1.0)
-    return Softest(value, x, noise + EPSILON * _stiffest(eq, found.parts))
+    at = Snapshot(0.0, q.reshape(-1, 7), rest.reshape(-1, 6))
+    return Softest(value, x, noise + EPSILON * _stiffest(eq, found.parts), kink(eq, at, D, found.doubt))
 
 
 def _smallest(eq: Equations, K: Sparse, D: Sparse) -> tuple[float, Floats]:
