@@ -16,6 +16,7 @@ from linkwork.analyses.eigenmodes import (
     nearest_to,
     one_of_each_pair,
 )
+from linkwork.analyses.held_in_time import warn_of_time
 from linkwork.analyses.kinks import kink
 from linkwork.analyses.steadiness import Steadiness
 from linkwork.analyses.stiffness import Stiffness
@@ -173,11 +174,12 @@ def linearize(
     modes  how many; all of a small model, 10 of a large one
     near   with `modes`, or of a large model: those whose eigenvalue is nearest to i near [rad/s]
 
-    ModelError: the state is not in balance, or accelerates, is singular, has coefficients that change with
-    time, or a massless motion. OptionError: modes or near. NotConvergedError: the iteration of a large model.
-    LinkworkWarning: modes that are not sure, as the digits of numbers are too few for stiffness and damping,
-    or for a pose that is nearly singular; functions of the model remember calls, so that what they return
-    next to the state is no stiffness or damping.
+    ModelError: the state is not in balance, or accelerates, is singular, moves so that coefficients change,
+    is a kink of the forces, as where a contact just touches, or has a massless motion. OptionError: modes or
+    near. NotConvergedError: the iteration of a large model. LinkworkWarning: functions of time change
+    stiffness or damping, which are held as they are at that time; modes that are not sure, as the digits of
+    numbers are too few for stiffness and damping, or for a pose that is nearly singular; functions of the
+    model remember calls, so that what they return next to the state is no stiffness or damping.
     """
     if modes is not None and (not isinstance(modes, int) or modes < 1):
         raise OptionError(f"modes {modes!r} is not a positive whole number", code="modes")
@@ -191,6 +193,7 @@ def _linearized(model: Model, start: Snapshot | None, modes: int | None, near: f
     eq = _equations(model, start)
     at = _at_rest(eq, _begun(eq, start))
     now = _in_balance(eq, at)
+    warn_of_time(eq, at, now.doubts)
     steadiness = Steadiness(eq, at, now) if np.any(at.v) else None
     Z = null_space(eq, now.fixed) if now.D.shape[1] <= DENSE else None
     if steadiness is not None:
