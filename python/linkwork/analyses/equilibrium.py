@@ -17,12 +17,11 @@ from linkwork.constraints.rolling import rolled
 from linkwork.constraints.solver import balance, check_regular, saddle_point, shared
 from linkwork.constraints.tangent import between, displaced
 from linkwork.errors import (
-    ModelError,
     NotConvergedError,
     OptionError,
     SingularSystemError,
-    nearest,
 )
+from linkwork.modeling.handles import Named, place_of
 from linkwork.modeling.model import Model
 from linkwork.motion.records import Reaction, Snapshot
 from linkwork.running.estimation import told_of_memory
@@ -78,7 +77,7 @@ class Equilibrium(ReadOnly):
     iterations: int
     _equations: Equations = field(repr=False)
 
-    def reaction(self, name: str) -> Reaction:
+    def reaction(self, name: Named) -> Reaction:
         """Force and torque (3,) of a joint on its second body, inertial axes.
 
             rest.reaction("pin").force
@@ -86,10 +85,7 @@ class Equilibrium(ReadOnly):
         ModelError: no joint.
         """
         core = self.model.compiled()
-        joint = core.find_joint(name)
-        if joint < 0:
-            known = [core.joint_name(k) for k in range(core.joint_count)]
-            raise ModelError(f"no joint named '{name}'{nearest(name, known)}", code="unknown_name")
+        joint = place_of("joint", name, {core.joint_name(k): k for k in range(core.joint_count)})
         force, torque = self.reactions()
         return Reaction(force[joint], torque[joint])
 

@@ -20,7 +20,7 @@ from linkwork.analyses.held_in_time import warn_of_time
 from linkwork.analyses.kinks import kink
 from linkwork.analyses.steadiness import Steadiness
 from linkwork.analyses.stiffness import Stiffness
-from linkwork.arguments import is_number
+from linkwork.arguments import is_number, number
 from linkwork.arrays import Complex, Floats, ReadOnly
 from linkwork.constraints.equations import Equations, Sparse, Terms
 from linkwork.constraints.solver import DENSE, check_regular, null_space
@@ -115,8 +115,10 @@ class Linearization(ReadOnly):
         The largest part of a mode in words: `body 'rod' turns about (0, 1, 0)`.
 
             print(vibration.describe(0))
+
+        OptionError: there is no such mode.
         """
-        shape = self.shapes[mode].ravel()
+        shape = self.shapes[self._mode(mode)].ravel()
         turned = shape * np.exp(-1j * np.angle(shape[np.argmax(np.abs(shape))]))
         return self._equations.motion(turned.real)
 
@@ -125,11 +127,20 @@ class Linearization(ReadOnly):
 
             start = lw.assemble(vibration.displaced(0, 0.01)).model
 
-        `lw.assemble(...)` makes it exact where the amplitude is large.
+        `lw.assemble(...)` makes it exact where the amplitude is large. OptionError: there is no such mode, or
+        amplitude and phase are no finite numbers.
         """
-        x = amplitude * (self.shapes[mode] * np.exp(1j * phase)).real.ravel()
+        amplitude, phase = number(amplitude, "amplitude"), number(phase, "phase")
+        x = amplitude * (self.shapes[self._mode(mode)] * np.exp(1j * phase)).real.ravel()
         at = self.snapshot
         return self.model.with_initial_state(displaced(at.q.ravel(), x), at.v, at.history)
+
+    def _mode(self, mode: int) -> int:
+        """OptionError: none of those found."""
+        count = len(self.shapes)
+        if not isinstance(mode, int | np.integer) or not -count <= mode < count:
+            raise OptionError(f"mode {mode!r:.80}: there are {count}, from 0 on", code="mode")
+        return int(mode)
 
     def __repr__(self) -> str:
         slow = ", ".join(f"{f:.6g}" for f in self.frequencies[:5])

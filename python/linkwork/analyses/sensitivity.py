@@ -43,7 +43,7 @@ class Sensitivity(ReadOnly):
         ModelError: no such names.
         """
         for name, known in ((output, self.derivatives), (parameter, self.parameters)):
-            if name not in known:
+            if not isinstance(name, str) or name not in known:
                 raise ModelError(
                     f"sensitivity: no output or parameter named {name!r}{nearest(str(name), known)}",
                     code="unknown_name",
@@ -109,6 +109,10 @@ def sensitivity(
     h = _steps(at, steps)
     _check_functions(build, outputs)
     check_takes(build, list(at), str(getattr(build, "__name__", type(build).__name__)))
+    if run is not None and not callable(run):
+        raise OptionError(f"sensitivity: run is {run!r:.80}, not a function of a Model", code="run")
+    if run is None and "t_end" not in options:
+        raise OptionError("sensitivity: t_end is missing, up to which simulate runs [s]", code="options")
     if run is not None and options:
         raise OptionError(
             f"sensitivity: {', '.join(options)}: options of simulate, which `run` replaces; give them there",

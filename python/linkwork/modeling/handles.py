@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Generic, TypeVar, overload
+from typing import TYPE_CHECKING, Generic, Literal, TypeVar, overload
 
 import numpy as np
 from numpy.typing import NDArray
+
+from linkwork.errors import ModelError, nearest
 
 if TYPE_CHECKING:
     from linkwork.modeling.model import Model
     from linkwork.modeling.shapes import Shape
 
-__all__ = ["BodiesLike", "Body", "BodyLike", "Force", "Joint", "Named", "Range"]
+__all__ = ["BodiesLike", "Body", "BodyLike", "Force", "Joint", "Named", "Range", "place_of"]
 
 
 @dataclass(frozen=True)
@@ -93,3 +95,17 @@ BodiesLike = BodyLike | Range[Body] | Sequence[BodyLike | int] | NDArray[np.inte
 
 #: A body or a joint by its name, its index, or the handle that the model gave.
 Named = str | int | Body | Joint
+
+
+def place_of(what: Literal["body", "joint"], name: Named, places: Mapping[str, int]) -> int:
+    """Index of a body or joint among those that there are, all by name. ModelError: none of them."""
+    if isinstance(name, int | np.integer):
+        if not -len(places) <= name < len(places):
+            raise ModelError(f"no {what} {name}: there are {len(places)}", code="unknown_name")
+        return int(name) % len(places)
+    text = str(name)
+    if isinstance(name, Body | Joint) and isinstance(name, Body) == (what == "body"):
+        text = name.name
+    if text not in places:
+        raise ModelError(f"no {what} named '{text}'{nearest(text, places)}", code="unknown_name")
+    return places[text]

@@ -21,9 +21,9 @@ from linkwork.accuracy.verification import Finer, band, difference
 from linkwork.arguments import array, check_new, one_of
 from linkwork.arguments import path as path_of
 from linkwork.arrays import Floats, read_only
-from linkwork.errors import ModelError, OptionError, counted, nearest
+from linkwork.errors import OptionError, counted, nearest
 from linkwork.modeling.coordinates import JointCoordinate, coordinate_of
-from linkwork.modeling.handles import Body, Joint, Named
+from linkwork.modeling.handles import Named, place_of
 from linkwork.motion.former_names import renamed_manifest, renamed_statistics
 from linkwork.motion.header import Header, record_reactions
 from linkwork.motion.records import (
@@ -856,19 +856,10 @@ class Result:
         """Index of a body or joint given by name, index or handle."""
         one_of(what, ("body", "joint", "force"), "what")
         names = self.body_names if what == "body" else self.joint_names
-        if isinstance(name, int | np.integer):
-            if not -len(names) <= name < len(names):
-                raise ModelError(f"no {what} {name}: there are {len(names)}", code="unknown_name")
-            return int(name) % len(names)
         places = self._places.setdefault(what, {})
         if not places:
             places.update({known: place for place, known in enumerate(names)})
-        text = str(name)
-        if isinstance(name, Body | Joint) and isinstance(name, Body) == (what == "body"):
-            text = name.name
-        if text not in places:
-            raise ModelError(f"no {what} named '{text}'{nearest(text, places)}", code="unknown_name")
-        return places[text]
+        return place_of(what, name, places)
 
 
 #: What `error_of` takes.
