@@ -28,7 +28,7 @@ def test_a_throw_has_the_derivatives_of_its_closed_form() -> None:
     fall = -(np.linspace(0, 1.5, 151) ** 2) / 2
     assert np.abs(found.derivatives["z"]["gravity"] - fall).max() < 1e-10
     assert found.relative("x", "speed") == pytest.approx(3.0, abs=1e-10)
-    assert found.runs == 13
+    assert found.runs == 13 + 6  # two for each parameter once more, finer
 
 
 def pendulum(length: float) -> lw.Model:
@@ -152,3 +152,48 @@ def test_at_a_kink_the_error_is_half_of_the_jump() -> None:
     found = lw.sensitivity(build, {"speed": 1.0}, beyond, t_end=1.0, step=1e-2)
     assert found.derivatives["beyond"]["speed"] == pytest.approx(0.5, abs=1e-9)
     assert found.errors["beyond"]["speed"] == pytest.approx(0.5, rel=1e-6)
+
+
+def bounce(stiffness: float) -> lw.Model:
+    """A ball that falls by 1 m onto a spring and rises again."""
+    model = lw.Model()
+    ball = model.body("ball", mass=1.0, inertia=(0.004,) * 3, position=(0, 0, 1.1))
+    model.translational("ground", ball, at=(0, 0, 0), axis=(0, 0, 1))
+    model.sphere_plane_contact(
+        "ground", ball, at=((0, 0, 0), (0, 0, 1.1)), normal=(0, 0, 1), radius=0.1, stiffness=stiffness,
+        exponent=1.0,
+    )  # fmt: skip
+    return model
+
+
+def height(stiffness: float, t: float, G: float = 9.81) -> float:
+    """Of a fall, about half an oscillation, and a rise."""
+    landing, omega = np.sqrt(2 / G), np.sqrt(stiffness)
+    speed, sag = G * landing, G / stiffness
+    contact = (np.pi + 2 * np.arctan(sag * omega / speed)) / omega  # its end: as high, and as fast upward
+    left = t - landing - contact
+    return speed * left - G * left**2 / 2
+
+
+@pytest.mark.parametrize(
+    "run", [{"step": 1e-3}, {"step": 5e-4}, {"step": 1e-4}, {"rtol": 1e-3}, {"rtol": 1e-6}], ids=str
+)
+@pytest.mark.parametrize("own", [False, True])
+@pytest.mark.filterwarnings("ignore:.*tolerances are too large")
+def test_the_error_counts_how_much_that_of_the_runs_changes_with_the_parameter(
+    run: dict[str, float], own: bool
+) -> None:
+    """A small change of something large, of which the runs are off by more than it changes. With `own` no finer
+    run is known."""
+    rise = {"height": lambda result: result.position[-1, 0, 2] - 0.1}
+    ways = (
+        {"run": lambda model: lw.simulate(model, 0.8, progress=False, **run)}
+        if own
+        else {"t_end": 0.8, **run}
+    )
+    found = lw.sensitivity(bounce, {"stiffness": 1e4}, rise, **ways)
+    true = (height(1.0001e4, 0.8) - height(0.9999e4, 0.8)) / 2
+    off, error = abs(found.derivatives["height"]["stiffness"] - true), found.errors["height"]["stiffness"]
+    assert off <= error
+    if run == {"rtol": 1e-6} and not own:
+        assert error < 1e-5 * true

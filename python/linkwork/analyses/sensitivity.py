@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -22,6 +22,9 @@ __all__ = ["Sensitivity", "sensitivity"]
 
 #: Steps relative to the parameter that its rounding would swallow.
 SMALLEST_STEP = 1e-13
+
+#: Runs at h/2 may be off by more than those at h, of which finer ones are made.
+ALLOWANCE = 3.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,10 +90,12 @@ def sensitivity(
     Central differences with the steps h and h/2 and Richardson's extrapolation, (4 d(h/2) - d(h)) / 3, of
     fourth order: four runs for each parameter and one at the middle. The estimated error is the largest of
     |d(h/2) - d(h)| / 3, which is that of d(h/2), of half the jump between the derivatives on both sides, and
-    of what rounding makes of the differences; and beside, that part of the derivative by which the verdicts
-    say that the runs are off. Where it is large, the output is not smooth in the parameter (events, stops,
-    another branch, adaptive steps with loose tolerances), or steps are not suitable. Use a fixed step, or a
-    tight rtol.
+    of what rounding makes of the differences; and beside, what the runs are off by: two of the four are made
+    once more, finer, as by `verify` of simulate, which gives d(h) without the most of it. Where there is no
+    finer run, as with `run`, it is the outputs over h, times the error of the verdicts: much more than the
+    truth as a rule. Where it is large, the output is not smooth in the parameter (events, stops, another
+    branch, adaptive steps with loose tolerances), or steps are not suitable. Use a fixed step, or a tight
+    rtol.
 
     build       makes the model: build(length=1.0, mass=2.0)
     parameters  by name, at which derivatives are wanted
@@ -121,51 +126,84 @@ def sensitivity(
 
     runs = _Runs(build, at, outputs, run, options)
     first = next(iter(at))
-    middle = runs.outputs_of(first, at[first])
+    middle = runs.sample(first, at[first]).outputs
     derivatives: dict[str, dict[str, Floats]] = {name: {} for name in outputs}
     errors: dict[str, dict[str, Floats]] = {name: {} for name in outputs}
     for parameter, value in at.items():
-        ends = [runs.outputs_of(parameter, value + c * h[parameter]) for c in (-1.0, -0.5, 0.5, 1.0)]
+        ends = [
+            runs.sample(parameter, value + c * h[parameter], finer=abs(c) == 1.0)
+            for c in (-1.0, -0.5, 0.5, 1.0)
+        ]
         for name in outputs:
-            samples = [end[name] for end in ends]
+            samples = [end.outputs[name] for end in ends]
             _check_shapes(name, parameter, middle[name], samples)
-            found, errors[name][parameter] = _extrapolated(samples, middle[name], h[parameter])
+            found, error = _extrapolated(samples, middle[name], h[parameter])
             derivatives[name][parameter] = found
-    for name, by in errors.items():
-        for parameter in by:
-            by[parameter] = by[parameter] + runs.inexact * np.abs(derivatives[name][parameter])
-    return Sensitivity(middle, derivatives, errors, at, h, 1 + 4 * len(at))
+            errors[name][parameter] = error + _of_runs(ends, name, h[parameter])
+    return Sensitivity(middle, derivatives, errors, at, h, runs.count)
+
+
+class _Sample(NamedTuple):
+    """Outputs of a run, by how much it is off by its verdict, and they by a finer run, where known."""
+
+    outputs: dict[str, Floats]
+    inexact: float
+    off: dict[str, Floats]
 
 
 @dataclass
 class _Runs:
-    """Runs with one parameter changed, and by how much the worst of them is off, relative."""
+    """Runs with one parameter changed."""
 
     build: Callable[..., Model]
     at: Mapping[str, float]
     outputs: Mapping[str, Callable[[Result], ArrayLike]]
     run: Callable[[Model], Any] | None
     options: Mapping[str, Any]
-    inexact: float = 0.0
+    count: int = 0
 
-    def outputs_of(self, changed: str, value: float) -> dict[str, Floats]:
+    def sample(self, changed: str, value: float, *, finer: bool = False) -> _Sample:
         """Errors name the parameter and its value in a note."""
         try:
             model = self.build(**{**self.at, changed: value})
             check_bodies(model)
             with leaving_no_memory(called(model, self.options), logs=False):
-                result = self._result(model)
+                result = self._result(model, finer)
                 verdict = getattr(result, "verdict", None)
-                self.inexact = max(self.inexact, verdict.error if isinstance(verdict, Verdict) else 0.0)
-                return {name: _output(name, f(result), changed, value) for name, f in self.outputs.items()}
+                inexact = verdict.error if isinstance(verdict, Verdict) else 0.0
+                found = self._outputs_of(result, changed, value)
+                return _Sample(found, inexact, self._off(result, found, changed, value) if finer else {})
         except Exception as error:
             error.add_note(f"sensitivity: in the run with {changed} = {value!r}")
             raise
 
-    def _result(self, model: Model) -> Any:
+    def _result(self, model: Model, finer: bool) -> Any:
+        self.count += 1
         if self.run is not None:
             return self.run(model)
-        return simulate(model, **{"progress": False, **self.options})
+        return simulate(model, **{"progress": False, **self.options, **({"verify": True} if finer else {})})
+
+    def _outputs_of(self, result: Any, changed: str, value: float) -> dict[str, Floats]:
+        return {name: _output(name, f(result), changed, value) for name, f in self.outputs.items()}
+
+    def _off(self, result: Any, found: dict[str, Floats], changed: str, value: float) -> dict[str, Floats]:
+        """Without those that a finer run has in another shape, as where it has not all frames."""
+        second = getattr(result, "_finer", None)
+        if second is None:
+            return {}
+        self.count += 1
+        other = self._outputs_of(second.result, changed, value)
+        pairs = {name: (found[name], other[name]) for name in found if found[name].shape == other[name].shape}
+        return {name: second.factor * (a - b) for name, (a, b) in pairs.items()}
+
+
+def _of_runs(ends: list[_Sample], name: str, h: float) -> Floats:
+    """The error of a derivative by that of the runs, from -h to h."""
+    first, last = ends[0].off.get(name), ends[-1].off.get(name)
+    if first is not None and last is not None:
+        return ALLOWANCE * np.abs(last - first) / (2 * h)
+    inexact = max(end.inexact for end in ends)
+    return np.asarray(inexact * np.max([np.abs(end.outputs[name]).max(initial=0.0) for end in ends]) / h)
 
 
 def _extrapolated(samples: list[Floats], middle: Floats, h: float) -> tuple[Floats, Floats]:
