@@ -37,6 +37,22 @@ def test_what_rests_on_a_stop_has_its_stiffness_however_shallow_and_however_far_
     assert lw.linearize(rest.model).frequencies[-1] == pytest.approx(np.sqrt(stiffness / 0.1), rel=1e-6)
 
 
+@pytest.mark.parametrize("stiffness", [1e9, 1e10, 1e11])
+def test_a_ball_that_just_touches_a_plane_sinks_into_it_by_its_weight(stiffness: float) -> None:
+    """F = k d^1.5, without stiffness where it begins; frequency by 1.5 k d^0.5, beside a body 1 km away."""
+    model = lw.Model()
+    ball = model.body("ball", mass=0.1, inertia=(1e-4,) * 3, position=(0, 0, 0.05))
+    model.translational("ground", ball, at=(0, 0, 0.05), axis=(0, 0, 1))
+    model.sphere_plane_contact(
+        "ground", ball, at=((0, 0, 0), (0, 0, 0.05)), normal=(0, 0, 1), radius=0.05, stiffness=stiffness
+    )
+    far = model.body("far", mass=1.0, inertia=(0.1,) * 3, position=(1000, 0, -1))
+    model.revolute("ground", far, at=(1000, 0, 0), axis=(0, 1, 0))
+    depth = (0.1 * G / stiffness) ** (2 / 3)
+    found = lw.linearize(lw.equilibrium(model).model)
+    assert found.frequencies[-1] == pytest.approx(np.sqrt(1.5 * stiffness * depth**0.5 / 0.1), rel=1e-5)
+
+
 def on_a_spring(law: Law | None = None) -> lw.Model:
     """1 kg on 100 N/m, as long as it is: omega = 10 rad/s without what the law adds."""
     model = lw.Model(gravity=(0, 0, 0))

@@ -183,8 +183,8 @@ def height(stiffness: float, t: float, G: float = 9.81) -> float:
 def test_the_error_counts_how_much_that_of_the_runs_changes_with_the_parameter(
     run: dict[str, float], own: bool
 ) -> None:
-    """A small change of something large, of which the runs are off by more than it changes. With `own` no finer
-    run is known."""
+    """A small change of something large, of which the runs are off by more than it changes. With `own` no
+    finer run is known."""
     rise = {"height": lambda result: result.position[-1, 0, 2] - 0.1}
     ways = (
         {"run": lambda model: lw.simulate(model, 0.8, progress=False, **run)}

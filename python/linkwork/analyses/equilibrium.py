@@ -209,7 +209,8 @@ class _Search:
             return q
         limits = StepLimits(self._size(r), self.eq.core.body_count)
         for left in range(ALL_ITERATIONS, 0, -1):
-            if self._size(r) <= WANTED or step < ROUNDING or limits.steps >= ITERATIONS:
+            rounded = step < ROUNDING and mu < 1.0  # others are short by damping
+            if self._size(r) <= WANTED or rounded or limits.steps >= ITERATIONS:
                 break
             if not self.counts_turns and limits.goes_round(left):
                 break
