@@ -7,7 +7,7 @@ direction. About such a state small motions are not linear, however small.
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
+from functools import cached_property, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -106,11 +106,15 @@ class _Search:
 
     def _is_felt(self, force: Floats) -> bool:
         """Whether joints do not take it."""
+        left = force @ self._given_way(force)
+        return bool(left > TAKEN * np.sum((self.eq.scale * force) ** 2))
+
+    @cached_property
+    def _given_way(self) -> Callable[..., Floats]:
+        """Motions that the joints leave to forces, as if all bodies had the same mass."""
         from scipy.sparse import diags_array
 
-        W = diags_array(1 / self.eq.scale**2).tocsr()
-        left = force @ constrained_solver(W, self.D)(force)
-        return bool(left > TAKEN * np.sum((self.eq.scale * force) ** 2))
+        return constrained_solver(diags_array(1 / self.eq.scale**2).tocsr(), self.D)
 
     def _told(self, body: int, kinked: Callable[[Force], Floats]) -> Kink:
         """With the force element on the body that has most of it."""
