@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -12,7 +13,7 @@ from numpy.typing import ArrayLike
 from linkwork.accuracy.verdict import Verdict
 from linkwork.arguments import UNREADABLE, check_takes, number, reals
 from linkwork.arrays import Floats, ReadOnly
-from linkwork.errors import ModelError, OptionError, nearest
+from linkwork.errors import LinkworkWarning, ModelError, OptionError, nearest
 from linkwork.modeling.model import Model, check_bodies
 from linkwork.results.result import Result
 from linkwork.running.leaving_no_memory import called, leaving_no_memory
@@ -181,7 +182,12 @@ class _Runs:
         self.count += 1
         if self.run is not None:
             return self.run(model)
-        return simulate(model, **{"progress": False, **self.options, **({"verify": True} if finer else {})})
+        options = {"progress": False, **self.options}
+        if not finer:
+            return simulate(model, **options)
+        with warnings.catch_warnings():  # without a finer run the error is another one
+            warnings.filterwarnings("ignore", "verify: ", LinkworkWarning)
+            return simulate(model, **{**options, "verify": True})
 
     def _outputs_of(self, result: Any, changed: str, value: float) -> dict[str, Floats]:
         return {name: _output(name, f(result), changed, value) for name, f in self.outputs.items()}
