@@ -127,6 +127,14 @@ def test_a_sleigh_on_a_blade_glides_straight_with_the_mass_ahead(
     assert found == pytest.approx([-m * ahead * u / (inertia + m * ahead**2)], rel=1e-9)
 
 
+def test_a_blade_that_nothing_turns_glides_on() -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("blade", mass=1.0, inertia=(0.1, 0.1, 0.1), velocity=(1, 0, 0))
+    model.knife_edge("ground", "blade", at=(0, 0, 0), axis=Y)
+    found = lw.linearize(model)
+    assert len(found.eigenvalues) == 11 and not found.eigenvalues.any() and found.stable
+
+
 def test_a_large_model_that_rolls_has_the_modes_of_the_bicycle_and_of_what_is_on_it() -> None:
     """Ninety pendulums of next to no mass swing on its frame."""
     model, lengths = bicycle(5.0), 0.05 + 0.002 * np.arange(90)

@@ -195,6 +195,8 @@ def _with_exact_zeros(A: Floats) -> tuple[Complex, Complex, Floats]:
         left = (turn.T @ left @ turn)[zeros:, zeros:]
         count += zeros
     still, other = basis[:, :count], basis[:, count:]
+    if not len(left):
+        return np.zeros(count, complex), still.astype(complex), np.zeros(count)
     real = schur(left)
     T, V = rsf2csf(*real)
     s, one = _one_of_each_pair(real[0], T)
