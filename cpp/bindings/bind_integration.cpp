@@ -114,13 +114,13 @@ py::dict judged(const Dynamics& run, double end_violation, Dynamics& dynamics, b
 }
 
 py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, bool other,
-               const std::optional<JudgeProgress>& progress, Dynamics* recorded) {
+               const std::optional<JudgeProgress>& progress, std::optional<Dynamics*> recorded) {
   std::optional<Busy> busy;
-  if (recorded && recorded != &run.dynamics()) busy.emplace(*recorded);
+  Dynamics* own = recorded.value_or(nullptr);
+  if (own && own != &run.dynamics()) busy.emplace(*own);
   SecondTake take = second_take(method, other, run.records_inside());
-  return judged(run.dynamics(), relative_violation(run), dynamics, true, [&] {
-    return judge_run(run.sampling(), dynamics, std::move(take), progress.value_or(nullptr), recorded);
-  });
+  return judged(run.dynamics(), relative_violation(run), dynamics, true,
+                [&] { return judge_run(run.sampling(), dynamics, std::move(take), progress.value_or(nullptr), own); });
 }
 
 double relative_violation_of_lane(const LaneRun& run) {
