@@ -114,9 +114,9 @@ py::dict judged(const Dynamics& run, double end_violation, Dynamics& dynamics, b
 }
 
 py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, bool other,
-               const std::optional<JudgeProgress>& progress, std::optional<Dynamics*> recorded) {
+               const std::optional<JudgeProgress>& progress, const py::object& recorded) {
   std::optional<Busy> busy;
-  Dynamics* own = recorded.value_or(nullptr);
+  Dynamics* own = recorded.is_none() ? nullptr : recorded.cast<Dynamics*>();
   if (own && own != &run.dynamics()) busy.emplace(*own);
   SecondTake take = second_take(method, other, run.records_inside());
   return judged(run.dynamics(), relative_violation(run), dynamics, true,

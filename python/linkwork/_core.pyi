@@ -1088,7 +1088,7 @@ class Run:
         method: typing.Any,
         other: bool = False,
         progress: collections.abc.Callable[[float], None] | None = None,
-        recorded: linkwork._core.Dynamics | None = None,
+        recorded: typing.Any = None,
     ) -> dict:
         """
         Takes the kept steps of the run again by `dynamics`, which is used up, and says what they were off by, relative to the motion: steps (t, h, state, reactions or None), and what AccumulatedError has of the run. `method`: that of the run, or one that is much more accurate, and `other`. `progress` is called with the share that is done, as each step is begun. `recorded`, used up, too: by the equations of the run, where `dynamics` has exact ones.
