@@ -154,7 +154,7 @@ class Crossing final : public Interpolant {
   double usual_length(const Speeds& speeds) const;
   double usual_length(const ConstVector& v) const { return usual_length(speeds(v)); }
   bool beside_a_pose(double time) const;
-  bool in_doubt();
+  bool near_pose(double part);
   bool tell(const Interpolant& step, double t, double h, double time, VectorXd& v_dot, VectorXd& lambda);
   bool tell_on_constraints(double time, VectorXd& v_dot, VectorXd& lambda);
   bool tells_forces() const;

@@ -10,10 +10,10 @@
 namespace linkwork {
 namespace {
 
-constexpr double doubtful = 0.1;  // of the usual root: nearer to a pose, small violations make other forces
-constexpr double away = 0.03;     // rad between states whose forces tell those in the pose, at most
+constexpr double doubtful = 0.1;         // of the usual root: nearer to a pose, small violations make other forces
+constexpr double doubtful_at_end = 0.3;  // the same of those that a last step leaves, however long it is
+constexpr double away = 0.03;            // rad between states whose forces tell those in the pose, at most
 constexpr std::size_t most_states = 6, least_states = 4;
-constexpr double agreeing = 0.01;      // of the time of these states: what is one pose by two measures
 constexpr double same_time = 1e-9;     // relative to a leap
 constexpr double unlike = 0.03;        // of the largest multiplier: to what the others tell it at least, to be sure
 constexpr double nearest_pole = 1e-6;  // of the time between states: nearer to a pose a side of it is chance
@@ -136,7 +136,7 @@ bool Crossing::correct_last_frame(Recorder& recorder, double t, const VectorXd& 
   dynamics_.evaluate(t, y);
   VectorXd v_dot(dynamics_.system().v_size()), lambda(dynamics_.system().row_count());
   y_ = y;
-  if (in_doubt() && tell_on_constraints(t, v_dot, lambda)) recorder.correct_last(y_, v_dot, lambda);
+  if (near_pose(doubtful_at_end) && tell_on_constraints(t, v_dot, lambda)) recorder.correct_last(y_, v_dot, lambda);
   return true;
 }
 
@@ -144,14 +144,15 @@ void Crossing::interpolate(double theta, MutableVector v_dot, MutableVector lamb
   step_.accelerations_at(theta * leap_.followed, v_dot, lambda);
 }
 
-bool Crossing::in_doubt() {
+/// Whether the pivots where `dynamics` is evaluated are below such a part of the usual root: a pose is near.
+bool Crossing::near_pose(double part) {
   if (!prepared_) return false;
   try {
     dynamics_.factorize();
   } catch (const SingularSystemError&) {
     return true;
   }
-  return dynamics_.formulation().root_of_pivot() < doubtful * dynamics_.watch().root_of_level();
+  return dynamics_.formulation().root_of_pivot() < part * dynamics_.watch().root_of_level();
 }
 
 /// Accelerations and multipliers at `time` in a step, on the constraints, from which it is off by its tolerance: beside
@@ -179,7 +180,7 @@ bool Crossing::tell_on_constraints(double time, VectorXd& v_dot, VectorXd& lambd
 /// each other, by the equations there.
 bool Crossing::accelerations_beside(const Interpolant& step, double t, double h, double at, MutableVector v_dot,
                                     MutableVector lambda) {
-  if (!in_doubt()) return false;
+  if (!near_pose(doubtful)) return false;
   VectorXd its_v_dot(v_dot.size()), its_lambda(lambda.size()), there_v_dot(v_dot.size()), there_lambda(lambda.size());
   const ForcesBeside beside = between_forces_beside(step, t, h, at, its_v_dot, its_lambda);
   bool found = beside != ForcesBeside::none;
