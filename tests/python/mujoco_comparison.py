@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import linkwork as lw
 import mujoco
 import numpy as np
+from linkwork.importers.frames import turned
 
 #: What is soft in MuJoCo, or not in the model here.
 LEFT_OUT = ("CONTACT", "CONSTRAINT", "ACTUATION")
@@ -26,6 +28,9 @@ class State:
         for flag in LEFT_OUT:
             self.model.opt.disableflags |= int(getattr(mujoco.mjtDisableBit, f"mjDSBL_{flag}"))
         self.data = mujoco.MjData(self.model)
+        there = lw.import_mjcf(path, couple=False).model.compiled()
+        #: of linkwork's model, which has one for several of a body or one for each
+        self._joints = {there.joint_name(k) for k in range(there.joint_count)}
         self._rng, self._spread = rng, spread
         self.coordinates: dict[str, Any] = {}
         self.velocities: dict[str, Any] = {}
@@ -50,8 +55,12 @@ class State:
             q, dofs = model.jnt_qposadr[list(joints)], model.jnt_dofadr[list(joints)]
             data.qpos[q] = model.qpos0[q] + self._random(len(q))
             data.qvel[dofs] = self._random(len(q))
-            label = "+".join(self.name("joint", k) for k in joints)
-            self.coordinates[label], self.velocities[label] = data.qpos[q].copy(), data.qvel[dofs].copy()
+            labels = [self.name("joint", k) for k in joints]
+            given = {"+".join(labels): slice(None)} if len(labels) == 1 or "+".join(labels) in self._joints else {
+                label: slice(k, k + 1) for k, label in enumerate(labels)}  # fmt: skip
+            for label, which in given.items():
+                self.coordinates[label] = data.qpos[q][which].copy()
+                self.velocities[label] = data.qvel[dofs][which].copy()
         mujoco.mj_forward(model, data)
 
     def move_all(self) -> None:
@@ -80,6 +89,33 @@ class State:
         return out[3:] + (0.0 if weightless else self.model.opt.gravity), out[
             :3
         ]  # theirs is against free fall
+
+    def between_joints(
+        self, body: int
+    ) -> Iterator[tuple[str, np.ndarray, np.ndarray, np.ndarray, np.ndarray]]:
+        """Of the massless link behind each joint of a body but its last: name, r, A, r_dot and omega.
+
+        From the body toward its parent: the motion of a joint is taken from that of what it carries.
+        """
+        model, data, kinds = self.model, self.data, mujoco.mjtJoint
+        A = data.xmat[body].reshape(3, 3)
+        velocity, omega = self.rates(body)
+        at = data.xipos[body].copy()
+        for k in reversed(self.joints(body)[1:]):
+            q, dof, anchor, axis = model.jnt_qposadr[k], model.jnt_dofadr[k], data.xanchor[k], data.xaxis[k]
+            velocity, at = velocity + np.cross(omega, anchor - at), anchor
+            turn = np.eye(3)
+            if model.jnt_type[k] == kinds.mjJNT_SLIDE:
+                velocity = velocity - axis * data.qvel[dof]
+            elif model.jnt_type[k] == kinds.mjJNT_HINGE:
+                turn = turned(model.jnt_axis[k], data.qpos[q] - model.qpos0[q]).A
+                omega = omega - axis * data.qvel[dof]
+            else:
+                turn = lw.rotation.matrix(data.qpos[q : q + 4])
+                omega = omega - A @ data.qvel[dof : dof + 3]
+            A = A @ turn.T
+            r = anchor - A @ model.jnt_pos[k]
+            yield f"{self.name('joint', k - 1)} link", r, A, velocity + np.cross(omega, r - at), omega
 
     def body_of(self, name: str) -> int:
         """-1: it is no body of MuJoCo. A rotor of a free joint is with the joint's body."""
@@ -113,6 +149,11 @@ def largest_difference(path: Path, rng: np.random.Generator, spread: float = 1.0
         R, (velocity, omega) = data.xmat[body].reshape(3, 3), state.rates(body)
         q[k, :3], q[k, 3:] = data.xipos[body] + R @ arms[k], lw.rotation.from_matrix(R)
         v[k, :3], v[k, 3:] = velocity + np.cross(omega, R @ arms[k]), R.T @ omega
+    for body in range(1, state.model.nbody):
+        for name, r, A, velocity, omega in state.between_joints(body):
+            if (k := core.find_body(name)) >= 0:
+                q[k, :3], q[k, 3:] = r, lw.rotation.from_matrix(A)
+                v[k, :3], v[k, 3:] = velocity, A.T @ omega
     v_dot = lw.System(model.with_initial_state(q.ravel(), v.ravel())).accelerations(
         0.0, q.ravel(), v.ravel()
     )[0]

@@ -66,6 +66,7 @@ class LinkDescription:
     pose: Frame = field(default_factory=Frame)  #: in the world, of a link that no joint carries
     weightless: float = 0.0  #: the share of its weight that is taken from it
     shapes: list[Shape] = field(default_factory=list)  #: what it looks like, in the link's frame
+    between_joints: bool = False  #: massless, between the joints of one link of the file
 
 
 @dataclass(frozen=True)

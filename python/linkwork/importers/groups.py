@@ -129,7 +129,8 @@ def check_light(
 ) -> None:
     for name in description.links:
         group = groups[name]
-        if group.main != name or group is groups[WORLD] or not group.is_light:
+        of_file = not description.links[name].between_joints
+        if not of_file or group.main != name or group is groups[WORLD] or not group.is_light:
             continue
         lack = "mass" if group.mass == 0 else "moment of inertia"
         if keep:

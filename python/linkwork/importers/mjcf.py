@@ -30,7 +30,7 @@ from linkwork.importers.mjcf_coverage import MJCF
 from linkwork.importers.mjcf_dynamics import JointDynamics, is_disabled
 from linkwork.importers.mjcf_files import roots
 from linkwork.importers.mjcf_gravity import GravityCompensation
-from linkwork.importers.mjcf_limits import set_limits
+from linkwork.importers.mjcf_limits import has_limits, set_limits, tendon_limits
 from linkwork.importers.mjcf_names import Names
 from linkwork.importers.mjcf_visuals import shapes_of
 from linkwork.importers.xml_text import Node, Reader
@@ -55,9 +55,10 @@ def import_mjcf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imp
     Options are those of linkwork.importers.building.Options: floating, coordinates, velocities, gravity,
     keep_massless, repair_inertia, inertia_as_is, limits, shapes, align_axes, couple, merge_fixed. Coordinates
     are those of MuJoCo, zero or `ref` in the file's pose; flags that disable gravity, equalities, springs,
-    dampers or friction are heeded. Several joints of one body are taken where one joint here does the same:
-    two slides and a hinge across them, two hinges that meet at right angles, a slide and a hinge along one
-    axis.
+    dampers or friction are heeded. Several joints of one body are one joint here where one does the same: two
+    slides and a hinge across them, two hinges that meet at right angles, a slide and a hinge along one axis.
+    All others, and those with springs, damping, friction, armature or stops, follow each other with massless
+    links between them.
 
     Bodies look like their geoms, but for planes of the world and geoms of the groups that MuJoCo does not
     show.
@@ -65,9 +66,8 @@ def import_mjcf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imp
     Not represented, and listed in the notes: limits, unless limits="stops", contact, actuators (but for their
     damping and armature), joint equalities that are not linear, and what else
     linkwork.importers.mjcf_coverage lists. Needs the package mujoco (pip install linkwork[mjcf]).
-    ModelFileError: what MuJoCo refuses, tendons, deformable bodies, plugins that act on bodies, joints that
-    cannot be combined, moving bodies without inertia. ModelError: wrong coordinates. LinkworkError: no mujoco
-    package.
+    ModelFileError: what MuJoCo refuses, tendons that exert forces, deformable bodies, plugins that act on
+    bodies, moving bodies without inertia. ModelError: wrong coordinates. LinkworkError: no mujoco package.
     """
     check_options(options)
     reader = Reader(path, "mujoco", encodings=ENCODINGS)  # well-formed, without DOCTYPE
@@ -135,6 +135,7 @@ class _MujocoModel:
         import mujoco
 
         self._options = options
+        self._stops = options.get("limits") == "stops"
         self._path, self._model, self._mj, self._lines = path, model, mujoco, lines
         self._name = Names(model)
         self._dynamics, self._compensation = JointDynamics(model), GravityCompensation(model)
@@ -177,46 +178,68 @@ class _MujocoModel:
     # --- joints of the tree ---
 
     def _joints_of(self, body: int, out: Description) -> Iterator[JointDescription]:
-        """What carries a body: a fixed joint, or one for all in the file; nothing carries a free one."""
+        """What carries a body: a fixed joint, one for all in the file or one for each; nothing carries a free
+        one."""
         model, name = self._model, self._name("body", body)
         parent, pose = self._name("body", int(model.body_parentid[body])), self._pose(body)
         joints = range(model.body_jntadr[body], model.body_jntadr[body] + max(model.body_jntnum[body], 0))
         types = [int(model.jnt_type[k]) for k in joints]
-        kinds = self._mj.mjtJoint
-        if types == [kinds.mjJNT_FREE]:
+        if types == [self._mj.mjtJoint.mjJNT_FREE]:
             yield from self._free(joints[0], name, pose, out)
             return
         if not types:
             label = self._name.free("joint", f"{name} fixed")
             yield JointDescription(label, "fixed", parent, name, pose)
             return
-        motions = [
-            Motion(t == kinds.mjJNT_HINGE, np.array(model.jnt_axis[k]))
-            for t, k in zip(types, joints, strict=True)
-        ]
-        turning = [k for t, k in zip(types, joints, strict=True) if t != kinds.mjJNT_SLIDE]
+        kind, motions = self._kind(types, joints)
+        if len(types) > 1 and (kind is None or self._has_own_forces(joints)):
+            yield from self._one_by_one(joints, name, pose, out)
+            return
+        turning = [k for t, k in zip(types, joints, strict=True) if t != self._mj.mjtJoint.mjJNT_SLIDE]
         anchor = Frame(r=np.array(model.jnt_pos[(turning or joints)[-1]]))  # slides go on from any point
         labels = [self._name("joint", k) for k in joints]
-        kind, motions = self._kind(types, motions, [np.array(model.jnt_pos[k]) for k in joints])
-        if kind is None:
-            words = ", ".join(
-                f"{label} ({t.name[6:].lower()})" for label, t in zip(labels, map(kinds, types), strict=True)
-            )
-            self._fault(f"body '{name}'", f"no joint here does what its joints {words} do together")
-            return
         label = labels[0] if len(labels) == 1 else self._name.free("joint", "+".join(labels))
+        assert kind is not None  # every single joint has one
         joint = JointDescription(label, kind, parent, name, pose @ anchor, anchor, motions)
+        self._complete(joint, joints, out)
+        yield joint
+
+    def _has_own_forces(self, joints: range) -> bool:
+        """Whether what acts on several joints needs the coordinate of each."""
+        return self._dynamics.any_at(joints) or self._stops and has_limits(self._model, joints)
+
+    # T_1(q_1) T_2(q_2) ..., each about its own anchor, in axes of the body
+    def _one_by_one(
+        self, joints: range, name: str, pose: Frame, out: Description
+    ) -> Iterator[JointDescription]:
+        """A joint for each of the file, with a massless link behind each but the last."""
+        body = int(self._model.jnt_bodyid[joints[0]])
+        parent = self._name("body", int(self._model.body_parentid[body]))
+        for k in joints:
+            label, child = self._name("joint", k), name
+            if k != joints[-1]:
+                child = self._name.free("body", f"{label} link")
+                self._links[child] = LinkDescription(child, between_joints=True)
+            kind, motions = self._kind([int(self._model.jnt_type[k])], range(k, k + 1))
+            assert kind is not None
+            anchor = Frame(r=np.array(self._model.jnt_pos[k]))
+            joint = JointDescription(label, kind, parent, child, pose @ anchor, anchor, motions)
+            self._complete(joint, range(k, k + 1), out)
+            yield joint
+            parent, pose = child, Frame()
+        labels = ", ".join(self._name("joint", k) for k in joints)
+        text = f"its joints {labels} follow each other, with massless links between them"
+        out.note("massless", f"body '{name}'", text)
+
+    def _complete(self, joint: JointDescription, joints: range, out: Description) -> None:
+        """With references, and what acts on the joint that does what these do."""
+        model = self._model
         joint.reference = np.array([model.qpos0[model.jnt_qposadr[k]] for k in joints])
-        if len(types) == 1:
+        if len(joints) == 1:
             self._dynamics.set(joints[0], joint)
             joint.spring_reference = float(model.qpos_spring[model.jnt_qposadr[joints[0]]])
-        elif self._dynamics.any_at(joints):
-            text = f"damping, friction, spring or armature of a {joint.kind} joint is not represented"
-            out.note("damping", f"joint '{joint.name}'", text)
         self._note_polynomials(joints, joint, out)
-        stops = self._options.get("limits") == "stops"
-        set_limits(model, dict(zip(labels, joints, strict=True)), joint, stops, out.note)
-        yield joint
+        set_limits(model, {self._name("joint", k): k for k in joints}, joint, self._stops, out.note)
 
     # The rates of a free joint are the velocity v of the body's origin, inertial, and its angular velocity
     # omega, in body axes. Each has the same armature a, T = a |v|^2 / 2 + a |omega|^2 / 2: that of a mass a
@@ -240,28 +263,34 @@ class _MujocoModel:
         if joint.damping or joint.stiffness or joint.friction or joint.armature:
             yield joint
 
-    def _kind(
-        self, types: list[int], motions: list[Motion], anchors: list[Floats]
-    ) -> tuple[str | None, list[Motion]]:
+    def _kind(self, types: list[int], joints: range) -> tuple[str | None, list[Motion]]:
         """The kind of the one joint that does what several do, or None, and its motions."""
-        kinds = self._mj.mjtJoint
+        model, kinds = self._model, self._mj.mjtJoint
         if types == [kinds.mjJNT_BALL]:
             return "spherical", []
+        motions = [
+            Motion(t == kinds.mjJNT_HINGE, np.array(model.jnt_axis[k]))
+            for t, k in zip(types, joints, strict=True)
+        ]
         if len(types) == 1:
             return ("revolute" if motions[0].rotation else "translational"), motions
+        if kinds.mjJNT_BALL in types:
+            return None, []
         turns, slides = ([m for m in motions if m.rotation == r] for r in (True, False))
         if len(types) == 2 and len(turns) == len(slides) == 1 and _parallel(turns[0].axis, slides[0].axis):
             return "cylindrical", motions
-        if len(turns) == 2 and len(types) == 2 and np.abs(anchors[0] - anchors[1]).max() < SAME_POINT:
-            return (
-                ("universal", motions) if abs(turns[0].axis @ turns[1].axis) < PERPENDICULAR else (None, [])
-            )
-        across = len(slides) == 2 and len(turns) == 1 and motions[-1].rotation
-        if across:
+        if len(types) == len(turns) == 2 and self._meet_at_right_angles(turns, joints):
+            return "universal", motions
+        if len(slides) == 2 and len(turns) == 1 and motions[-1].rotation:
             axes = np.array([motion.axis for motion in motions])
             if np.abs(axes @ axes.T - np.eye(3)).max() < PARALLEL:
                 return "planar", motions
         return None, []
+
+    def _meet_at_right_angles(self, turns: list[Motion], joints: range) -> bool:
+        first, second = (self._model.jnt_pos[k] for k in joints)
+        across = abs(turns[0].axis @ turns[1].axis) < PERPENDICULAR
+        return across and bool(np.abs(first - second).max() < SAME_POINT)
 
     def _note_polynomials(self, joints: range, joint: JointDescription, out: Description) -> None:
         if self._dynamics.is_bent(joints):
@@ -337,9 +366,12 @@ class _MujocoModel:
     def _refuse_and_note(self, out: Description) -> None:
         model = self._model
         for k in range(model.ntendon):
-            self._fault(
-                f"tendon '{self._name('tendon', k)}'", "tendons are not taken: remove it, or model it here"
-            )
+            name = f"tendon '{self._name('tendon', k)}'"
+            if self._dynamics.pulls(k):
+                text = "tendons that exert forces are not taken: remove it, or model it here"
+                self._fault(name, text)
+            else:
+                out.note("tendon", name, tendon_limits(model, k) or "exerts no forces: is not represented")
         for k in range(getattr(model, "nflex", 0)):
             self._fault(f"flex '{self._name('flex', k)}'", "deformable bodies are not taken")
         for k in range(model.nu):

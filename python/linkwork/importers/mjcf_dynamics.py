@@ -79,5 +79,16 @@ class JointDynamics:
         values: list[Any] = [self.damping[dofs], self.armature[dofs], self.friction[dofs]]
         return any(np.any(value) for value in [*values, self.stiffness[list(joints)]])
 
+    def pulls(self, tendon: int) -> bool:
+        """Whether a tendon exerts forces of its own, beside those of actuators and limits."""
+        model = self._model
+        kinds = {"stiffness": ["spring"], "stiffnesspoly": ["spring"], "damping": ["damper"],
+                 "dampingpoly": ["damper"], "frictionloss": ["frictionloss", "constraint"],
+                 "armature": []}  # fmt: skip
+        return any(
+            np.any(getattr(model, f"tendon_{it}")[tendon]) and not is_disabled(model, *flags)
+            for it, flags in kinds.items()
+        )
+
     def is_bent(self, joints: range) -> bool:
         return bool(np.any(self.bent[self.dofs(joints)]) or np.any(self.bent_springs[list(joints)]))

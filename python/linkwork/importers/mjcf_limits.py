@@ -14,10 +14,23 @@ from linkwork.importers.robot_file import STOPPED
 if TYPE_CHECKING:
     import mujoco
 
-__all__ = ["set_limits"]
+__all__ = ["has_limits", "set_limits", "tendon_limits"]
 
 #: What limits have where the file says nothing about how soft they are.
 SOFTNESS = {"solreflimit": (0.02, 1.0), "solimplimit": (0.9, 0.95, 0.001, 0.5, 2.0)}
+
+
+def has_limits(model: mujoco.MjModel, joints: range) -> bool:
+    """Whether any of these joints has ends that count."""
+    return not is_disabled(model, "limit", "constraint") and any(model.jnt_limited[k] for k in joints)
+
+
+def tendon_limits(model: mujoco.MjModel, tendon: int) -> str:
+    """What is to be noted of the ends of a tendon; empty where it has none."""
+    if is_disabled(model, "limit", "constraint") or not model.tendon_limited[tendon]:
+        return ""
+    lower, upper = model.tendon_range[tendon].tolist()
+    return f"limits {lower:g} to {upper:g} of its length are not represented"
 
 
 def set_limits(
