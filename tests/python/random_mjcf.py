@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-#: The joints of a body that one joint here can stand for.
-JOINTS = ("free", "ball", "hinge", "slide", "weld", "planar", "cylindrical", "universal")
+#: The joints of a body: those that one joint here can stand for, and others that follow each other.
+JOINTS = ("free", "ball", "hinge", "slide", "weld", "planar", "cylindrical", "universal", "several")
 
 
 class RandomFile:
@@ -133,6 +133,8 @@ class RandomFile:
             return self._scalar(
                 name, kind, f'{point} axis="{self._numbers(3)}"', self._some(self._dynamics())
             )
+        if kind == "several":
+            return self._several(name)
         x, y, z = np.linalg.qr(self._rng.normal(size=(3, 3)))[0].T
         axes = {
             "planar": ((x, "slide"), (y, "slide"), (z, "hinge")),
@@ -145,6 +147,17 @@ class RandomFile:
             for k, (axis, type_) in enumerate(axes)
         ]  # fmt: skip
         return "".join(joints)
+
+    def _several(self, name: str) -> str:
+        """Each about an axis and a point of its own."""
+        out = ""
+        for k in range(int(self._rng.integers(2, 4))):
+            place = f'pos="{self._numbers(3, 0.3)}" axis="{self._numbers(3)}"'
+            dynamics = self._some(self._dynamics())
+            out += self._scalar(f"{name}_{k}", self._one("hinge", "slide"), place, dynamics)
+        if self._maybe(0.2):
+            out += f'<joint name="{name}_ball" type="ball" pos="{self._numbers(3, 0.3)}" armature="0"/>'
+        return out
 
     def _scalar(self, name: str, type_: str, place: str, dynamics: str) -> str:
         angle = self._angle() if type_ == "hinge" else self._numbers(1)

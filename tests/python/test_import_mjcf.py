@@ -158,11 +158,8 @@ def test_welds_and_their_anchors_hold_where_they_do_in_mujoco(weld: str, tmp_pat
 
 
 WRONG = [
-    ('<body><joint type="hinge"/><joint type="hinge" axis="0 1 1"/><geom size="1"/></body>', "",
-     "no joint here does"),
-    ('<body><joint type="ball"/><joint type="slide"/><geom size="1"/></body>', "", "no joint here does"),
     ('<body name="a"><freejoint/><geom size="1"/><site name="s"/></body><site name="t"/>',
-     '<tendon><spatial name="cord"><site site="s"/><site site="t"/></spatial></tendon>', "tendon 'cord'"),
+     '<tendon><spatial name="cord" stiffness="5"><site site="s"/><site site="t"/></spatial></tendon>', "tendon 'cord'"),
     ('<body><joint type="door"/><geom size="1"/></body>', "", "MuJoCo: .*door"),
     ("<body>", "", "is no XML"),
 ]  # fmt: skip
@@ -172,6 +169,21 @@ WRONG = [
 def test_what_cannot_be_is_refused_by_name(body: str, rest: str, message: str, tmp_path: Path) -> None:
     with pytest.raises(lw.ModelFileError, match=message):
         lw.import_mjcf(written(tmp_path, body, rest))
+
+
+def test_tendons_without_forces_are_noted(tmp_path: Path) -> None:
+    tendons = "".join(
+        f'<fixed name="{name}" {more}><joint joint="q" coef="2"/></fixed>'
+        for name, more in (("idle", ""), ("ends", 'limited="true" range="-1 2"'))
+    )
+    body = f'<body name="a"><joint name="q"/>{INERTIAL}</body>'
+    notes = lw.import_mjcf(written(tmp_path, body, f"<tendon>{tendons}</tendon>")).notes
+    said = {note.subject: note.message for note in notes if note.topic == "tendon"}
+    assert "exerts no forces" in said["tendon 'idle'"] and "-1 to 2" in said["tendon 'ends'"]
+    pulling = "<tendon>" + tendons.replace('name="idle"', 'name="idle" damping="1"') + "</tendon>"
+    with pytest.raises(lw.ModelFileError, match="tendon 'idle'.*that exert forces"):
+        lw.import_mjcf(written(tmp_path, body, pulling))
+    lw.import_mjcf(written(tmp_path, body, pulling, flags='damper="disable"'))
 
 
 @pytest.mark.parametrize("kind", ["hinge", "slide", "ball", "free"])
@@ -445,6 +457,54 @@ def test_coordinates_of_several_joints_of_a_body_are_from_their_references(tmp_p
     assert core.q0[:3] == pytest.approx(data.xipos[1], abs=1e-14)
     at_rest = lw.import_mjcf(path, coordinates={"x+y+turn": (0.4, -0.2, np.pi / 2)}).model.compiled()
     assert at_rest.q0 == pytest.approx(lw.import_mjcf(path).model.compiled().q0, abs=1e-14)
+
+
+#: Joints of one body that no one joint here stands for, with what acts at each.
+FOLLOWING = {
+    "three hinges": '<joint name="a" axis="1 0 0" damping="0.3" armature="0.02" limited="true" range="-2 2"/>'
+                    '<joint name="b" axis="0 1 0.3" pos="0.1 0 0" ref="0.2"/>'
+                    '<joint name="c" axis="0 0.2 1" stiffness="2" springref="0.5"/>',
+    "damped universal": '<joint name="a" axis="1 0 0" damping="0.3"/><joint name="b" axis="0 1 0"/>',
+    "slides": '<joint name="a" type="slide" axis="1 0 0.5" stiffness="9" ref="0.1"/>'
+              '<joint name="b" type="slide" axis="0 1 0"/><joint name="c" type="slide" axis="0 0.2 1"/>',
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", FOLLOWING)
+def test_joints_of_a_body_follow_each_other_as_in_mujoco(name: str, tmp_path: Path) -> None:
+    """In the motion, each by its coordinate, and with each limit a stop."""
+    path = tmp_path / "model.xml"
+    path.write_text(
+        '<mujoco><compiler angle="radian"/><option timestep="1e-3" integrator="RK4"/><worldbody>'
+        f'<body name="a" pos="1 2 3" quat="1 2 3 4">{FOLLOWING[name]}{INERTIAL}</body></worldbody></mujoco>'
+    )
+    theirs = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(theirs)
+    names = "abc"[: theirs.njnt]
+    data.qpos[:], data.qvel[:] = [0.8, -0.5, 0.4][: theirs.nq], [0.3, 0.7, -1.0][: theirs.nv]
+    start = {"coordinates": dict(zip(names, data.qpos.tolist(), strict=True)),
+             "velocities": dict(zip(names, data.qvel.tolist(), strict=True))}  # fmt: skip
+    imported = lw.import_mjcf(path, limits="stops", **start)
+    assert [note.subject for note in imported.notes if note.topic == "massless"] == ["body 'a'"]
+    result = lw.simulate(imported.model, t_end=0.2, step=1e-3)
+    which = "displacement" if name == "slides" else "angle"
+    found = [result.coordinate(joint, which) for joint in names]
+    assert [it.value[0] for it in found] == pytest.approx(data.qpos, abs=1e-12)
+    for _ in range(200):
+        mujoco.mj_step(theirs, data)
+    assert [it.value[-1] for it in found] == pytest.approx(data.qpos, abs=1e-5)
+    assert [it.rate[-1] for it in found] == pytest.approx(data.qvel, abs=1e-4)
+    stops = imported.model.compiled().find_force("a stop") >= 0
+    assert stops == bool(theirs.jnt_limited[0])
+
+
+def test_a_motion_twice_without_inertia_between_is_refused_by_name(tmp_path: Path) -> None:
+    body = f'<body name="arm"><joint name="a" axis="0 0 1"/><joint name="b" axis="0 0 1"/>{INERTIAL}</body>'
+    model = lw.import_mjcf(written(tmp_path, body)).model
+    with pytest.raises(lw.SingularSystemError, match="body 'a link' has a motion without inertia"):
+        lw.simulate(model, t_end=0.1, step=1e-3)
+    with_rotor = body.replace('name="b"', 'name="b" armature="0.1"')
+    lw.simulate(lw.import_mjcf(written(tmp_path, with_rotor)).model, t_end=0.1, step=1e-3)
 
 
 #: Joints of one body, each somewhere else; the axes are those of a frame.
