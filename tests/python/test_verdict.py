@@ -425,6 +425,10 @@ def test_reactions_that_may_be_off_are_named_beside_a_good_motion() -> None:
     for ratio, said in ((10.0, "2e-3"), (100.0, "20 % off"), (1e4, "far off")):
         found = verdict.estimate(numbers | {"reactions_by_state": ratio}, verdict.Energies(), method, {})
         assert found.level == "good" and found.sentence.endswith(said)
+        assert found.state is not None and found.reactions is not None
+        again = verdict.verified(found, 0.25 * found.state, method)
+        assert again.reactions == pytest.approx(0.25 * found.reactions)
+        assert ("but reactions" in again.sentence) is (ratio == 1e4), again.sentence
 
 
 def test_what_stays_at_rest_is_judged_by_its_size() -> None:

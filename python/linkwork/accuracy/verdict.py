@@ -299,16 +299,27 @@ def without_steps(
 def verified(
     verdict: Verdict, state: float, method: Method, second: Verdict | None = None, body: str = ""
 ) -> Verdict:
-    """The same with what a finer run says of the state, and of which `body`, in place of the estimate:
-    unless that of the `second`, finer run is hardly smaller, as where steps of both leap over a pulse, or are
-    in step with what oscillates."""
+    """The same with what a finer run says of the state, and of which `body`, in place of the estimate, and of
+    reactions in proportion: unless that of the `second`, finer run is hardly smaller, as where steps of both
+    leap over a pulse, or are in step with what oscillates."""
     error = max(state + verdict.before, verdict.energy, verdict.violation, verdict.yielding)
     body = body if state + verdict.before >= error else ""
     found = _sentence(error, verdict.violation, state, method, verdict.before, verdict.steps, body)
-    sentence = f"{found} by a second run"
+    reactions = verdict.reactions
+    if reactions is not None and verdict.state:
+        reactions = verdict.yielding + (reactions - verdict.yielding) * state / verdict.state
+    sentence = f"{found} by a second run{_but(error, reactions)}"
     if second is not None and second.level != "good" and second.error > max(error, HARDLY * verdict.error):
         error, sentence, body = second.error, f"{second.sentence} (of a second run)", second.body
-    return replace(verdict, error=error, level=_level(error), sentence=sentence, verified=state, body=body)
+    return replace(
+        verdict,
+        error=error,
+        level=_level(error),
+        sentence=sentence,
+        reactions=reactions,
+        verified=state,
+        body=body,
+    )
 
 
 def leaping(verdict: Verdict, moments: Iterable[tuple[float, str]]) -> Verdict:
