@@ -56,8 +56,9 @@ class State:
             data.qpos[q] = model.qpos0[q] + self._random(len(q))
             data.qvel[dofs] = self._random(len(q))
             labels = [self.name("joint", k) for k in joints]
-            given = {"+".join(labels): slice(None)} if len(labels) == 1 or "+".join(labels) in self._joints else {
-                label: slice(k, k + 1) for k, label in enumerate(labels)}  # fmt: skip
+            given = {label: slice(k, k + 1) for k, label in enumerate(labels)}
+            if "+".join(labels) in self._joints:
+                given = {"+".join(labels): slice(None)}
             for label, which in given.items():
                 self.coordinates[label] = data.qpos[q][which].copy()
                 self.velocities[label] = data.qvel[dofs][which].copy()

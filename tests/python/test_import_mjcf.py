@@ -159,7 +159,8 @@ def test_welds_and_their_anchors_hold_where_they_do_in_mujoco(weld: str, tmp_pat
 
 WRONG = [
     ('<body name="a"><freejoint/><geom size="1"/><site name="s"/></body><site name="t"/>',
-     '<tendon><spatial name="cord" stiffness="5"><site site="s"/><site site="t"/></spatial></tendon>', "tendon 'cord'"),
+     '<tendon><spatial name="cord" stiffness="5"><site site="s"/><site site="t"/></spatial></tendon>',
+     "tendon 'cord'"),
     ('<body><joint type="door"/><geom size="1"/></body>', "", "MuJoCo: .*door"),
     ("<body>", "", "is no XML"),
 ]  # fmt: skip

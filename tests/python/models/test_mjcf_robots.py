@@ -1,5 +1,5 @@
-"""The MJCF files of the package gymnasium (`./dev test --models`): every file loads and accelerates as in MuJoCo,
-or a note says why not."""
+"""The MJCF files of the package gymnasium (`./dev test --models`): every file loads and accelerates as in
+MuJoCo, or a note says why not."""
 
 from __future__ import annotations
 
