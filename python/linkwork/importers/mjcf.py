@@ -289,7 +289,7 @@ class _MujocoModel:
 
     def _meet_at_right_angles(self, turns: list[Motion], joints: range) -> bool:
         first, second = (self._model.jnt_pos[k] for k in joints)
-        across = abs(turns[0].axis @ turns[1].axis) < PERPENDICULAR
+        across = bool(abs(turns[0].axis @ turns[1].axis) < PERPENDICULAR)
         return across and bool(np.abs(first - second).max() < SAME_POINT)
 
     def _note_polynomials(self, joints: range, joint: JointDescription, out: Description) -> None:
