@@ -397,6 +397,28 @@ def test_reactions_that_are_lost_where_constraints_yield_are_told(
     assert ("reactions are about" in found.sentence) is (lost > 0.01)
 
 
+def on_crosses() -> lw.Model:
+    """A double pendulum on universal joints, of which one is made of a massless cross."""
+    model = lw.Model()
+    upper = model.body("upper", mass=2.0, inertia=(0.1, 0.2, 0.25), position=(0.3, 0, -0.9))
+    lower = model.body("lower", mass=1.0, inertia=(0.1, 0.1, 0.02), position=(0.3, 0.4, -2.5))
+    cross = model.body("cross", mass=0.0, inertia=(0, 0, 0), position=(0, 0, 0))
+    model.revolute("ground", cross, at=(0, 0, 0), axis=(0, 1, 0))
+    model.revolute(cross, upper, at=(0, 0, 0), axis=(1, 0, 1))
+    model.universal(upper, lower, at=(0.3, 0, -1.6), axes=((0, 1, 0), (1, 0, 0)))
+    return model
+
+
+@pytest.mark.parametrize("model", [on_crosses(), mechanisms.chain(4)], ids=["massless crosses", "chain"])
+def test_what_penalties_yield_and_stabilization_takes_back_does_not_add_up(model: lw.Model) -> None:
+    """It was up to 10 % where the motion is right to 1e-6 or better."""
+    how: dict[str, Any] = PENALTY | ({"penalty_scale": 1e6} if model.body_count == 4 else {})
+    result = quick(model, 1.0, step=1e-3, **how)
+    assert result.verdict is not None and result.verdict.state is not None
+    true = true_error(model, result)
+    assert true < 1e-5 and true < result.verdict.state < 1e-3 and result.verdict.level == "good"
+
+
 @pytest.mark.parametrize("gravity", [(0, 0, 0), (0, 0, -9.81)])
 @pytest.mark.parametrize("how", [PENALTY, PENALTY | {"penalty_scale": 1e4}])
 def test_reactions_that_are_rounding_of_none_lose_nothing(

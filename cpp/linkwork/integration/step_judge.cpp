@@ -70,10 +70,12 @@ DifferencesOfParts rounding(const System& system, const VectorXd& y) {
   return out;
 }
 
-/// By how much a step of continuous Baumgarte stabilization takes violations back, at least: the slower root of
-/// x^2 + 2 alpha x + beta^2 = 0, times h.
+/// By how much a step of Baumgarte stabilization takes violations back, at least: the slower root of
+/// x^2 + 2 alpha x + beta^2 = 0, times h; all of them where it is sampled with the gains of the step.
 double share_taken_back(const Dynamics& dynamics, double h) {
-  if (dynamics.stabilization() != StabilizationKind::baumgarte) return 0.0;
+  const bool sampled = dynamics.stabilization() == StabilizationKind::sampled_baumgarte;
+  if (!sampled && dynamics.stabilization() != StabilizationKind::baumgarte) return 0.0;
+  if (sampled && !dynamics.options().baumgarte_alpha && !dynamics.options().baumgarte_beta) return 1.0;
   const double alpha = dynamics.options().baumgarte_alpha.value_or(textbook_gains.alpha);
   const double beta = dynamics.options().baumgarte_beta.value_or(textbook_gains.beta);
   return h * (alpha < beta ? alpha : beta * beta / (2.0 * alpha));
@@ -270,7 +272,8 @@ void StepJudge::compare(const KeptStep& step, StepError& out) {
     out.of_part[k].end = apart[k];
     if (step.changes.size() > 0) out.of_part[k].change = step.changes[static_cast<Eigen::Index>(k)];
   }
-  if (const double share = share_taken_back(dynamics_, step.h); share >= soon) separate_fading(step, share, out);
+  const double share = share_taken_back(dynamics_, step.h);
+  if (share >= soon && (recorded_ || !dynamics_.sampled())) separate_fading(step, share, out);
   else separate_damped(step, out);
   const DifferencesOfParts unseen = rounding(system, step.y_new);
   for (std::size_t k = 0; k < unseen.size(); ++k) {
