@@ -145,7 +145,7 @@ class Linearization(ReadOnly):
     def __repr__(self) -> str:
         slow = ", ".join(f"{f:.6g}" for f in self.frequencies[:5])
         more = ", ..." if len(self.eigenvalues) > 5 else ""
-        return f"<Linearization of '{self.model.name}': {slow}{more} rad/s, {self._verdict()}>"
+        return f"<Linearization of {self.model.name or 'model'}: {slow}{more} rad/s, {self._verdict()}>"
 
     def _repr_html_(self) -> str:
         """In a notebook: the modes, slow ones first."""
