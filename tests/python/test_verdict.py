@@ -463,6 +463,72 @@ def test_what_stays_at_rest_is_judged_by_its_size() -> None:
     assert found is not None and found.level == "good" and found.error < 1e-4
 
 
+@pytest.mark.parametrize("how", [{"step": 1e-3}, {"rtol": 1e-6}])
+@pytest.mark.parametrize("speed", [1e-12, 9e-10])
+def test_what_hardly_moves_at_the_beginning_is_at_rest(speed: float, how: dict[str, float]) -> None:
+    """Two bars that hold each other: velocities that are rounding move no axes with what stands still."""
+    model = lw.Model()
+    left, right = (
+        model.body(name, mass=1, inertia=(0.01, 0.1, 0.1), position=(x, 0, 0.5), velocity=(0, 0, v),
+                   orientation=lw.rotation.from_axes((1, 0, slope), (0, 1, 0)))
+        for name, x, slope, v in (("left", 0.5, 1, speed), ("right", 1.5, -1, 0.0))
+    )  # fmt: skip
+    for a, b, x, z in (("ground", left, 0, 0), (left, right, 1, 1), ("ground", right, 2, 0)):
+        model.revolute(a, b, at=(x, 0, z), axis=(0, 1, 0))
+    result = lw.simulate(model, 1.0, progress=False, **how)
+    assert np.abs(result.position - result.position[0]).max() < 1e-8
+    assert result.verdict.level == "good" and result.verdict.error < 1e-6
+
+
+@pytest.mark.parametrize("offset", [0.0, 5.6e-17, 1e-12, 1e-6, 1e-4])
+@pytest.mark.parametrize("how", [{"step": 1e-2}, {"rtol": 1e-6}])
+def test_a_rotor_on_a_joint_next_to_its_center_is_judged_by_its_extent(
+    offset: float, how: dict[str, float]
+) -> None:
+    """Its radius of gyration is 0.55 m, whatever its unbalance: theta = 1/6 + a cos(w t) + b sin(w t)."""
+    inertia, omega = 0.3 + offset**2, 2.0
+    model = lw.Model()
+    rotor = model.body("rotor", mass=1, inertia=(0.2, 0.2, 0.3), position=(0.3 + offset, 0, 0),
+                       omega=(0, 0, omega), velocity=(0, omega * offset, 0))  # fmt: skip
+    model.revolute("ground", rotor, at=(0.3, 0, 0), axis=(0, 0, 1), name="pin")
+    model.rotational_spring_damper("ground", rotor, axis=(0, 0, 1), stiffness=3.0, torque=0.5)
+    result = quick(model, 2.0, **how)
+    rate = np.sqrt(3.0 / inertia)
+    exact = (1 - np.cos(2.0 * rate)) / 6 + omega / rate * np.sin(2.0 * rate)
+    error = abs(result.coordinate("pin").value[-1] - exact)
+    assert result.verdict is not None and error < result.verdict.error < 1e-4
+
+
+@pytest.mark.parametrize("joint", ["translational", "planar", "cylindrical"])
+def test_a_slider_on_a_joint_next_to_its_center_does_not_diverge(joint: str) -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    slider = model.body(
+        "slider", mass=1, inertia=(0.1, 0.1, 0.1), position=(0.1 + 0.2, 0, 0), velocity=(0.5, 0, 0)
+    )
+    axis = {"axis": (0, 0, 1) if joint == "planar" else (1, 0, 0)}
+    getattr(model, joint)("ground", slider, at=(0.3, 0, 0), **axis)
+    result = quick(model, 1.0, step=1e-2)
+    assert result.position[-1, 0] == pytest.approx([0.8, 0, 0], abs=1e-12)
+
+
+@pytest.mark.parametrize(("integrator", "step"), [("rk4", 2e-3), ("dopri5", 5e-3)])
+def test_errors_below_rounding_of_one_step_add_up(integrator: str, step: float) -> None:
+    """A symmetric top: its axis goes about the angular momentum at L / I_1, the angle is a closed form."""
+    about, axial, omega, t_end = 0.2, 0.1, np.array([0.6, 0, 2.0]), 200.0
+    model = lw.Model(gravity=(0, 0, 0))
+    top = model.body("top", mass=1, inertia=(about, about, axial), omega=omega)
+    model.spherical("ground", top, at=(0, 0, 0))
+    result = quick(model, t_end, step=step, integrator=integrator, record_every=round(t_end / step))
+    momentum = omega * (about, about, axial)
+    rate = float(np.linalg.norm(momentum)) / about
+    exact = lw.rotation.matrix(lw.rotation.about(momentum, rate * t_end)) @ lw.rotation.matrix(
+        lw.rotation.about((0, 0, 1), (omega[2] - momentum[2] / about) * t_end)
+    )
+    found = lw.rotation.matrix(result.orientation[-1, 0])
+    error = np.linalg.norm(found - exact) / np.sqrt(2)
+    assert result.verdict is not None and 1e-13 < error < result.verdict.error < 1e-8
+
+
 def test_a_long_ring_that_bears_its_weight_across_its_hinges_is_at_rest() -> None:
     """Roundoff of moments of 1e5 N m gives links of 1e-3 kg m^2 accelerations, and there is nothing else."""
     n = 300

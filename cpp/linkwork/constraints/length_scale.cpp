@@ -28,8 +28,8 @@ class ConnectedBodies {
         parent_(system.body_count()),
         arm_(parent_.size(), 0.0),
         way_(arm_),
-        gyration_(arm_),
-        reach_(arm_) {
+        reach_(arm_),
+        gyration_(parent_.size(), INFINITY) {
     std::iota(parent_.begin(), parent_.end(), 0);
     for (int joint = 0; joint < system.joint_count(); ++joint) {
       int last = -1;
@@ -43,9 +43,11 @@ class ConnectedBodies {
     for (std::size_t body = 0; body < parent_.size(); ++body) measure(body);
   }
 
+  /// Joints at centers of mass, or next to them, leave the extent of the bodies: the least radius of gyration.
   double length(int body) {
     const std::size_t c = root(body);
-    for (const double length : {arm_[c], way_[c], gyration_[c]})
+    const double own = gyration_[c] < INFINITY ? std::max(arm_[c], gyration_[c]) : arm_[c];
+    for (const double length : {own, way_[c]})
       if (length > roundoff * reach_[c]) return length;
     return 1.0;
   }
@@ -76,12 +78,13 @@ class ConnectedBodies {
     const Body& own = model_.bodies()[body];
     keep_largest(reach_[c], own.position.norm());
     keep_largest(way_[c], (own.position - model_.bodies()[c].position).norm());
-    if (own.mass > 0.0) keep_largest(gyration_[c], std::sqrt(own.inertia.trace() / (2.0 * own.mass)));
+    if (const double J = own.inertia.trace(); own.mass > 0.0 && J > 0.0)
+      gyration_[c] = std::min(gyration_[c], std::sqrt(J / (2.0 * own.mass)));
   }
 
   const Model& model_;
   std::vector<int> parent_;
-  std::vector<double> arm_, way_, gyration_, reach_;  ///< of the roots
+  std::vector<double> arm_, way_, reach_, gyration_;  ///< of the roots
 };
 
 struct CharacteristicLengths {

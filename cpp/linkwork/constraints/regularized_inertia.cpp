@@ -16,6 +16,7 @@ constexpr double roundoff = 4e-13;  // tolerance times moment from which on it s
 constexpr double of_interest = 0.1;
 constexpr double felt = 1e-6;       // part of a row of D
 constexpr double massless = 1e-14;  // as in System
+constexpr double rounded = 1.5e-14;  // of positions
 
 /// Mass and inertia that are typical of a body, though some of its own may vanish: m l^2 counts as inertia and J / l^2
 /// as mass, with l the longest way from its center of mass to a joint.
@@ -32,7 +33,7 @@ class NaturalSizes {
     inertia_.resize(n);
     for (int body = 0; body < system.body_count(); ++body) {
       const auto k = static_cast<std::size_t>(body);
-      const double m = system.mass(body), J = system.inertia(body).diagonal().maxCoeff(), l2 = arm_[k] * arm_[k];
+      const double m = system.mass(body), J = system.inertia(body).diagonal().maxCoeff(), l2 = squared_arm(body);
       inertia_[k] = std::max(J, m * l2);
       mass_[k] = m > 0.0 || l2 == 0.0 ? m : J / l2;
     }
@@ -48,6 +49,12 @@ class NaturalSizes {
   void longer(int body, double arm) {
     double& longest = arm_[body];
     longest = std::max(longest, arm);
+  }
+
+  /// None where the joints are at the center of mass but for what positions are rounded to.
+  double squared_arm(int body) const {
+    const double arm = arm_[static_cast<std::size_t>(body)];
+    return arm > rounded * system_.model().bodies()[body].position.norm() ? arm * arm : 0.0;
   }
 
   /// Bodies that have none take the mean of those that they are joined to, else of all.

@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace linkwork {
 namespace {
 
-/// The longest side of the box around the bodies and the joints on the ground, or the longest arm of a joint on a body.
+constexpr double roundoff = 64 * std::numeric_limits<double>::epsilon();
+
+/// The longest side of the box around the bodies and the joints on the ground, or the longest arm of a joint on a body;
+/// none where it is only what positions are rounded to.
 double size_of(const Model& model) {
   Eigen::AlignedBox3d box;
   double arm = 0.0;
@@ -18,8 +22,10 @@ double size_of(const Model& model) {
       if (body == ground) box.extend(s);
       else arm = std::max(arm, s.cwiseAbs().maxCoeff());
     }
-  const double size = std::max(arm, box.isEmpty() ? 0.0 : box.sizes().maxCoeff());
-  return size > 0.0 ? size : INFINITY;
+  if (box.isEmpty()) return arm > 0.0 ? arm : INFINITY;
+  const double size = std::max(arm, box.sizes().maxCoeff());
+  const double reach = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  return size > roundoff * reach ? size : INFINITY;
 }
 
 }  // namespace

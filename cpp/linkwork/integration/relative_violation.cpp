@@ -28,7 +28,7 @@ double distance_of_points(const Model& model, const Element& joint) {
 
 VectorXd RelativeViolation::lengths_of(const System& system) {
   const ConnectedParts& parts = ConnectedParts::of(system);
-  VectorXd longest = VectorXd::Zero(parts.count()), squared = longest;
+  VectorXd longest = VectorXd::Zero(parts.count()), squared = VectorXd::Constant(parts.count(), INFINITY);
   for (const Element& joint : system.model().joints()) {
     double& own = longest[parts.of_bodies(joint.i, joint.j)];
     if (joint.i != ground) own = std::max(own, joint.at.s_i.norm());
@@ -37,10 +37,13 @@ VectorXd RelativeViolation::lengths_of(const System& system) {
   }
   for (int body = 0; body < system.body_count(); ++body) {
     double& own = squared[parts.of_body(body)];
-    if (system.mass(body) > 0.0) own = std::max(own, system.inertia(body).trace() / system.mass(body));
+    const double J = system.inertia(body).trace();
+    if (system.mass(body) > 0.0 && J > 0.0) own = std::min(own, J / system.mass(body));
   }
-  for (Eigen::Index part = 0; part < longest.size(); ++part)
-    if (!(longest[part] > 0.0)) longest[part] = squared[part] > 0.0 ? std::sqrt(squared[part]) : 1.0;
+  for (Eigen::Index part = 0; part < longest.size(); ++part) {
+    if (squared[part] < INFINITY) longest[part] = std::max(longest[part], std::sqrt(squared[part]));
+    else if (!(longest[part] > 0.0)) longest[part] = 1.0;
+  }
   return longest;
 }
 

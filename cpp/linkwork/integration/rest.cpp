@@ -35,12 +35,14 @@ class RestSearch {
         axes_(MovingAxes::at_start(system(), earliest(steps))),
         pose_(earliest(steps).y),
         found_(static_cast<std::size_t>(lengths.size()), Rest()) {
-    axes_.see(earliest(steps).t, pose_);
     double end = earliest(steps).t;
     for (const KeptStep* step : steps) end = std::max(end, step->t + step->h);
     const double gravity = system().model().gravity().norm();
     speeds_ = lengths.unaryExpr(
         [&](double length) { return std::max(length / (end - earliest(steps).t), std::sqrt(gravity * length)); });
+    for (Eigen::Index part = 0; part < speeds_.size(); ++part)  // axes that are as good as at rest stand still
+      if (axes_.velocity.col(part).norm() <= slowest * speeds_[part]) axes_.velocity.col(part).setZero();
+    axes_.see(earliest(steps).t, pose_);
   }
 
   std::vector<std::optional<Rest>> result() {

@@ -265,6 +265,8 @@ void StepJudge::finish(double t) {
   if (projection_) projection_->stabilize(t, y_);
 }
 
+/// Of rounding only that which comes from far away or from a speed as a whole is no error: small ones of the method, of
+/// as little as that of the motion, add up over many steps.
 void StepJudge::compare(const KeptStep& step, StepError& out) {
   const System& system = dynamics_.system();
   const DifferencesOfParts apart = differences(system, step.y_new, y_);
@@ -275,12 +277,14 @@ void StepJudge::compare(const KeptStep& step, StepError& out) {
   const double share = share_taken_back(dynamics_, step.h);
   if (share >= soon && (recorded_ || !dynamics_.sampled())) separate_fading(step, share, out);
   else separate_damped(step, out);
-  const DifferencesOfParts unseen = rounding(system, step.y_new);
-  for (std::size_t k = 0; k < unseen.size(); ++k) {
-    out.of_part[k].end.lower(unseen[k]);
-    out.of_part[k].end.scale(factor_);
-  }
   look_at_motion(step, out);
+  DifferencesOfParts unseen = rounding(system, step.y_new);
+  for (std::size_t k = 0; k < unseen.size(); ++k) {
+    PartError& of_part = out.of_part[k];
+    unseen[k].lower({roundoff * arms_[static_cast<Eigen::Index>(k)], INFINITY, roundoff * of_part.speed, INFINITY});
+    of_part.end.lower(unseen[k]);
+    of_part.end.scale(factor_);
+  }
 }
 
 /// What remains is the difference of the states on the constraints; the rest is there until it is taken back.

@@ -51,11 +51,6 @@ struct Pack {
     for (int k = 0; k < width; ++k) out.v[k] = __builtin_rint(a.v[k]);
     return out;
   }
-  friend LINKWORK_INLINE Pack round(const Pack& a) {
-    Pack out;
-    for (int k = 0; k < width; ++k) out.v[k] = __builtin_round(a.v[k]);
-    return out;
-  }
   friend LINKWORK_INLINE Pack abs(const Pack& a) {
     Pack out;
     for (int k = 0; k < width; ++k) out.v[k] = __builtin_fabs(a.v[k]);

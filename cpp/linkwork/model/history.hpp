@@ -27,12 +27,14 @@ struct HistoryVariable {
   Real rate = Real(0);  ///< of an angle [rad/s]; 0 where full turns do not matter
 };
 
-/// An angle in (-pi, pi], continued from the last.
+/// An angle in (-pi, pi], continued from the last. Of two that are as near, as half a turn either way at the start, the
+/// larger one, to rounding.
 template <class Real>
 Real continued(Real angle, Real last) {
-  using std::round;
+  using std::rint;
+  constexpr double ahead = 1e-9;
   const Real turn(2.0 * std::numbers::pi);
-  return angle + turn * round((last - angle) / turn);
+  return angle + turn * rint((last - angle) / turn + Real(ahead));
 }
 
 }  // namespace linkwork

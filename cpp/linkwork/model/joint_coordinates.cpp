@@ -48,9 +48,4 @@ const FreeCoordinate* find_coordinate(const KindInfo& kind, const std::string& n
   return nullptr;
 }
 
-double continued(double angle, double last) {
-  constexpr double turn = 2.0 * std::numbers::pi;
-  return angle + turn * std::round((last - angle) / turn);
-}
-
 }  // namespace linkwork

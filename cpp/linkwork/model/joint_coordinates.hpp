@@ -24,7 +24,4 @@ extern const FreeCoordinate turn_about_axis, shift_along_axis, turn_about_axis_a
 /// Of joints of a kind; nothing where they have none of this name.
 const FreeCoordinate* find_coordinate(const KindInfo& kind, const std::string& name);
 
-/// The angle that differs from this one by full turns and is nearest to the last.
-double continued(double angle, double last);
-
 }  // namespace linkwork

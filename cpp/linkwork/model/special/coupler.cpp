@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "linkwork/math/error.hpp"
+#include "linkwork/model/history.hpp"
 #include "linkwork/model/primitives.hpp"
 
 namespace linkwork {
