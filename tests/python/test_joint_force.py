@@ -207,3 +207,36 @@ def test_models_differ_by_where_a_law_acts() -> None:
         model.joint_force("joint", law, coordinate=coordinate, name="it")
         hashes.add(model.hash())
     assert len(hashes) == 2
+
+
+@pytest.mark.parametrize("kind", ["revolute", "screw"])
+@pytest.mark.parametrize("axis", [(0, 0, 1), (0.3, 0.2, 1.0), (-1, 0.4, 0)])
+@pytest.mark.parametrize("turned", [np.pi, -np.pi])
+def test_half_a_turn_at_the_start_is_that_of_the_result(
+    turned: float, axis: tuple[float, float, float], kind: str
+) -> None:
+    """Laws, springs and stops count from it as `Result.coordinate` does: none acts where the body rests."""
+    z = np.array(axis) / np.linalg.norm(axis)
+    model = lw.Model(gravity=(0, 0, 0))
+    body = model.body("body", mass=1, inertia=INERTIA, orientation=lw.rotation.about(z, turned))
+    place: dict[str, Any] = {"at": ((0, 0, 0),) * 2, "axis": (z, z), "frames": "body"}
+    place["x_axis"] = (lw.rotation.perpendicular(z),) * 2
+    more = {"pitch": 0.1} if kind == "screw" else {}
+    if more:
+        model = model.with_initial_state([*(0.05 * z), *lw.rotation.about(z, turned)], np.zeros(6))
+        body = model.find("body")
+    getattr(model, kind)("ground", body, **place, name="joint", **more)
+    seen: list[float] = []
+
+    def hold(t: float, x: float, rate: float) -> float:
+        seen.append(x)
+        return 20 * (np.pi - x) - 3 * rate
+
+    model.joint_force("joint", hold, coordinate="angle" if kind == "screw" else None)
+    if kind == "revolute":
+        model.rotational_spring_damper("ground", body, **place, stiffness=5, free_angle=np.pi)
+        model.rotational_stop("ground", body, **place, lower=0, upper=3.5, stiffness=50)
+    result = lw.simulate(model, 0.2, rtol=1e-8, progress=False)
+    angle = result.coordinate("joint", "angle").value
+    assert seen[0] == pytest.approx(np.pi) and angle == pytest.approx(np.pi)
+    assert np.abs(result.omega).max() < 1e-9

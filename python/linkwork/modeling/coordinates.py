@@ -56,7 +56,11 @@ def _angle(t: Floats, sine: tuple[Floats, Floats], cosine: tuple[Floats, Floats]
 
 
 def continued(t: Floats, angle: Floats, rate: Floats) -> Floats:
-    """An angle in (-pi, pi] over full turns: between frames it turns by nearly the mean of their rates."""
+    """An angle in (-pi, pi] over full turns: between frames it turns by nearly the mean of their rates.
+
+    Half a turn in the first one is pi, to rounding, as it is for forces.
+    """
+    angle = np.where(angle < (1e-9 - 0.5) * 2 * np.pi, angle + 2 * np.pi, angle)
     change, expected = np.diff(angle), np.diff(t) * (rate[1:] + rate[:-1]) / 2
     change += 2 * np.pi * np.round((expected - change) / (2 * np.pi))
     return np.concatenate([angle[:1], angle[:1] + np.cumsum(change)])
