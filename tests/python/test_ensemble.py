@@ -410,6 +410,21 @@ def test_lanes_leap_over_singular_poses_and_go_on(
     assert sum(counts) > 0
 
 
+@pytest.mark.parametrize("steps", [{"step": 5e-4}, {"rtol": 1e-6}])
+@pytest.mark.parametrize("stabilization", ["none", "baumgarte", "velocity_projection"])
+def test_members_go_back_to_the_constraints_as_by_themselves_where_other_rows_become_redundant(
+    stabilization: str, steps: dict[str, float]
+) -> None:
+    models = variants(mechanisms.planetary_gear(2), 4, seed=7)
+    options: dict[str, Any] = {"stabilization": stabilization, "record_every": 7, **steps}
+    found = many(models, 0.1, threads=1, **options)
+    for k, model in enumerate(models):
+        single = alone(model, 0.1, **options)
+        assert bits(found.member(k)) == bits(single)
+        assert found.member(k).verdict == single.verdict
+        assert single.statistics["row_changes"] > 0
+
+
 def test_the_verdict_is_that_by_itself_where_other_rows_become_redundant_in_the_course_of_a_run() -> None:
     """To the last bit: a step before which other rows were left out is taken again as by itself, too."""
     models = variants(crank_rocker(), 16, seed=5)

@@ -159,3 +159,77 @@ def test_accelerations_are_right_in_the_evaluation_in_which_rows_change() -> Non
             state.t, state.q, state.v
         )
         assert np.abs(found - fresh).max() <= 1e-6 * np.abs(fresh).max(), state.t
+
+
+SUN, PLANET, RING, ARM = 18, 27, 72, 0.225  # teeth; of the carrier [m]
+
+
+def planets_between_gears(planets: int) -> lw.Model:
+    """1 N m on the sun, a carrier at 20 rad/s, the ring held: all planets but one close a loop."""
+    model, z, speed = lw.Model(gravity=(0, 0, 0)), (0, 0, 1), 20.0
+    model.body("sun", mass=1.0, inertia=(0.02, 0.02, 0.02), omega=(0, 0, speed * (1 + RING / SUN)))
+    model.body("carrier", mass=1.0, inertia=(0.1, 0.1, 0.1), omega=(0, 0, speed))
+    for name in ("sun", "carrier"):
+        model.revolute("ground", name, at=(0, 0, 0), axis=z, name=f"bearing of {name}")
+    for k in range(planets):
+        angle = 0.3 + 2 * np.pi * k / planets
+        pin = ARM * np.array([np.cos(angle), np.sin(angle), 0.0])
+        turning = (0, 0, speed * (1 - RING / PLANET))
+        body = model.body(
+            f"planet {k}", mass=0.8, inertia=(0.01, 0.01, 0.01), position=pin,
+            velocity=speed * np.cross(z, pin), omega=turning,
+        )  # fmt: skip
+        model.revolute("carrier", body, at=pin, axis=z, name=f"pin {k}")
+        for wheel, teeth in (("sun", SUN), ("ground", -RING)):
+            model.gear(
+                wheel, body, at=((0, 0, 0), pin), axis=z, teeth_a=teeth, teeth_b=PLANET, name=f"{wheel} {k}"
+            )
+    model.force("sun", torque=(0, 0, 1.0))
+    return model
+
+
+#: Stabilizations that leave drift, of positions or of velocities, where it is.
+KEEPING = {
+    "none": {"step": 1e-3, "stabilization": "none"},
+    "none, rtol": {"rtol": 1e-7, "stabilization": "none"},
+    "baumgarte": {"step": 1e-3, "stabilization": "baumgarte"},
+    "baumgarte, rtol": {"rtol": 1e-7, "stabilization": "baumgarte"},
+    "own gains": {"step": 1e-3, "baumgarte_alpha": 5.0, "baumgarte_beta": 5.0},
+    "velocity_projection": {"step": 1e-3, "stabilization": "velocity_projection"},
+    "position_projection": {"step": 1e-3, "stabilization": "position_projection"},
+    "hem4": {"step": 1e-3, "integrator": "hem4"},
+    "penalty": {"step": 1e-3, "formulation": "penalty", "stabilization": "none"},
+}
+
+
+@pytest.mark.parametrize("way", KEEPING)
+def test_drift_does_not_grow_from_choice_to_choice_where_planets_go_round(way: str) -> None:
+    """The carrier of a planetary gear has a constant acceleration, however many planets there are."""
+    planets, t_end = 3, 1.0
+    result = lw.simulate(planets_between_gears(planets), t_end, **KEEPING[way])
+    turning = RING / SUN + 1, RING / PLANET - 1
+    inertia = 0.1 + 0.02 * turning[0] ** 2 + planets * (0.8 * ARM**2 + 0.01 * turning[1] ** 2)
+    angle = 20.0 * t_end + turning[0] / inertia * t_end**2 / 2
+    assert result.statistics["row_changes"] > 0
+    assert result.coordinate("bearing of carrier").value[-1] == pytest.approx(angle, abs=1e-4)
+
+
+@pytest.mark.parametrize("way", KEEPING)
+def test_drift_does_not_grow_from_choice_to_choice_where_lead_screws_turn(way: str) -> None:
+    """A plate on three screws that belts couple sinks with a constant acceleration; nothing else holds it."""
+    model, z, rise, speed, t_end = lw.Model(), (0, 0, 1), 0.05 / (2 * np.pi), 40.0, 1.5
+    model.body("plate", mass=10.0, inertia=(1, 1, 1), position=(0, 0, 0.1), velocity=(0, 0, -speed * rise))
+    for k in range(3):
+        at = (np.cos(2.1 * k), np.sin(2.1 * k), 0.0)
+        screw = model.body(f"screw {k}", mass=1.0, inertia=(0.1, 0.1, 0.02), position=at, omega=(0, 0, speed))
+        model.revolute("ground", screw, at=at, axis=z, name=f"bearing {k}")
+        model.screw(screw, "plate", at=at, axis=z, pitch=2 * np.pi * rise, name=f"nut {k}")
+        if k > 0:
+            model.coupler([(f"bearing {k}", 1.0), ("bearing 0", -1.0)], name=f"belt {k}")
+    result = lw.simulate(model, t_end, **KEEPING[way])
+    angle = speed * t_end + 10 * 9.81 * rise / (3 * 0.02 + 10 * rise**2) * t_end**2 / 2
+    assert result.statistics["row_changes"] > 0
+    assert result.coordinate("bearing 0").value[-1] == pytest.approx(
+        angle, abs=1e-4 if "penalty" in way else 1e-5
+    )
+    assert result.position[-1, 0] == pytest.approx([0, 0, 0.1 - rise * angle], abs=1e-5)

@@ -49,6 +49,15 @@ def test_every_integrator_goes_on_in_the_middle_of_a_step_that_the_end_had_short
                    formulation=formulation, record_every=3)  # fmt: skip
 
 
+@pytest.mark.parametrize("steps", [{"step": 5e-4, "record_every": 1}, {"rtol": 1e-5, "record_every": 1}])
+@pytest.mark.parametrize("first_end", [0.02, 0.0215, 0.0422])
+def test_runs_that_let_drift_be_go_on_where_other_equations_become_redundant(
+    first_end: float, steps: dict[str, Any]
+) -> None:
+    rest = assert_goes_on(mechanisms.planetary_gear(2), first_end, 0.08, stabilization="none", **steps)
+    assert rest.statistics["row_changes"] > 0
+
+
 @pytest.mark.parametrize("integrator", ["rk4", "ab4", "dopri5"])
 @pytest.mark.parametrize("seconds", [0.15, 0.2, 0.3])
 def test_an_interrupted_run_goes_on_from_its_last_frame(

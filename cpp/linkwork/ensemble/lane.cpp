@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "linkwork/ensemble/lane_guard.hpp"
+#include "linkwork/integration/run.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
@@ -198,9 +199,15 @@ void Lane::look_ahead(std::int64_t at, const FixedSteps& steps, const Speeds& sp
       else dynamics_.evaluate(t, y);
     }
     moves_ = changed || dynamics_.watch().row_changes() != changes;
+    if (moves_) leave_with_drift(t);
     if (!leaping_ && dynamics_.watch().singular_poses() != poses) leave(t, "the motion is in a singular pose");
     looked_ = !leaping_ && start.factorized();
   });
+}
+
+/// Where other rows are left out: a run by itself goes back to the constraints.
+void Lane::leave_with_drift(double t) {
+  if (keeps_drift(dynamics_)) leave(t, "other redundant equations are left out");
 }
 
 void Lane::move(std::int64_t step, const VectorXd& y) {
@@ -256,6 +263,7 @@ void Lane::look_back(double t, double h, const VectorXd& y) {
   const std::int64_t changes = dynamics_.watch().row_changes(), poses = dynamics_.watch().singular_poses();
   guarded(t, [&] { crossing_.look_back(t, h, y); });
   changed_ = dynamics_.watch().row_changes() != changes;
+  if (changed_) leave_with_drift(t);
   if (stops_ && dynamics_.watch().singular_poses() != poses) leave(t, "a singular pose was passed");
 }
 

@@ -161,6 +161,7 @@ class Lane {
 
   template <class Action>
   void guarded(double t, Action action);
+  void leave_with_drift(double t);
   void begin_leap(std::int64_t at, const FixedSteps& steps, const VectorXd& y);
 
   Dynamics& dynamics_;

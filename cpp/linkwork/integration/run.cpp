@@ -37,6 +37,11 @@ constexpr double unbearable = 1e-3, unbearable_speed = 1e-2, certain = 1e-7;
 
 }  // namespace
 
+bool keeps_drift(const Dynamics& dynamics) {
+  if (!dynamics.sampled()) return dynamics.stabilization() != StabilizationKind::projection;
+  return dynamics.options().baumgarte_alpha || dynamics.options().baumgarte_beta;  // else it is gone in two steps
+}
+
 void Run::run_on(std::int64_t max_frames, double max_seconds) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
@@ -146,6 +151,7 @@ void Run::take_up_rows(double t, RedundancyExamination found) {
   y_.head(system.q_size()) = found.q;
   dynamics_.evaluate(t, y_);
   dynamics_.formulation().change_redundant_rows(std::move(found.choice), std::move(joints));
+  left_out_ = dynamics_.dropped().rows();
   projection().positions(t, y_);
   projection().velocities(t, y_);
   dynamics_.evaluate(t, y_);
@@ -175,7 +181,32 @@ void Run::note_contradiction(double t, std::vector<int> joints, bool certainly) 
                        details);
 }
 
+/// To the constraints.
+void Run::take_back(double t) {
+  const VectorXd y_before = y_;
+  projection().positions(t, y_);
+  projection().velocities(t, y_);
+  sampling_.correct(y_before, y_);
+  dynamics_.evaluate(t, y_);
+  accept_history();
+}
+
+/// Beside a singular pose there may be no way back: the run goes on from where it is.
+void Run::take_back_where_rows_changed(double t) {
+  if (dynamics_.dropped().rows() == left_out_) return;
+  left_out_ = dynamics_.dropped().rows();
+  if (!keeps_drift(dynamics_)) return;
+  const VectorXd y_before = y_;
+  try {
+    take_back(t);
+  } catch (const NotConvergedError&) {
+    y_ = y_before;
+    dynamics_.evaluate(t, y_);
+  }
+}
+
 void Run::monitor_violation(double t) {
+  take_back_where_rows_changed(t);
   watch_redundant_rows(t);
   const std::int64_t before = violation_monitor_.count();
   const bool drifted = violation_monitor_.exceeded(t);
@@ -183,13 +214,8 @@ void Run::monitor_violation(double t) {
   if (policy == "stop" && violation_monitor_.count() > before)
     throw_violation(dynamics_, violation_monitor_.excesses().back());
   if (policy != "project" || !drifted) return;
-  const VectorXd y_before = y_;
-  projection().positions(t, y_);
-  projection().velocities(t, y_);
-  sampling_.correct(y_before, y_);
+  take_back(t);
   projections_ += 1;
-  dynamics_.evaluate(t, y_);
-  accept_history();
 }
 
 void Run::begin_at(double t, double t_end, const VectorXd& q_and_v) {

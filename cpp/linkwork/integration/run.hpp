@@ -28,6 +28,11 @@ struct Checkpoint {
   std::string state;
 };
 
+/// Whether drift stays, of positions or of velocities: the state then goes back to the constraints where other redundant
+/// rows are left out. Where a choice has turned bad, little drift of the kept rows is much of those that it leaves out;
+/// of these some are kept from then on, with all of that, and it would grow tenfold from choice to choice.
+bool keeps_drift(const Dynamics& dynamics);
+
 /// A simulation on its way. `advance` returns now and then so that the caller can show progress, write frames, and end
 /// the run.
 class Run {
@@ -41,7 +46,8 @@ class Run {
         stops_(dynamics.options().on_singular == "stop"),
         singular_poses_(dynamics.watch().singular_poses()),
         violation_monitor_(dynamics),
-        redundancy_(dynamics.system(), y_.head(dynamics.system().q_size())) {}
+        redundancy_(dynamics.system(), y_.head(dynamics.system().q_size())),
+        left_out_(dynamics.dropped().rows()) {}
   virtual ~Run() = default;
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
@@ -108,15 +114,16 @@ class Run {
   void stop_at_singular_pose() const;
 
   /// At t, where `dynamics` is evaluated at y_: compares the violation with the limits. With on_violation "project" y_
-  /// goes back to the constraints where it is beyond; with "stop" that is a ViolationError. Redundant rows are judged
-  /// here, too: where they have become independent they count from here on, and y_ goes to the nearest state that
-  /// satisfies them; where they contradict the others that is a ViolationError.
+  /// goes back to the constraints where it is beyond; with "stop" that is a ViolationError. It also goes back, see
+  /// keeps_drift, where others of the redundant rows are left out now. These are judged here, too: where they have become
+  /// independent they count from here on, and y_ goes to the nearest state that satisfies them; where they contradict
+  /// the others that is a ViolationError.
   void monitor_violation(double t);
 
   // Between two steps.
   /// `last`: no later state is one of a run that goes on longer.
   void mark(bool last);
-  virtual void keep(Archive& archive) { archive(y_, steps_done_, turns_, redundancy_, dynamics_); }
+  virtual void keep(Archive& archive) { archive(y_, steps_done_, turns_, redundancy_, left_out_, dynamics_); }
   /// Where the run is to begin that has just been resumed from an earlier state: a frame of it.
   virtual void record_start() = 0;
   /// Before the start of a run that was resumed.
@@ -141,6 +148,8 @@ class Run {
   bool bounded_ = false;  ///< steps are no longer those of a run that goes on longer
 
  private:
+  void take_back(double t);
+  void take_back_where_rows_changed(double t);
   void watch_redundant_rows(double t);
   void take_up_rows(double t, RedundancyExamination found);
   std::vector<int> left_joints() const;
@@ -152,6 +161,7 @@ class Run {
   Checkpoint latest_, settled_;
   ViolationMonitor violation_monitor_;
   RedundancyWatch redundancy_;
+  std::vector<int> left_out_;  ///< redundant rows, at the last state that was monitored or changed
   Contradiction contradiction_;
   std::int64_t projections_ = 0;
   std::unique_ptr<Projection> projection_;  ///< where one is needed
