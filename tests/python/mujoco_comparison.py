@@ -127,6 +127,14 @@ class State:
         return -1
 
 
+def place_between_joints(state: State, core: Any, q: np.ndarray, v: np.ndarray) -> None:
+    for body in range(1, state.model.nbody):
+        for name, r, A, velocity, omega in state.between_joints(body):
+            if (k := core.find_body(name)) >= 0:
+                q[k, :3], q[k, 3:] = r, lw.rotation.from_matrix(A)
+                v[k, :3], v[k, 3:] = velocity, A.T @ omega
+
+
 def largest_difference(path: Path, rng: np.random.Generator, spread: float = 1.0, **options: Any) -> float:
     """Of accelerations, relative to the largest; positions of bodies are compared on the way."""
     state = State(path, rng, spread)
@@ -150,11 +158,7 @@ def largest_difference(path: Path, rng: np.random.Generator, spread: float = 1.0
         R, (velocity, omega) = data.xmat[body].reshape(3, 3), state.rates(body)
         q[k, :3], q[k, 3:] = data.xipos[body] + R @ arms[k], lw.rotation.from_matrix(R)
         v[k, :3], v[k, 3:] = velocity + np.cross(omega, R @ arms[k]), R.T @ omega
-    for body in range(1, state.model.nbody):
-        for name, r, A, velocity, omega in state.between_joints(body):
-            if (k := core.find_body(name)) >= 0:
-                q[k, :3], q[k, 3:] = r, lw.rotation.from_matrix(A)
-                v[k, :3], v[k, 3:] = velocity, A.T @ omega
+    place_between_joints(state, core, q, v)
     v_dot = lw.System(model.with_initial_state(q.ravel(), v.ravel())).accelerations(
         0.0, q.ravel(), v.ravel()
     )[0]
