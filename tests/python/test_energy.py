@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from functools import cache
+from typing import Any
 
 import linkwork as lw
 import numpy as np
 import pytest
 from hypothesis import given
-from linkwork import mechanisms
+from linkwork import functions, mechanisms
 from linkwork.arrays import Floats
 from linkwork.integrators import METHODS
 from random_mechanisms import Mechanism, examples
@@ -170,3 +171,106 @@ def test_a_tumbling_mechanism_keeps_its_momentum() -> None:
         lost.append(np.abs(angular - angular[0]).max() / np.abs(angular).max())
     assert lost[1] <= lost[0] / 2**3.8
     assert lost[1] <= 1e-7
+
+
+def _switched(how: str) -> lw.Model:
+    """A body on a rail at 1.3 m; at JUMP what holds it becomes stiffer, or free elsewhere."""
+    model = lw.Model(gravity=(0, 0, 0))
+    velocity = (0.9, 0, 0) if how == "bushing" else (0, 0, 0)
+    body = model.body("b", mass=1.0, inertia=(0.1, 0.2, 0.3), position=(1.3, 0, 0), velocity=velocity)
+    model.translational("ground", body, at=(1.3, 0, 0), axis=(1, 0, 0), name="rail")
+    axis: dict[str, Any] = {"at": (1.3, 0, 0), "axis": (1, 0, 0)}
+    ends = ((0, 0, 0), (1.3, 0, 0))
+
+    def step(before: float, after: float) -> functions.TimeFunction:
+        return functions.piecewise_polynomial([-1, JUMP, 9], [[before], [after]])
+
+    if how == "stiffness":
+        model.spring_damper("ground", body, at=ends, stiffness=step(10, 50), free_length=1.0)
+    elif how == "free length":
+        model.spring_damper("ground", body, at=ends, stiffness=10, free_length=step(1, 0.5))
+    elif how == "free displacement":
+        model.translational_spring_damper("ground", body, **axis, stiffness=10,
+                                          free_displacement=step(-0.3, -0.8))  # fmt: skip
+    elif how == "bushing":
+        model.bushing("ground", body, at=(1.0, 0, 0), stiffness=(step(10, 50), 0, 0))
+    else:
+        model.translational_stop("ground", body, **axis, lower=-9, upper=-0.3, stiffness=step(10, 50))
+    return model
+
+
+JUMP = 0.05  # [s]
+#: Over it, up to it, and as it asks for.
+STEPS: tuple[dict[str, float], ...] = ({"step": 0.7e-3}, {"step": 1e-3}, {"rtol": 1e-8})
+
+
+def _stored_more(how: str) -> float:
+    """By the jump [J], from the motion before it: a shift of 0.3 cos w t, or 0.9 / w sin w t."""
+    w = np.sqrt(10)
+    shift = 0.9 / w * np.sin(w * JUMP) if how == "bushing" else 0.3 * np.cos(w * JUMP)
+    if how.startswith("free"):
+        return float(0.5 * 10 * ((shift + 0.5) ** 2 - shift**2))
+    return float(0.5 * 40 * shift**2)
+
+
+@pytest.mark.parametrize("how", ["stiffness", "free length", "free displacement", "bushing", "stop"])
+def test_what_makes_a_spring_stiffer_at_once_does_its_work(how: str) -> None:
+    result = lw.simulate(_switched(how), t_end=0.3, rtol=1e-10)
+    assert abs(result.energy_error).max() < 1e-8
+    assert result.work[-1] == pytest.approx(_stored_more(how), rel=1e-8)
+    assert result.verdict is not None and result.verdict.level == "good"
+
+
+@pytest.mark.parametrize(("step", "integrator"), [(1e-3, "rk4"), (1e-3, "abm4"), (0.7e-3, "rk4")])
+def test_fixed_steps_that_end_at_a_jump_of_stiffness_or_go_over_it_know_its_work(
+    step: float, integrator: str
+) -> None:
+    model = _switched("stiffness")
+    run: dict[str, Any] = {"integrator": integrator, "on_inaccurate": "pass"}  # it sees a jump of the force
+    result = lw.simulate(model, t_end=0.3, step=step, **run)
+    assert result.work[-1] == pytest.approx(_stored_more("stiffness"), rel=1e-5)
+    half = lw.simulate(model, t_end=0.3, step=step / 2, **run)
+    assert abs(result.energy_error).max() < 1e-2  # of the step over it, of first order
+    assert abs(half.energy_error).max() < 0.75 * abs(result.energy_error).max()
+
+
+@pytest.mark.parametrize("steps", STEPS)
+def test_a_jump_of_stiffness_does_the_same_work_in_lanes(steps: dict[str, float]) -> None:
+    model = _switched("stiffness")
+    run: dict[str, Any] = {"record_every": 1, "on_inaccurate": "pass", **steps}
+    found = lw.simulate_many(model, {"b.mass": [1.0, 2.0]}, 0.3, **run)
+    assert not any(found.alone)
+    alone = lw.simulate(model, t_end=0.3, deterministic=True, **run)
+    member = found.member(0)
+    np.testing.assert_array_equal(member.work, alone.work)
+    assert member.work[-1] == pytest.approx(_stored_more("stiffness"), rel=1e-5)
+    np.testing.assert_array_equal(member.q, alone.q)
+
+
+@pytest.mark.parametrize("end", [JUMP, 0.03, 0.1])
+@pytest.mark.parametrize("steps", STEPS)
+def test_a_run_that_goes_on_at_a_jump_of_stiffness_knows_its_work(
+    steps: dict[str, float], end: float
+) -> None:
+    model = _switched("stiffness")
+    run: dict[str, Any] = {"on_inaccurate": "pass", **steps}
+    first = lw.simulate(model, t_end=end, **run)
+    rest = lw.simulate(model, t_end=0.3, start=first.snapshot(), **run)
+    whole = lw.simulate(model, t_end=0.3, **run)
+    assert rest.work[-1] == whole.work[-1]
+    assert rest.work[-1] == pytest.approx(_stored_more("stiffness"), rel=1e-5)
+    assert rest.t[0] == first.t[-1]
+    assert abs(rest.energy_error).max() < max(1e-7, 1.1 * abs(whole.energy_error).max())
+
+
+def test_a_stiffness_that_jumps_does_work_in_a_driven_motion() -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    body = model.body("b", mass=1.0, inertia=(0.1, 0.2, 0.3), position=(1.3, 0, 0))
+    model.translational("ground", body, at=(1.3, 0, 0), axis=(1, 0, 0), name="rail")
+    model.drive("rail", position=functions.cycloidal(0.5, 1.0))
+    model.spring_damper("ground", body, at=((0, 0, 0), (1.3, 0, 0)), free_length=1.0,
+                        stiffness=functions.piecewise_polynomial([0, 0.5, 9], [[10], [50]]))  # fmt: skip
+    for times in (np.linspace(0, 1, 101), np.linspace(0, 0.5, 51), np.linspace(0, 1, 100)):
+        result = lw.kinematics(model, times)
+        assert abs(result.energy_error).max() < 1e-5
+    assert result.work[-1] == pytest.approx(0.5 * 50 * 0.8**2 - 0.5 * 10 * 0.3**2, rel=1e-5)

@@ -44,8 +44,8 @@ ForceElement::ForceElement(const System& system, int element)
 
 ForceElement::Said ForceElement::ask(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history) {
   const auto& functions = system_.model().signals();
-  for (std::size_t s = 0; s < signals_.size(); ++s)
-    if (functions[s]->of_time()) signals_[s] = functions[s]->evaluate(t);
+  for (const Parameter& parameter : batch_.parameters)
+    if (const int s = parameter.signal; s >= 0 && functions[s]->of_time()) signals_[s] = functions[s]->evaluate(t);
   Eigen::Matrix<double, 2 * position_size, 1> its_q;
   Eigen::Matrix<double, 2 * velocity_size, 1> its_v;
   its_q << position_of(element_.i, q), position_of(element_.j, q);
@@ -67,6 +67,10 @@ std::array<double, 2> ForceElement::switches(double t, const ConstVector& q, con
 std::array<double, 2 * velocity_size> ForceElement::forces(double t, const ConstVector& q, const ConstVector& v,
                                                            const ConstVector& history) {
   return ask(t, q, v, history).g;
+}
+
+double ForceElement::potential(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history) {
+  return ask(t, q, v, history).potential;
 }
 
 ForceOnBody ForceElement::evaluate(double t, const ConstVector& q, const ConstVector& v, const ConstVector& v_dot,

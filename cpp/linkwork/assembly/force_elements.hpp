@@ -27,6 +27,8 @@ class ForceElement {
   /// What it adds to g of its two bodies, in their order.
   std::array<double, 2 * velocity_size> forces(double t, const ConstVector& q, const ConstVector& v,
                                                const ConstVector& history);
+  /// The energy that it stores [J].
+  double potential(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history);
   const Element& element() const { return element_; }
 
  private:

@@ -41,6 +41,7 @@ Lane::Lane(Dynamics& dynamics, const std::vector<double>& breaks, LaneRun* run)
     : dynamics_(dynamics),
       recorder_(dynamics),
       breaks_(dynamics.system().model(), breaks),
+      jumps_(dynamics.system()),
       crossing_(dynamics),
       redundancy_(dynamics.system(), dynamics.initial_y().head(dynamics.system().q_size())),
       turns_(dynamics),
@@ -265,6 +266,12 @@ void Lane::look_back(double t, double h, const VectorXd& y) {
   changed_ = dynamics_.watch().row_changes() != changes;
   if (changed_) leave_with_drift(t);
   if (stops_ && dynamics_.watch().singular_poses() != poses) leave(t, "a singular pose was passed");
+}
+
+double Lane::work_at_breaks(double t, double t_new, const VectorXd& y, const VectorXd& y_new) {
+  double out = 0.0;
+  guarded(t, [&] { out = jumps_.work_in_step(breaks_, t, t_new, y, y_new, dynamics_.history()); });
+  return out;
 }
 
 void Lane::check(double t, double h, const VectorXd& y) {

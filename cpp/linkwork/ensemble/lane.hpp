@@ -15,6 +15,7 @@
 #include "linkwork/integration/recorder.hpp"
 #include "linkwork/integration/run_judge.hpp"
 #include "linkwork/integration/step_sampling.hpp"
+#include "linkwork/integration/stored_energy_jumps.hpp"
 #include "linkwork/integration/touch_monitor.hpp"
 
 namespace linkwork {
@@ -151,6 +152,10 @@ class Lane {
   /// Of those in this range `hear` is enough, if anything: not of a first stage that was looked at.
   SingularWatch::Range usual_pivots() const;
   void hear(double t, double pivot) { dynamics_.formulation().watch().note(t, pivot); }
+  /// What breaks in a step from (t, y) to (t_new, y_new) do, see StoredEnergyJumps [J].
+  double work_at_breaks(double t, double t_new, const VectorXd& y, const VectorXd& y_new);
+  /// Whether they may do anything.
+  bool has_jumps() const { return jumps_.any(); }
   /// After a step.
   void look_back(double t, double h, const VectorXd& y);
   void check(double t, double h, const VectorXd& y);
@@ -167,6 +172,7 @@ class Lane {
   Dynamics& dynamics_;
   Recorder recorder_;
   BreakPoints breaks_;
+  StoredEnergyJumps jumps_;
   Crossing crossing_;
   RedundancyWatch redundancy_;
   TurnGuard turns_;

@@ -166,6 +166,17 @@ void LanePack::continue_lane(int l, std::int64_t step) {
   if (!lane.leaping()) return;
   lane.follow_leap(steps_.frame_time(step), steps_.step(), state_);
   set_state(l, state_);
+  if (lane.has_jumps()) cross_breaks(l, step, state_);
+}
+
+/// In the step that ends there with the state y_new.
+void LanePack::cross_breaks(int l, std::int64_t step, const VectorXd& y_new) {
+  const double t = steps_.time(step - 1), t_new = steps_.time(step);
+  const double work = lanes_[l]->work_at_breaks(t, t_new, watches_.state_before(l), y_new);
+  if (work == 0.0) return;
+  VectorXd y = y_new;
+  y[y.size() - 1] += work;
+  set_state(l, y);
 }
 
 void LanePack::set_state(int l, const VectorXd& y) {
@@ -230,6 +241,9 @@ void LanePack::finish_step(std::int64_t step) {
   each_lane([&](int l, Lane&) { hear(l); });
   const double t = steps_.time(step), h = steps_.size(step);
   watches_.end_step(h);
+  each_stepping([&](int l, Lane& lane) {
+    if (lane.has_jumps()) cross_breaks(l, step + 1, watches_.state(l));
+  });
   if (!watches_.watched() && !watches_.judged()) return;
   each_stepping([&](int l, Lane& lane) {
     const VectorXd& y = watches_.state_before(l);

@@ -46,6 +46,7 @@ class LanePack final : private LaneGuard {
   void continue_lane(int l, std::int64_t step);
   void look_for_touches(int l, std::int64_t step);
   void begin_lane(int l, std::int64_t step);
+  void cross_breaks(int l, std::int64_t step, const VectorXd& y_new);
   void set_state(int l, const VectorXd& y);
   bool usual_in_redundant_rows(int l) const;
   void hear(int l);

@@ -88,6 +88,7 @@ bool AdaptiveSimulation::apply(const Event& event, Occurrence& occurrence) {
 /// From what ends at the break t_ to what begins there.
 void AdaptiveSimulation::cross_break() {
   statistics_.breaks += 1;
+  y_[y_.size() - 1] += jumps_.work(breaks_.before(t_), clock(), y_, dynamics_.history());
   const bool driven = dynamics_.system().time_dependent_constraints();
   if (driven) {
     evaluate(breaks_.before(t_), y_);

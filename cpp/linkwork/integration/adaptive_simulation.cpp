@@ -59,6 +59,7 @@ AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& p
       measure_(dynamics.system(), schedule.tolerances),
       controller_(pair.error_order + 1),
       breaks_(dynamics.system().model(), schedule.breaks),
+      jumps_(dynamics.system()),
       crossing_(dynamics),
       watch_(std::move(events)),
       switches_(dynamics, schedule.tolerances.absolute),
@@ -121,7 +122,13 @@ void AdaptiveSimulation::keep(Archive& archive) {
   archive(place.t, place.factorized, place.fallback);
   if (!archive.reading()) return;
   if (evaluated_) dynamics_.return_to({place.t, y_, place.factorized, place.fallback});
-  while (next_time_ < schedule_.times.size() && schedule_.times[next_time_] <= start_) next_time_ += 1;
+  const bool at_break = t_ < start_ && breaks_.at(start_);  // what jumps there may be ahead of the last frame before
+  if (at_break) {
+    recorder_.take();  // a frame of it comes with the step
+    recorder_.silence_until(std::nextafter(start_, -INFINITY));
+  }
+  const auto passed = [&](double t) { return at_break ? t < start_ : t <= start_; };
+  while (next_time_ < schedule_.times.size() && passed(schedule_.times[next_time_])) next_time_ += 1;
 }
 
 void AdaptiveSimulation::record_start() {
@@ -454,6 +461,7 @@ void AdaptiveSimulation::record_if_due() {
   const auto& times = schedule_.times;
   const bool stopped = !stops_.empty(), last = finished_ && stopped;
   bool due = schedule_.record_every > 0 && (finished_ || stopped || steps_done_ % schedule_.record_every == 0);
+  if (schedule_.record_every > 0) due = due || (resumed() && t_ == start_ && breaks_.at(t_));
   for (; next_time_ < times.size() && times[next_time_] == t_; ++next_time_) due = true;
   if (!due && !last) return;
   with_time(t_, NAN, [&] {

@@ -13,6 +13,7 @@
 #include "linkwork/integration/hermite_step.hpp"
 #include "linkwork/integration/run.hpp"
 #include "linkwork/integration/step_control.hpp"
+#include "linkwork/integration/stored_energy_jumps.hpp"
 
 namespace linkwork {
 
@@ -134,6 +135,7 @@ class AdaptiveSimulation final : public Run {
   StepController controller_;
   StepStatistics statistics_;
   BreakPoints breaks_;
+  StoredEnergyJumps jumps_;
   Crossing crossing_;
   bool leapt_ = false;  ///< the step that was accepted is a leap over a singular pose
   EventWatch watch_;

@@ -27,6 +27,7 @@ Simulation::Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrato
       schedule_(schedule),
       divergence_(dynamics.system()),
       breaks_(dynamics.system().model(), schedule.breaks),
+      jumps_(dynamics.system()),
       crossing_(dynamics),
       touches_(dynamics) {
   if (!(schedule.step > 0.0) || !std::isfinite(schedule.step))
@@ -182,8 +183,17 @@ void Simulation::follow_leap() {
   leaping_ = t() < crossing_.last().end() - same_time * schedule_.step;
   if (leaping_) crossing_.interpolate(dynamics_.system(), crossing_.theta(t()), y_);
   else y_ = crossing_.last().y_new;
+  cross_breaks();
   leapt_ = true;
   evaluated_ = false;
+}
+
+/// In the step that ends here: steps go over breaks.
+void Simulation::cross_breaks() {
+  const double t_new = time_of(steps_done_), t = time_of(steps_done_ - 1);
+  with_time(t_new, t_new - t, [&] {
+    y_[y_.size() - 1] += jumps_.work_in_step(breaks_, t, t_new, kept_y_, y_, dynamics_.history());
+  });
 }
 
 void Simulation::forget() {
@@ -241,6 +251,7 @@ void Simulation::finish_step() {
   look_where_steps_are_long(y_.size());
   with_time(t_new, next_step(), [&] { crossing_.look_back(t(), next_step(), kept_y_); });
   steps_done_ += 1;
+  cross_breaks();
   evaluated_ = false;
 }
 

@@ -9,6 +9,7 @@
 #include "linkwork/integration/divergence.hpp"
 #include "linkwork/integration/integrator.hpp"
 #include "linkwork/integration/run.hpp"
+#include "linkwork/integration/stored_energy_jumps.hpp"
 #include "linkwork/integration/touch_monitor.hpp"
 
 namespace linkwork {
@@ -61,6 +62,7 @@ class Simulation final : public Run {
   void record();
   void finish_step();
   void finish();
+  void cross_breaks();
   void begin_leap();
   void follow_leap();
   void add_work();
@@ -78,6 +80,7 @@ class Simulation final : public Run {
   std::int64_t start_step_ = 0;  ///< of a run that was resumed, the first that is not before its start
   double given_start_ = NAN;     ///< its start, where that is the end of a step
   BreakPoints breaks_;
+  StoredEnergyJumps jumps_;
   Crossing crossing_;
   TouchMonitor touches_;
   bool evaluated_ = false;

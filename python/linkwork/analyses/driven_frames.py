@@ -42,7 +42,8 @@ class Passed:
 
 
 class Frames:
-    """The frames of a Result, and those beside breaks of drivers: a driver may turn and rest in between."""
+    """The frames of a Result, and those beside breaks of drivers, which may turn and rest in between, and
+    beside jumps of energy that is stored."""
 
     def __init__(self, model: Model, asked: Floats) -> None:
         self.model, self.asked = model, asked
@@ -52,7 +53,11 @@ class Frames:
         self.passed: list[Passed] = []
         self.doubts: dict[float, float] = {}  # by how much what equations say at a time may be off, relative
         self.struck = breakpoints.struck_between_frames(model, float(asked[0]), float(asked[-1]))
-        breaks = sorted({t for _, signal in model.drivers for t in signal.break_points if t > 0.0})
+        breaks = sorted(
+            {t for _, signal in model.drivers for t in signal.break_points if t > 0.0}.union(
+                breakpoints.stored_energy_jumps(model, 0.0, float(asked[-1]))
+            )
+        )
         #: The last time before each of these, and the first after it.
         sides = list(map(breakpoints.on_either_side, breaks))
         self.sides = [it for it in sides if it[1] < asked[-1]]
@@ -189,18 +194,19 @@ class Frames:
         t, power = arrays["t"], arrays.pop("power")
         states = (arrays["q"].reshape(len(t), -1), arrays["v"].reshape(len(t), -1))
         kinetic = self.system.compiled().kinetic_energies(*states)
-        found = {**arrays, "kinetic": kinetic, "work": self._work(t, power, kinetic)}
+        found = {**arrays, "kinetic": kinetic, "work": self._work(t, power, kinetic + arrays["potential"])}
         found = {name: values[np.isin(t, self.taken)] for name, values in found.items()}
         found["t"] = self.asked[: len(found["t"])]
         return found
 
-    def _work(self, t: Floats, power: Floats, kinetic: Floats) -> Floats:
-        """The integral of the power, and what bodies gain or lose where drivers demand another velocity."""
+    def _work(self, t: Floats, power: Floats, energy: Floats) -> Floats:
+        """The integral of the power, and what bodies gain or lose where drivers demand another velocity, or
+        springs where their stiffness jumps."""
         blows, within = np.zeros(len(t)), np.zeros(len(t), dtype=bool)
         for before, after in self.sides:
             there = np.flatnonzero((t >= before) & (t <= after))
             within |= (t > before) & (t < after)
-            blows[there[1:]] = np.diff(kinetic[there])
+            blows[there[1:]] = np.diff(energy[there])
         breaks = breakpoints.of_run(self.system.model, (), float(t[0]), float(t[-1]))
         work = np.zeros(len(t))
         work[~within] = _integral(t[~within], power[~within], breaks)

@@ -56,6 +56,8 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         self._counts: Counter[str] = Counter()
         self._signals: list[tuple[str, TimeFunction]] = []
         self._drivers: list[tuple[str, TimeFunction]] = []
+        #: Those of the signals on which the energy stored in force elements depends.
+        self._storing: list[tuple[str, TimeFunction]] = []
         self._characteristics: list[tuple[str, TimeFunction]] = []
         self._user_forces: list[UserForce] = []
         self._shapes = Shapes()
@@ -610,6 +612,8 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         self._signals += elements.signals()
         if elements.info.rows:
             self._drivers += elements.signals()
+        else:
+            self._storing += elements.signals("differentiable")
         self._characteristics += elements.characteristics()
         self._counts[elements.info.name] += elements.subject.count
 

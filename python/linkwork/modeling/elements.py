@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -73,20 +73,19 @@ class Elements:
         more = f" and {self.subject.count - 1} more" if self.subject.count > 1 else ""
         return f"{self.subject.who(0)}{more}: {what}, {law},"
 
-    def signals(self) -> list[tuple[str, TimeFunction]]:
-        """The functions of time, each with what it drives."""
-        return [
-            (f"{self.subject.who(0)}: {what}", parameter)
-            for what, parameter in self.parameters.items()
-            if isinstance(parameter, TimeFunction) and self.info.parameters[what].takes != "characteristic"
-        ]
+    def signals(self, *takes: str) -> list[tuple[str, TimeFunction]]:
+        """The functions of time, each with what it drives; `takes`: of parameters that take these alone."""
+        return self._given(takes or ("function", "differentiable"))
 
     def characteristics(self) -> list[tuple[str, TimeFunction]]:
         """The functions of coordinates, each with what it is."""
+        return self._given(("characteristic",))
+
+    def _given(self, takes: Sequence[str]) -> list[tuple[str, TimeFunction]]:
         return [
             (f"{self.subject.who(0)}: {what}", parameter)
             for what, parameter in self.parameters.items()
-            if isinstance(parameter, TimeFunction) and self.info.parameters[what].takes == "characteristic"
+            if isinstance(parameter, TimeFunction) and self.info.parameters[what].takes in takes
         ]
 
 

@@ -156,7 +156,7 @@ class Model(ModelBuilder):
         out._name, out._core = self._name, core
         out._bodies = Bodies(out, out._core)
         out._counts, out._signals = self._counts.copy(), self._signals.copy()
-        out._drivers = self._drivers.copy()
+        out._drivers, out._storing = self._drivers.copy(), self._storing.copy()
         out._characteristics, out._user_forces = self._characteristics.copy(), self._user_forces.copy()
         out._shapes = self._shapes.copy()
         out._functions, out._special = self._functions.copy(), self._special.copy()

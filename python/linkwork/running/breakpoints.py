@@ -109,6 +109,18 @@ def struck_between_frames(model: Model, first: float, last: float) -> list[Jump]
     return struck
 
 
+def stored_energy_jumps(model: Model, t_start: float, t_end: float) -> list[float]:
+    """When stiffness, free length or free range of a force element jumps, after the start and not after the
+    end [s], ascending: energy that it stores jumps then."""
+    found: set[float] = set()
+    for _, signal in model._storing:
+        inside = [t for t in signal.break_points if t_start < t <= t_end]
+        for last, t, following in zip([t_start, *inside], inside, [*inside[1:], t_end], strict=False):
+            if t not in found and _jump(signal, last, t, following)[0] == 0:
+                found.add(t)
+    return sorted(found)
+
+
 def noted(struck: Sequence[Jump]) -> dict[str, Any]:
     """The first hundred for a manifest."""
     told = [{"t": it.time, "jump": it.size, "of": f"the rate of {it.what}"} for it in struck[:NOTED]]
