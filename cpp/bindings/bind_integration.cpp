@@ -395,6 +395,14 @@ void bind_adaptive_steps(py::module_& module) {
              return out;
            }),
            "(index of the event, t, y before, y after) of the events since the last call; y = (q, v).")
+      .def("take_strikes", exclusive(+[](AdaptiveSimulation& run) {
+             py::list out;
+             for (const Strike& it : run.take_strikes())
+               out.append(py::make_tuple(it.t, it.potential, it.before.y, it.before.kinetic, it.after.y, it.after.kinetic));
+             return out;
+           }),
+           "(t, potential energy, y before, kinetic energy before, y after, kinetic energy after) of bodies struck by "
+           "drivers since the last call; y = (q, v, work).")
       .def("statistics", [](const AdaptiveSimulation& run) {
         py::dict out = run_statistics(run);
         const StepStatistics& steps = run.step_statistics();

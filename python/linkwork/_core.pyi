@@ -87,6 +87,10 @@ class AdaptiveSimulation(Run):
         """
         (index of the event, t, y before, y after) of the events since the last call; y = (q, v).
         """
+    def take_strikes(self) -> list:
+        """
+        (t, potential energy, y before, kinetic energy before, y after, kinetic energy after) of bodies struck by drivers since the last call; y = (q, v, work).
+        """
 
 class Assembler:
     """

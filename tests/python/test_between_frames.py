@@ -145,3 +145,33 @@ def test_a_ball_is_fastest_just_before_it_bounces(every: int) -> None:
     found = lw.sweep(model, {"b.mass": [2.0]}, list(exact), t_end=1.0, processes=1, **run).outputs
     for name, value in exact.items():
         assert found[name][0] == pytest.approx(value, rel=1e-7, abs=1e-7), name
+
+
+@pytest.mark.parametrize("in_lanes", [True, False])
+@pytest.mark.parametrize("frames", [{}, {"record_every": 1}, {"record_every": 100}])
+def test_a_body_is_fastest_just_before_its_driver_stops_it(frames: dict[str, int], in_lanes: bool) -> None:
+    """It is driven with v = 10 t up to 0.2 s, where the driver stops."""
+    model = lw.Model(gravity=(0, 0, 0))
+    body = model.body("b", mass=1.0, inertia=(0.1, 0.2, 0.3))
+    model.translational("ground", body, at=(0, 0, 0), axis=(1, 0, 0), name="rail")
+    model.drive("rail", velocity=lw.functions.piecewise_polynomial([0, 0.2, 1], [[0, 10], [0, 0]]))
+    model.spring_damper("ground", body, at=((-1, 0, 0), (0, 0, 0)), stiffness=30.0, name="spring")
+    exact = {
+        "body('b').velocity.x.max": 2.0,
+        "body('b').velocity.x.mean": 0.5,
+        "body('b').velocity.abs_max": 2.0,
+        "body('b').position.x.mean": (0.01 / 0.75 + 0.04) / 0.4,
+        "coordinate('rail').rate.max": 2.0,
+        "coordinate('rail').value.mean": (0.01 / 0.75 + 0.04) / 0.4,
+        "kinetic_energy.max": 2.0,
+        "kinetic_energy.mean": 1 / 3,
+        "energy.max": 2.0 + 15 * 0.2**2,
+        "work.max": 2.0 + 15 * 0.2**2,
+    }
+    run: dict[str, Any] = {"rtol": 1e-8, "progress": False, **frames}
+    if not in_lanes:
+        run["deterministic"] = False
+    found = lw.sweep(model, {"b.mass": [1.0]}, list(exact), t_end=0.4, processes=1, **run)
+    assert found.manifest["lanes"] is in_lanes
+    for name, value in exact.items():
+        assert found.outputs[name][0] == pytest.approx(value, rel=1e-6), name

@@ -43,10 +43,9 @@ void AdaptiveSimulation::look_for_events() {
 }
 
 /// At y_, where `dynamics` is evaluated at its positions.
-double AdaptiveSimulation::energy() const {
+double AdaptiveSimulation::kinetic_energy() const {
   const System& system = dynamics_.system();
-  return system.kinetic_energy(dynamics_.evaluation(), y_.segment(system.q_size(), system.v_size())) +
-         dynamics_.evaluation().potential;
+  return system.kinetic_energy(dynamics_.evaluation(), y_.segment(system.q_size(), system.v_size()));
 }
 
 /// Of the functions of events, where one changes the state: by what brings it back to the constraints.
@@ -105,8 +104,11 @@ void AdaptiveSimulation::strike(const VectorXd& Phi_t_before) {
   if ((Phi_t - Phi_t_before).cwiseAbs().maxCoeff() <= jump * size) return;
   statistics_.impacts += 1;
   const double before = energy();
+  Strike strike{t_, dynamics_.evaluation().potential, {y_, kinetic_energy()}, {}};
   projection().velocities(clock(), y_);
   y_[y_.size() - 1] += energy() - before;
+  strike.after = {y_, kinetic_energy()};
+  if (!resumed() || t_ > start_) strikes_.push_back(std::move(strike));
 }
 
 /// Those up to the start of a run that is resumed ended the run before it; by steps that are cut otherwise they may

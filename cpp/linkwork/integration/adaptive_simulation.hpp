@@ -41,6 +41,16 @@ struct StepStatistics {
   double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
 };
 
+/// Bodies struck by drivers at t [s]: before and after it y = (q, v, work), and energies [J].
+struct Strike {
+  struct Side {
+    VectorXd y;
+    double kinetic;
+  };
+  double t, potential;
+  Side before, after;
+};
+
 /// A run with steps as large as the tolerances allow. After an event that changes the state, velocities and positions
 /// go to the constraints (see Projection), the work counts what the event did, and the steps begin anew.
 ///
@@ -71,6 +81,8 @@ class AdaptiveSimulation final : public Run {
 
   /// The events of the steps finished since the last call.
   std::vector<Occurrence> take_occurrences() { return std::exchange(occurrences_, {}); }
+  /// The same of strikes.
+  std::vector<Strike> take_strikes() { return std::exchange(strikes_, {}); }
 
  private:
   /// Of t: t + h is exact to some percent.
@@ -107,7 +119,8 @@ class AdaptiveSimulation final : public Run {
   void cross_break();
   void strike(const VectorXd& Phi_t_before);
   double clock() const;
-  double energy() const;
+  double kinetic_energy() const;
+  double energy() const { return kinetic_energy() + dynamics_.evaluation().potential; }
   double end_of_step(double& h) const;
   bool violates(double h) const;
   /// True where the change ends the run.
@@ -144,6 +157,7 @@ class AdaptiveSimulation final : public Run {
   std::optional<SwitchWatch::Switch> switch_;  ///< that ends the current step
   std::vector<Occurrence> of_step_;            ///< found in the current step, which is not finished
   std::vector<Occurrence> occurrences_;        ///< of finished steps
+  std::vector<Strike> strikes_;
   std::vector<EventWatch::Found> stops_;       ///< the event that ends the current step, and those that come with it
   double last_stop_ = 0.0, last_interval_ = std::numeric_limits<double>::infinity();  ///< between such events
   int shorter_ = 0;             ///< such intervals in a row that were shorter than the one before

@@ -23,6 +23,7 @@ __all__ = [
     "Resume",
     "SingularPose",
     "Snapshot",
+    "Strike",
     "energy_error",
     "rotate",
 ]
@@ -223,6 +224,18 @@ class Occurrence(ReadOnly):
         parts = [part.reshape(-1, width) for y in (before, after)
                  for part, width in ((y[:split], 7), (y[split:], 6))]  # fmt: skip
         return cls(name, t, *parts)
+
+
+@by_value
+class Strike(NamedTuple):
+    """Bodies struck by drivers: before and after it y = (q, v, work) (13n + 1,), and energies [J]."""
+
+    t: float  #: [s]
+    potential: float
+    before: Floats
+    kinetic_before: float
+    after: Floats
+    kinetic_after: float
 
 
 def rotate(p: Floats, u: Floats) -> Floats:

@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from linkwork.modeling.model import Model
-    from linkwork.motion.records import Occurrence
+    from linkwork.motion.records import Occurrence, Strike
     from linkwork.results.checkpoints import StoredCheckpoint
     from linkwork.view import Page
     from linkwork.view.serving import Server
@@ -90,6 +90,7 @@ class Result:
         self._statistics = dict(statistics)
         self.t: Floats = self._field("t")
         self._finer: Finer | None = None
+        self._strikes: tuple[Strike, ...] = ()  # of a fresh result
 
     # --- what was run ---
 
@@ -819,7 +820,7 @@ class Result:
     def __setstate__(self, state: dict[str, Any]) -> None:
         """What earlier versions pickled says of itself what it says today."""
         header = replace(state["_header"], manifest=renamed_manifest(state["_header"].manifest))
-        self._checkpoint = None
+        self._checkpoint, self._strikes = None, ()
         given = state.get("_statistics", state.get("statistics"))  # the latter in those of version 0.1
         self.__dict__.update(state, _header=header, _statistics=renamed_statistics(given))
         self.t = read_only(self.t)

@@ -21,7 +21,7 @@ from linkwork.errors import FileError, LinkworkError, OptionError, carry, counte
 from linkwork.integrators import Integrator
 from linkwork.modeling.model import Model
 from linkwork.motion.header import Header, frame_shapes, record_reactions
-from linkwork.motion.records import Checkpoint, Occurrence, Snapshot
+from linkwork.motion.records import Checkpoint, Occurrence, Snapshot, Strike
 from linkwork.results.result import Result
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.progress import Report
@@ -306,6 +306,13 @@ def _occurrences(run: _core.Run, labels: Sequence[str]) -> list[Occurrence]:
     if not isinstance(run, _core.AdaptiveSimulation):
         return []
     return [Occurrence.of(labels[event], *rest) for event, *rest in run.take_occurrences()]
+
+
+def strikes(run: _core.Run) -> tuple[Strike, ...]:
+    """Of drivers, in the whole run."""
+    if not isinstance(run, _core.AdaptiveSimulation):
+        return ()
+    return tuple(Strike(*it) for it in run.take_strikes())
 
 
 def pieces(

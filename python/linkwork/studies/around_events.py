@@ -1,6 +1,9 @@
-"""The states just before and after events among the frames of a run: an impact jumps between two of them."""
+"""The states just before and after events, and strikes of drivers, among the frames of a run: an impact jumps
+between two of them."""
 
 from __future__ import annotations
+
+from typing import Any
 
 import numpy as np
 
@@ -31,21 +34,40 @@ def energy_of_bodies(result: Result, name: str) -> Floats | None:
 
 
 def around_events(result: Result) -> Result:
-    """With two frames at each event, before what it changed and after; NaN where they do not tell a field."""
-    t = np.repeat([it.t for it in result.events], 2)
-    if not len(t):
+    """With two frames at each event and each strike of a driver, before what it changed and after; NaN where
+    they do not tell a field."""
+    sides = _sides(result)
+    if not sides:
         return result
+    t = np.array([side["t"] for side in sides])
     places = np.searchsorted(result.t, t)
     ours = places + np.arange(len(places))
     frames = {name: np.insert(np.asarray(field[:], dtype=float), places, np.nan, axis=0)
               for name, field in result._frames.items()}  # fmt: skip
-    frames["t"][ours] = t
-    for name in ("q", "v"):
-        frames[name][ours] = [getattr(it, f"{name}_{side}") for it in result.events
-                              for side in ("before", "after")]  # fmt: skip
+    for place, side in zip(ours, sides, strict=True):
+        for name, value in side.items():
+            frames[name][place] = value
     found = Result(frames, result.header, result.statistics)
     for name, energy in zip(("kinetic", "potential"), ENERGIES, strict=True):
         of_bodies = energy_of_bodies(found, energy)
         if of_bodies is not None:
             frames[name][ours] = of_bodies[ours]
     return Result(frames, result.header, result.statistics)
+
+
+def _sides(result: Result) -> list[dict[str, Any]]:
+    """Fields before and after each of them as far as they are known, in order of time."""
+    n = len(result.body_names)
+    pairs = [
+        [
+            {"t": it.t, "q": y[: 7 * n].reshape(n, 7), "v": y[7 * n : -1].reshape(n, 6), "work": y[-1],
+             "kinetic": kinetic, "potential": it.potential}
+            for y, kinetic in ((it.before, it.kinetic_before), (it.after, it.kinetic_after))
+        ]
+        for it in result._strikes
+    ]  # fmt: skip
+    pairs += [
+        [{"t": it.t, "q": it.q_before, "v": it.v_before}, {"t": it.t, "q": it.q_after, "v": it.v_after}]
+        for it in result.events
+    ]
+    return [side for pair in sorted(pairs, key=lambda pair: float(pair[0]["t"])) for side in pair]

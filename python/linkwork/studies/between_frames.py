@@ -9,7 +9,8 @@ It bends one way where 3 |a + b| <= |b - a|, and lies between its chord and its 
 does. Elsewhere the rates at the frames are not those between, as at an impact, or it hardly bends: there, and
 where that is so often, as in an oscillation of which there are too few frames, or no rate is recorded, values
 go straight from frame to frame, and are largest and smallest at one. So they do where second rates are
-recorded as well and say something else than the cubic's, -4 a - 2 b and 2 a + 4 b over h^2.
+recorded as well and say something else than the cubic's, -4 a - 2 b and 2 a + 4 b over h^2. Where the rate is
+known at one of two frames alone, as beside an impact, it is a parabola.
 """
 
 from __future__ import annotations
@@ -32,6 +33,9 @@ GAUSS = tuple(
 
 #: The part of the times between frames in which rates have to fit, or frames are too far apart.
 RESOLVED = 0.8
+
+#: Of the largest value: by so little what rests bends.
+ROUNDING = 1e-13
 
 #: Parts of the time between frames at whose ends extremes are looked for, and how often the place of one is
 #: narrowed to a half then, to some 1e-8 of that time.
@@ -56,12 +60,14 @@ def bends_of(t: Floats, values: Floats, rates: Floats, second: Floats | None = N
     h = np.diff(t).reshape(-1, *[1] * (values.ndim - 1))
     rise = np.diff(values, axis=0)
     a, b = h * rates[:-1] - rise, h * rates[1:] - rise
+    counted = (h > 0.0) & np.isfinite(a) & np.isfinite(b)
+    a, b = np.where(np.isnan(a), -b, a), np.where(np.isnan(b), -a, b)  # a parabola, where one rate is known
     one_way = 3 * np.abs(a + b) <= np.abs(b - a)
-    straight = np.maximum(np.abs(a), np.abs(b)) <= 0.5 * np.abs(rise)
+    rest = ROUNDING * np.abs(values).max(axis=0)
+    straight = np.maximum(np.abs(a), np.abs(b)) <= 0.5 * np.abs(rise) + rest
     if second is not None:
         apart = np.abs(h**2 * second[:-1] + 4 * a + 2 * b), np.abs(h**2 * second[1:] - 2 * a - 4 * b)
-        one_way &= ~(np.maximum(*apart) > np.maximum(np.abs(a), np.abs(b)))
-    counted = (h > 0.0) & np.isfinite(a) & np.isfinite(b)
+        one_way &= ~(np.fmax(*apart) > np.maximum(np.abs(a), np.abs(b)))
     resolved = ((one_way | straight) & counted).sum(axis=0) >= RESOLVED * counted.sum(axis=0)
     one_way, known = one_way & resolved, (one_way | straight) & resolved
     return Bends(np.where(one_way, a, 0.0), np.where(one_way, b, 0.0), known)

@@ -316,8 +316,8 @@ def _followed(result: Result, steps: Sequence[Step]) -> Any:
 
 
 def _around_events(result: Result, steps: Sequence[Step], values: Floats) -> tuple[Result, Floats]:
-    """With the states at events, where these tell the values."""
-    if not result.events:
+    """With the states at events and strikes of drivers, where these tell the values."""
+    if not (result.events or result._strikes):
         return result, values
     around = around_events(result)
     found = _followed(around, steps)
