@@ -9,7 +9,7 @@
 namespace linkwork {
 namespace {
 
-constexpr double roundoff = 64 * std::numeric_limits<double>::epsilon();
+constexpr double rounded = 64 * std::numeric_limits<double>::epsilon();
 
 /// The longest side of the box around the bodies and the joints on the ground, or the longest arm of a joint on a body;
 /// none where it is only what positions are rounded to.
@@ -25,7 +25,7 @@ double size_of(const Model& model) {
   if (box.isEmpty()) return arm > 0.0 ? arm : INFINITY;
   const double size = std::max(arm, box.sizes().maxCoeff());
   const double reach = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-  return size > roundoff * reach ? size : INFINITY;
+  return size > rounded * reach ? size : INFINITY;
 }
 
 }  // namespace
