@@ -216,3 +216,88 @@ def test_laws_of_the_users_own_are_named_as_such(tmp_path: Path) -> None:
                 found.force(name, given)
     with pytest.raises(lw.ModelError, match="no force element named 'low'"):
         result.force("low")
+
+
+def pushed(held: list[float]) -> tuple[lw.Model, lw.Event]:
+    """A free body of 2 kg that is pushed by what is held, and an event that turns that over at 0.5 s."""
+    model = lw.Model(gravity=(0, 0, 0), name="pushed")
+    model.body("b", mass=2.0, inertia=(0.1, 0.1, 0.1))
+    model.force("b", force=(lambda t: held[0], 0, 0), name="push")
+    model.force("b", force=(0, lambda t: 2 * t, 0), name="other")
+
+    def turn_over(t: float, state: lw.State) -> None:
+        held[0] = -3.0
+
+    return model, lw.Event(lambda t, state: t - 0.5, "switch", change=turn_over)
+
+
+UNLIKE = "force of 'push': its law is not everywhere what it was in the run"
+
+
+def test_a_force_that_an_event_has_changed_is_told(tmp_path: Path) -> None:
+    """M v_dot is 1 N before and -3 N after; whatever is held later, it is not both."""
+    held = [1.0]
+    model, switch = pushed(held)
+    runs = []
+    for output in (None, tmp_path / "pushed.h5"):
+        held[0] = 1.0
+        runs.append(lw.simulate(model, t_end=1.0, rtol=1e-8, events=switch, output=output))
+    for now in (-3.0, 1.0):
+        held[0] = now
+        with pytest.warns(lw.LinkworkWarning, match=UNLIKE):
+            found = runs[0].force("push").force
+        assert np.abs(found - 2 * runs[0].acceleration[:, 0])[:, 0].max() == 4.0
+    with pytest.warns(lw.LinkworkWarning, match=UNLIKE):  # of the model as it began
+        lw.Result.load(tmp_path / "pushed.h5").force("push", model)
+    other = runs[0].force("other").force[:, 1]
+    assert np.abs(other - 2 * runs[0].t).max() < 1e-15
+
+
+def test_a_force_that_is_changed_after_the_run_is_told() -> None:
+    held = [1.0]
+    model, _ = pushed(held)
+    driven, _ = pushed(held)
+    driven.translational("ground", "b", at=(0, 0, 0), axis=(1, 0, 0), name="rail")
+    driven.drive("rail", position=lw.functions.cycloidal(0.3, 1.0))
+    results = [
+        lw.simulate(model, t_end=1.0, step=0.01),
+        lw.simulate_many(model, {"b.mass": [2.0]}, 1.0, step=0.01).member(0),
+        lw.kinematics(driven, np.linspace(0, 1, 11)),
+    ]
+    for result in results:
+        assert (result.force("push").force[:, 0] == 1.0).all()
+    held[0] = 5.0
+    for result in results:
+        with pytest.warns(lw.LinkworkWarning, match=UNLIKE):
+            result.force("push")
+    held[0] = 1.0
+    for result in results:
+        assert (result.force("push").force[:, 0] == 1.0).all()
+
+
+def test_a_force_that_begins_at_an_event_is_what_it_was() -> None:
+    """Steps that the event cut were taken by the law before it; no frame has them."""
+    began = [np.inf]
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("b", mass=2.0, inertia=(0.1, 0.1, 0.1), velocity=(1, 0, 0))
+    model.force("b", force=(lambda t: 3 * (t - began[0]) if t > began[0] else 0.0, 0, 0), name="ramp")
+
+    def trigger(t: float, state: lw.State) -> None:
+        began[0] = t
+
+    passing = lw.Event(lambda t, state: state.body("b").position[0] - 0.4567, "passes", change=trigger)
+    result = lw.simulate(model, t_end=1.0, rtol=1e-8, events=passing, on_inaccurate="pass")
+    assert result.events[0].t == pytest.approx(0.4567)
+    assert np.abs(result.force("ramp").force - 2 * result.acceleration[:, 0]).max() < 1e-12
+
+
+def test_cases_remark_forces_that_are_not_those_of_the_run() -> None:
+    held = [1.0]
+    model, switch = pushed(held)
+    asked, cases = ["force('push').force.x.max"], {"b.mass": [2.0, 3.0]}
+    study = lw.sweep(model, cases, asked, t_end=1.0, rtol=1e-8, events=switch, processes=1)
+    many = lw.simulate_many(model, cases, 1.0, rtol=1e-8, events=switch, outputs=asked)
+    for found in (study, many):
+        assert found.remarks.keys() == {0, 1}
+        assert all(text.startswith(UNLIKE) for text in found.remarks.values())
+    assert not lw.sweep(model, cases, asked, t_end=1.0, step=0.01, processes=1).remarks

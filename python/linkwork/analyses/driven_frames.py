@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -22,6 +22,7 @@ from linkwork.modeling.model import Model
 from linkwork.motion.header import Header
 from linkwork.results.result import Result
 from linkwork.running import breakpoints
+from linkwork.running.laws_of_forces import LawsOfForces
 from linkwork.running.manifest import manifest
 
 __all__ = ["Frames"]
@@ -109,7 +110,10 @@ class Frames:
             **manifest(self.model, self.model.hash(), given, chosen),
             "breaks": {"count": len(self.sides), **breakpoints.noted(self.struck)},
         }
-        header = Header.of(self.model.compiled(), dynamics, facts, None, self.model.shapes, self.model.curves)
+        header = replace(
+            Header.of(self.model.compiled(), dynamics, facts, None, self.model.shapes, self.model.curves),
+            unlike_run=LawsOfForces(self.model),
+        )
         crossings = self.poses
         struck = {it.time for it in self.struck if it.time <= fields["t"][-1]}
         statistics = {**continuation.counts, "impacts": len(struck), "singular_poses": len(crossings),

@@ -390,7 +390,7 @@ class _Kept:
         if member.motion is not None:
             with remarked() as notes:
                 warn_of_notes(member.motion, self._told)
-            found = kept(member.motion, self._outputs or (), self._times)
+                found = kept(member.motion, self._outputs or (), self._times)
             self._in_lanes += not member.reason
         if self._outputs is None and member.result is not None:
             self._results[number] = member.result

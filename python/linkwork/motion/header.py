@@ -31,6 +31,10 @@ Reactions = Callable[..., tuple[Floats, Floats]]
 #: [N m] (k, 3) on the second body, power [W], potential [J] and what its history variable becomes (k,).
 ForceElement = Callable[..., tuple[Floats, Floats, Floats, Floats, Floats]]
 
+#: unlike_run(index, model of these laws or None) -> how its functions show that they return something else
+#: now than in the run; empty: they do not.
+UnlikeRun = Callable[[int, Any], str]
+
 
 def _none(*shape: int) -> Callable[[], Any]:
     """Gives the default of an array that files of earlier versions do not have."""
@@ -77,6 +81,7 @@ class Header(ReadOnly):
     curves: Mapping[int, Floats] = field(default_factory=dict, compare=False)  # by joint: points (m, 3) in a
     reactions: Reactions | None = field(default=None, compare=False)
     force_element: ForceElement | None = field(default=None, compare=False)
+    unlike_run: UnlikeRun | None = field(default=None, compare=False)
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -138,7 +143,7 @@ class Header(ReadOnly):
 
     def detached(self) -> Header:
         """The same without the compiled model behind it, so that it can go to another process."""
-        return replace(self, reactions=None, force_element=None)
+        return replace(self, reactions=None, force_element=None, unlike_run=None)
 
     def parameters(self, role: Literal["joint", "force"], index: int) -> Floats:
         """The numbers of a joint or force element, as its kind lists them; none in a file that has none."""

@@ -8,7 +8,7 @@ import numpy as np
 
 from linkwork import _core
 from linkwork.arrays import Floats
-from linkwork.errors import ModelError, OptionError, nearest
+from linkwork.errors import ModelError, OptionError, nearest, warn
 from linkwork.modeling.coordinates import coordinates_of
 from linkwork.modeling.elements import KINDS
 from linkwork.motion.header import ForceElement
@@ -31,10 +31,25 @@ def force(result: Result, name: str | int, model: Model | None) -> ForceResult:
     if model is not None and not hasattr(model, "compiled"):
         raise ModelError(f"force: a linkwork.Model is wanted, not {model!r:.80}", code="not_a_model")
     which, law = place(result, name, model), _law(result, model)
+    _warn_of_other_laws(result, which, model)
     k = len(result)
     state = (result.q.reshape(k, -1), result.v.reshape(k, -1), result._field("vdot").reshape(k, -1))
     on_force, torque, power, potential, turned = law(which, _clock(result), *state, result.history)
     return ForceResult(on_force, torque, power, potential, _deflection(result, which, turned))
+
+
+def _warn_of_other_laws(result: Result, which: int, model: Model | None) -> None:
+    """LinkworkWarning: functions of an element do not say what they said in the run."""
+    header, name = result.header, result.header.force_names[which]
+    found = "" if header.unlike_run is None else header.unlike_run(which, model)
+    if not found and name not in result._statistics.get("changed_laws", ()):
+        return
+    shown = f" ({found})" if found else ""
+    warn(
+        f"force of '{name}': its law is not everywhere what it was in the run{shown}, and frames have what "
+        "it says now: set what it reads as it was then; what changes in a run, as by events, is lost, while "
+        "accelerations, reactions, energies and work are those of the run"
+    )
 
 
 def _clock(result: Result) -> Floats:

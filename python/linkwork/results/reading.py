@@ -266,7 +266,7 @@ def _read_header(file: h5py.File) -> Header:
 def _as_of_a_file(written: Header, file: h5py.File) -> Header:
     """The header that was written to a file, as if it had been read from it."""
     manifest = json.loads(file.attrs["manifest"])
-    return replace(written, manifest=manifest, expected_frames=None, reactions=None, force_element=None)
+    return replace(written, manifest=manifest, expected_frames=None).detached()
 
 
 def _read_events(file: h5py.File, limit: float = math.inf) -> list[Occurrence]:

@@ -394,8 +394,12 @@ class Result:
         model  for a result from a file, which has no laws of forces: the model of which it is, with the
                numbers, functions and initial state that it had (compared by `Model.hash`)
 
+        It is by what the element's functions say now. Calls that are kept of the run are made again, and tell
+        where that is something else, as what an event has changed meanwhile.
+
         Laws of the user's own (`joint_force`, `user_force`) are no force elements: call their functions.
         ModelError: no such force element. OptionError: a file without `model`, or another model.
+        LinkworkWarning: functions do not say what they said in the run.
         """
         from linkwork.results import forces
 

@@ -22,6 +22,7 @@ from linkwork.results.result import Result
 from linkwork.running import estimation, forecast, recording, schedule
 from linkwork.running.events import events_of
 from linkwork.running.interrupts import Interrupts
+from linkwork.running.laws_of_forces import LawsOfForces
 from linkwork.running.leaving_no_memory import (
     Memory,
     called,
@@ -395,7 +396,7 @@ def _result(it: _Ready, frames: Mapping[str, Any], method: Method, poses: Mappin
     statistics = {"lane": True, **poses, "singularity_crossings": crossings, **counts}
     if verdict is not None:
         statistics["verdict"] = verdict.numbers()
-    return Result(frames, header, statistics)
+    return Result(frames, replace(header, unlike_run=LawsOfForces(it.model)), statistics)
 
 
 def _singular_poses(it: _Ready) -> dict[str, Any]:

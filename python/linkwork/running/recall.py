@@ -23,7 +23,7 @@ from linkwork.functions.calls import Call, Calls
 from linkwork.running.kept import Kept, Parts
 from linkwork.running.written import Written
 
-__all__ = ["NOTHING", "Recall", "call_again"]
+__all__ = ["MOST", "NOTHING", "Recall", "call_again", "unlike_then"]
 
 #: Of the largest force or value of a function: what differs by less does so by the tolerance of an iteration
 #: inside; of the largest of all of them by rounding.
@@ -146,6 +146,15 @@ def call_again(
             calls.remembers = True
             remember[name] = told
     return Recall(tuple(differ), tuple(remember), next(iter([*remember.values(), *differ.values()]), ""))
+
+
+def unlike_then(name: str, calls: Calls, then: Sequence[Call]) -> str:
+    """As one of these calls of a run shows, made again: it returns something else; "": none does."""
+    answers = [(call, calls.again(call)) for call in then]
+    seen = [_Seen(0, call, now, now, now, now) for call, now in answers]
+    sizes = _Sizes(seen)
+    apart, worst = max(((it.apart(sizes), it) for it in seen), key=_first, default=(0.0, None))
+    return "" if worst is None or apart <= 1 else _told(name, worst, sizes)
 
 
 def _calls(functions: Sequence[tuple[str, Calls]], written: Written | None, own: Parts | None) -> list[_Seen]:

@@ -7,6 +7,7 @@ import os
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager
+from dataclasses import replace
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -24,6 +25,7 @@ from linkwork.motion.header import Header, frame_shapes, record_reactions
 from linkwork.motion.records import Checkpoint, Occurrence, Snapshot, Strike
 from linkwork.results.result import Result
 from linkwork.running.interrupts import Interrupts
+from linkwork.running.laws_of_forces import LawsOfForces
 from linkwork.running.progress import Report
 from linkwork.running.resuming import Identity
 from linkwork.running.seen_in_frames import warn_of_what_frames_show
@@ -70,7 +72,7 @@ class Recorder(Protocol):
     def note(self, occurrences: Sequence[Occurrence]) -> None: ...
     def takes_more(self, error: BaseException) -> bool: ...
     def abandon(self, error: BaseException) -> Result | None: ...
-    def result(self, statistics: Mapping[str, Any]) -> Result: ...
+    def result(self, statistics: Mapping[str, Any], laws: LawsOfForces) -> Result: ...
 
 
 class Checkpoints:
@@ -92,8 +94,8 @@ class Checkpoints:
 
 
 class _Memory:
-    def __init__(self, header: Header, checkpoints: Checkpoints) -> None:
-        self._header, self._checkpoints = header, checkpoints
+    def __init__(self, header: Header, checkpoints: Checkpoints, model: Model) -> None:
+        self._header, self._checkpoints, self._model = header, checkpoints, model
         self._bytes = self._looked_at = 0
         frames = header.expected_frames or 0
         self._check_memory(8.0 * frames * sum(map(math.prod, header.frame_shapes().values())), frames)
@@ -127,15 +129,16 @@ class _Memory:
         return True
 
     def abandon(self, error: BaseException) -> Result | None:
-        return self.result({}) if self._pieces else None
+        return self.result({}, LawsOfForces(self._model)) if self._pieces else None
 
-    def result(self, statistics: Mapping[str, Any]) -> Result:
+    def result(self, statistics: Mapping[str, Any], laws: LawsOfForces) -> Result:
         pieces, self._pieces = [dict(piece) for piece in self._pieces], []
         joined = {  # field by field, or memory would have to hold everything twice
             name: np.concatenate([piece.pop(name) for piece in pieces]) for name in list(pieces[0])
         }
         checkpoint = self._checkpoints.of_frames()
-        return Result(joined, self._header, statistics, events=self._occurrences, checkpoint=checkpoint)
+        header = replace(self._header, unlike_run=laws)
+        return Result(joined, header, statistics, events=self._occurrences, checkpoint=checkpoint)
 
 
 class _File:
@@ -175,7 +178,7 @@ class _File:
                 return None
             raise
 
-    def result(self, statistics: Mapping[str, Any]) -> Result:
+    def result(self, statistics: Mapping[str, Any], laws: LawsOfForces) -> Result:
         self._writer.close(statistics)
         return self._own()
 
@@ -195,11 +198,15 @@ class _File:
 
 
 def recorder(
-    output: str | os.PathLike[str] | None, header: Header, checkpoints: Checkpoints, interrupts: Interrupts
+    output: str | os.PathLike[str] | None,
+    header: Header,
+    checkpoints: Checkpoints,
+    interrupts: Interrupts,
+    model: Model,
 ) -> Recorder:
     """To a file, or to memory. FileError: the file cannot be written."""
     if output is None:
-        return _Memory(header, checkpoints)
+        return _Memory(header, checkpoints, model)
     return _File(output, header, checkpoints, interrupts)
 
 

@@ -38,6 +38,7 @@ from linkwork.running import (
 from linkwork.running.events import Event, Watched, calls_of, compile_events, events_of, functions_of
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.kept import Kept
+from linkwork.running.laws_of_forces import LawsOfForces
 from linkwork.running.leaving_no_memory import called
 from linkwork.running.manifest import manifest
 from linkwork.running.progress import ProgressOption, check_progress, preparing, reporting, sharing
@@ -370,7 +371,7 @@ def _carried_out(
         estimator = estimator or estimator_of(it)
         header = it.header()
     with preparing(progress, f"beginning '{output}'", time.perf_counter() - started):
-        recorder = recording.recorder(output, header, checkpoints, interrupts)
+        recorder = recording.recorder(output, header, checkpoints, interrupts, it.system.model)
     model, run, plan, t_start = it.system.model, it.run, it.plan, it.t_start
     spent = {"setup_seconds": time.perf_counter() - started}
     log.info("%s: %g to %g s by %s", model.describe(), t_start, plan.t_end, _listed(it.chosen))
@@ -383,6 +384,7 @@ def _carried_out(
             spent["driver_seconds"] = recording.record(
                 run, pieces, recorder, report, labels, estimator, interrupts, t_end=plan.t_end, warns=warns
             )
+        laws = LawsOfForces(model)
         statistics = {**it.statistics(), **plan.steps_with_breaks(it.breaks, t_start)}
         driven = time.perf_counter()
         sharing_verdict = sharing(progress, "steps taken again for the verdict", driven - started)
@@ -392,7 +394,7 @@ def _carried_out(
     seconds = time.perf_counter() - started
     log.info("%s: done, %d steps in %.3g s", model.name or "model", run.steps_done, seconds)
     found = {"verdict": verdict.numbers()} if verdict is not None else {}
-    result = recorder.result({**statistics, "seconds": seconds, **spent, **found})
+    result = recorder.result({**statistics, "seconds": seconds, **spent, **found, **laws.statistics()}, laws)
     result._strikes = recording.strikes(run)
     checks.warn_of_contradiction(result.statistics)
     warn_of_what_frames_show(result)
