@@ -201,6 +201,34 @@ def test_breaks_side_by_side_are_one() -> None:
     assert {0.75, later} <= set(result.t)
 
 
+BREAKS = [0.0, 0.5, 1.0, 2.0]
+
+
+@pytest.mark.parametrize("end", [0.5, 1.0, 1.0 + 2e-16])
+@pytest.mark.parametrize("jumping", [True, False])
+def test_the_force_at_a_break_is_that_of_a_driven_motion(jumping: bool, end: float) -> None:
+    """m a = driver + force in all frames; in the last one of both before the break, as in a run."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("b", mass=2.0, inertia=(0.1, 0.2, 0.3))
+    model.translational("ground", "b", at=(0, 0, 0), axis=(1, 0, 0), name="rail")
+    law = lw.functions.piecewise_polynomial(BREAKS, [[1.0], [3.0], [-2.0]])
+    model.drive("rail", acceleration=law if jumping else lw.functions.polynomial(1.0, 2.0), name="drive")
+    forces = [-4.0, 9.0, 5.0]
+    model.force(
+        "b", force=(lw.functions.piecewise_polynomial(BREAKS, [[it] for it in forces]), 0, 0), name="push"
+    )
+    needed = lw.inverse_dynamics(model, np.append(np.linspace(0, 0.95 * round(end, 1), 20), end))
+    motion = needed.motion
+    push = motion.force("push")
+    effort, acceleration = needed.effort("drive"), motion.acceleration[:, 0, 0]
+    np.testing.assert_allclose(effort + push.force[:, 0], 2 * acceleration, rtol=1e-9, atol=1e-9)
+    assert push.force[-1, 0] == forces[0 if end == 0.5 else 1]
+    np.testing.assert_allclose(needed.drives["drive"].power, effort * motion.velocity[:, 0, 0], atol=1e-9)
+    if motion.t[-1] == round(end, 1):
+        run = lw.simulate(model, end, rtol=1e-9)
+        assert run.reaction("drive").force[-1, 0] == pytest.approx(effort[-1], abs=1e-6)
+
+
 def test_laws_of_the_users_own_are_named_as_such(tmp_path: Path) -> None:
     """They are found by what a result has."""
     model = swinging()

@@ -60,11 +60,11 @@ class Frames:
             )
         )
         #: The last time before each of these, and the first after it.
-        sides = list(map(breakpoints.on_either_side, breaks))
-        self.sides = [it for it in sides if it[1] < asked[-1]]
-        at_end = [before for before, after in sides if asked[-2] < before <= asked[-1] <= after]
+        self.sides = [it for it in map(breakpoints.on_either_side, breaks) if it[1] < asked[-1]]
         #: When frames are found: at a break the last one is of what comes before it, as that of a run.
-        self.taken = np.append(asked[:-1], at_end[:1]) if at_end else asked
+        self.at_end = _breaks_at_end(model, asked)
+        before = [breakpoints.on_either_side(t)[0] for t in self.at_end[:1]]
+        self.taken = np.append(asked[:-1], before) if before else asked
 
     @property
     def times(self) -> Floats:
@@ -105,15 +105,14 @@ class Frames:
     def result(self, continuation: Continuation, began: float, failed: bool = False) -> Result:
         fields, dynamics = self._fields(continuation), self.system.compiled()
         given = {"times": self.asked}
-        chosen = {"analysis": "kinematics", "integrator": "kinematics"}
+        chosen = {"analysis": "kinematics", "integrator": "kinematics", "t_end": float(self.asked[-1])}
         facts = {
             **manifest(self.model, self.model.hash(), given, chosen),
             "breaks": {"count": len(self.sides), **breakpoints.noted(self.struck)},
         }
-        header = replace(
-            Header.of(self.model.compiled(), dynamics, facts, None, self.model.shapes, self.model.curves),
-            unlike_run=LawsOfForces(self.model),
-        )
+        model = self.model
+        header = Header.of(model.compiled(), dynamics, facts, None, model.shapes, model.curves, self.at_end)
+        header = replace(header, unlike_run=LawsOfForces(model))
         crossings = self.poses
         struck = {it.time for it in self.struck if it.time <= fields["t"][-1]}
         statistics = {**continuation.counts, "impacts": len(struck), "singular_poses": len(crossings),
@@ -231,6 +230,15 @@ class Frames:
         rows = self._matrix(found["inerters"], len(found["inertance"]))
         total: Floats = of_bodies + rows.T @ (found["inertance"] * (rows @ a))
         return total
+
+
+def _breaks_at_end(model: Model, asked: Floats) -> list[float]:
+    """Of all that acts, with the time of the last frame, which rounding may put beside them; [] without any."""
+    last = float(asked[-1])
+    near = breakpoints.of_run(model, (), float(asked[-2]), breakpoints.on_either_side(last)[1])
+    sides = {t: breakpoints.on_either_side(t) for t in near}
+    found = [t for t, (before, after) in sides.items() if asked[-2] < before <= last <= after]
+    return sorted({*found, last}) if found else []
 
 
 def _multipliers(dynamics: _core.Dynamics, it: MotionState) -> Floats:

@@ -20,6 +20,7 @@ from linkwork.modeling.elements import KINDS
 from linkwork.modeling.handles import Joint
 from linkwork.modeling.model import Model, check_bodies
 from linkwork.motion import summary
+from linkwork.results.forces import clock
 from linkwork.results.result import Result
 
 __all__ = ["Drive", "InverseDynamics", "inverse_dynamics"]
@@ -140,7 +141,8 @@ def _check_names(drivers: Sequence[str | Joint]) -> None:
 
 def _rates(model: Model, motion: Result, rows: NDArray[np.integer]) -> Floats:
     """Phi_t (k, rows) along the motion."""
-    found: Floats = System(model).compiled().constraint_rates(motion.t, motion.q, motion.v, list(rows))
+    dynamics = System(model).compiled()
+    found: Floats = dynamics.constraint_rates(clock(motion), motion.q, motion.v, list(rows))
     return found
 
 

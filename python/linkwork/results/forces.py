@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from linkwork.modeling.model import Model
     from linkwork.results.result import Result
 
-__all__ = ["force", "place"]
+__all__ = ["clock", "force", "place"]
 
 #: Breaks that are one, and where functions are evaluated beside one, relative to the time; as steps do it.
 SAME, BESIDE = 64 * np.finfo(float).eps, 4 * np.finfo(float).eps
@@ -34,7 +34,7 @@ def force(result: Result, name: str | int, model: Model | None) -> ForceResult:
     _warn_of_other_laws(result, which, model)
     k = len(result)
     state = (result.q.reshape(k, -1), result.v.reshape(k, -1), result._field("vdot").reshape(k, -1))
-    on_force, torque, power, potential, turned = law(which, _clock(result), *state, result.history)
+    on_force, torque, power, potential, turned = law(which, clock(result), *state, result.history)
     return ForceResult(on_force, torque, power, potential, _deflection(result, which, turned))
 
 
@@ -52,7 +52,7 @@ def _warn_of_other_laws(result: Result, which: int, model: Model | None) -> None
     )
 
 
-def _clock(result: Result) -> Floats:
+def clock(result: Result) -> Floats:
     """Where functions of time were evaluated for the frames (k,) [s]: of those at breaks just after them, as
     for what begins there, at the end of the run just before."""
     t, breaks = result.t, np.asarray(result.header.breaks, dtype=float)
