@@ -217,3 +217,27 @@ def test_solvers_with_blas_refuse_where_there_is_no_memory_for_its_buffer() -> N
     assert done.stdout.splitlines() == [
         word if name in there else "not here" for name, word in zip(SOLVERS, expected, strict=True)
     ]
+
+
+@pytest.mark.parametrize("how", ["law", "violation"])
+def test_the_file_of_a_run_that_failed_says_so(tmp_path: Path, how: str) -> None:
+    """As the result that its error has: nothing of it is lost."""
+    output = tmp_path / "run.h5"
+    model = lw.Model(gravity=(0, 0, -9.81))
+    model.body("a", mass=1.0, inertia=(0.01, 0.08, 0.09), position=(0.5, 0, 0))
+    model.revolute("ground", "a", at=(0, 0, 0), axis=(0, 1, 0), name="hinge")
+    model.force("a", force=(0, 0, lambda t: 1 / 0 if how == "law" and t > 0.5 else 3.0))
+    drifting: Any = {
+        "on_violation": "stop",
+        "stabilization": "none",
+        "integrator": "euler",
+        "violation_limit": 1e-3,
+    }
+    error, options = (ZeroDivisionError, {}) if how == "law" else (lw.ViolationError, drifting)
+    with pytest.raises(error) as failure:
+        lw.simulate(model, 1.0, 1e-3, output=output, **options)
+    result = lw.Result.load(output)
+    assert result.status == failure.value.result.status == "failed"
+    assert result.missing == () and not result.finished and result.verdict is None
+    assert result.statistics == failure.value.result.statistics
+    assert 0 <= result.statistics["steps"] - (len(result) - 1) <= 1 and len(result) > 100

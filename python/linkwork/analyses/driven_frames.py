@@ -233,7 +233,7 @@ class Frames:
 
 
 def _breaks_at_end(model: Model, asked: Floats) -> list[float]:
-    """Of all that acts, with the time of the last frame, which rounding may put beside them; [] without any."""
+    """Of all that acts, with the time of the last frame, which rounding may put beside; [] without any."""
     last = float(asked[-1])
     near = breakpoints.of_run(model, (), float(asked[-2]), breakpoints.on_either_side(last)[1])
     sides = {t: breakpoints.on_either_side(t) for t in near}

@@ -142,7 +142,7 @@ def _stored(path: Path, run: str, header: Header, content: _Content) -> StoredRu
     finer = None if content.finer is None else (content.finer[0], fields("finer", content.finer[1]))
     frames = fields("frames", content.frames)
     checkpoint = content.checkpoint
-    if checkpoint is None and not content.statistics:
+    if checkpoint is None and (not content.statistics or content.statistics.get("failed", False)):
         checkpoint = _or_none(lambda: checkpoints.read_beside(path, run))
     if isinstance(checkpoint, Checkpoint) and not (
         content.frames and checkpoint.t <= frames["t"][content.frames - 1]

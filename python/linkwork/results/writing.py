@@ -263,7 +263,7 @@ class ResultWriter:
             dataset[start:] = rows
 
     def close(self, statistics: Mapping[str, Any] | None = None, *, hurried: bool = False) -> None:
-        """End the file; without `statistics` it is marked as unfinished.
+        """End the file; without `statistics` it is marked as interrupted.
 
         hurried  a large checkpoint that is beside stays there, and no later one is written; nor is one where
                  there is no frame, from which no run goes on
@@ -289,7 +289,8 @@ class ResultWriter:
                 self._write_end(statistics)
             finally:
                 self._release()
-            if checkpoint is not None and statistics is None:  # there is room beside now, perhaps
+            ended = statistics is not None and not statistics.get("failed", False)
+            if checkpoint is not None and not ended:  # there is room beside now, perhaps
                 with suppress(OSError):
                     checkpoints.write_beside(self._target, checkpoint, self._run)
             elif not stays:

@@ -65,13 +65,13 @@ class Recorder(Protocol):
     """Where frames go.
 
     takes_more  whether the frames that are still in the run are to be written after an error
-    abandon     what there is after an error
+    abandon     what there is after an error; `statistics`: none, of a run that was interrupted
     """
 
     def write(self, frames: Frames) -> None: ...
     def note(self, occurrences: Sequence[Occurrence]) -> None: ...
     def takes_more(self, error: BaseException) -> bool: ...
-    def abandon(self, error: BaseException) -> Result | None: ...
+    def abandon(self, error: BaseException, statistics: Mapping[str, Any]) -> Result | None: ...
     def result(self, statistics: Mapping[str, Any], laws: LawsOfForces) -> Result: ...
 
 
@@ -128,8 +128,8 @@ class _Memory:
     def takes_more(self, error: BaseException) -> bool:
         return True
 
-    def abandon(self, error: BaseException) -> Result | None:
-        return self.result({}, LawsOfForces(self._model)) if self._pieces else None
+    def abandon(self, error: BaseException, statistics: Mapping[str, Any]) -> Result | None:
+        return self.result(statistics, LawsOfForces(self._model)) if self._pieces else None
 
     def result(self, statistics: Mapping[str, Any], laws: LawsOfForces) -> Result:
         pieces, self._pieces = [dict(piece) for piece in self._pieces], []
@@ -169,9 +169,9 @@ class _File:
     def takes_more(self, error: BaseException) -> bool:
         return not (self._large and isinstance(error, KeyboardInterrupt))
 
-    def abandon(self, error: BaseException) -> Result | None:
+    def abandon(self, error: BaseException, statistics: Mapping[str, Any]) -> Result | None:
         try:
-            self._writer.close(hurried=isinstance(error, KeyboardInterrupt))
+            self._writer.close(statistics or None, hurried=isinstance(error, KeyboardInterrupt))
             return self._own()
         except FileError as failure:
             if failure.code == "replaced":
@@ -273,7 +273,8 @@ def _abandon(
         if to.takes_more(error):
             to.write(run.take_frames(at_the_end=True))
     finally:
-        result = to.abandon(error)
+        statistics = {**run.statistics(), "failed": True} if isinstance(error, Exception) else {}
+        result = to.abandon(error, statistics)
         if isinstance(error, Exception):
             state = Snapshot.of(run.t, run.last_state, run.history)
             carries = carry(error, result=result, state=state.resumable(checkpoints.of_state(), run.work))
@@ -281,7 +282,7 @@ def _abandon(
                 there = f"; its `result` has {counted(len(result), 'frame')}" if carries and result else ""
                 error.add_note(f"linkwork: in the step after t = {run.t:.6g} s{there}")
             if result is not None:
-                result._statistics.update(run.statistics(), failed=True)
+                result._statistics.update(statistics)  # also of a file that had no room for them
                 warn_of_what_frames_show(result)
         else:
             carry(error, result=result)
