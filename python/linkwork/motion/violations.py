@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 #: Equations of angles, each of pairs of axes.
 Angles = tuple[tuple[tuple[int, int], ...], ...]
 
+#: Of kinds that hold translations along an axis of each body: which of a, and which of b.
+BETWEEN = {"revolute_translational": ((False, False, True), (True, False, False))}
+
 #: Placements of joints that hold directions only: they sit nowhere.
 UNPLACED = ("direction", "two_directions", "orientation")
 
@@ -36,6 +39,7 @@ class Holds:
     turning: bool  #: about its z axis, and about no other
     sliding: bool  #: along its z axis, and along no other
     angles: Angles  #: of its rotations at zero, see EquationInfo.perpendicular
+    between: tuple[tuple[bool, ...], tuple[bool, ...]] = ((False,) * 3,) * 2  #: along axes of a and of b
 
     @classmethod
     def of(cls, kind: str) -> Holds:
@@ -54,12 +58,29 @@ class Holds:
             [("rotation", axis) in held for axis in range(3)] == [True, True, False],
             (x, y, z) == (True, True, False),
             tuple(tuple(it.perpendicular) for it in equations if it.perpendicular),
+            BETWEEN.get(kind, cls.between),
         )
 
-    @property
-    def anything(self) -> bool:
-        """Whether `violations` can tell by how much it is violated."""
-        return any(self.translations) or self.distance or bool(self.angles)
+    def axes(self, side: int) -> list[bool]:
+        """Of the first or second body, along which the points are not apart."""
+        along = self.translations if side == 0 else (False,) * 3
+        return [one or other for one, other in zip(along, self.between[side], strict=True)]
+
+
+def told(header: Header) -> list[bool]:
+    """Of each joint whether `violations` can tell by how much it is violated: a length that is a function of
+    time is not known."""
+    found = []
+    for joint, it in enumerate(joint_kinds(header)):
+        known = not it.distance or _length(header, joint) is not None
+        found.append(known and (it.distance or any(it.translations) or bool(it.angles)))
+    return found
+
+
+def _length(header: Header, joint: int) -> float | None:
+    """At which a joint holds its points [m]; None: it is a function of time, or not in an early file."""
+    length = header.parameters("joint", joint)[-1:]
+    return float(length[0]) if len(length) and np.isfinite(length[0]) else None
 
 
 def joint_kinds(header: Header) -> list[Holds]:
@@ -98,24 +119,25 @@ def violations(result: Result, joints: NDArray[np.integer], every: int = 1) -> t
     """By how much each joint's points are apart [m] and its axes askew [rad] (k, j), where it holds them.
 
     Of points that are held at a distance the error of that distance counts. Rolling, threads and drivers are
-    left out: their equations join points and angles.
+    left out: their equations join points and angles. See `told`.
     """
     header = result.header
     kinds = joint_kinds(header)
     holds = [kinds[j] for j in joints]
     gap, turns = separations(result, header.joint_bodies[joints], header.joint_origin[joints], every)
-    a, b = (turns[side] @ header.joint_frame[joints, side] for side in (0, 1))
-    held = np.array([it.translations for it in holds], float).reshape(-1, 3)
-    apart: Floats = np.linalg.norm(np.einsum("kjab,kja->kjb", a, gap) * held, axis=-1)
+    axes = [turns[side] @ header.joint_frame[joints, side] for side in (0, 1)]
+    apart: Floats = np.zeros(gap.shape[:-1])
+    for side in (0, 1):
+        held = np.array([it.axes(side) for it in holds], float).reshape(-1, 3)
+        along = np.einsum("kjab,kja->kjb", axes[side], gap) * held
+        apart = np.hypot(apart, np.linalg.norm(along, axis=-1))
     for place, (j, it) in enumerate(zip(joints, holds, strict=True)):
-        if not it.distance:
-            continue
-        length = header.parameters("joint", int(j))[-1:]
-        if len(length) and np.isfinite(length).all():
-            apart[:, place] = np.abs(np.linalg.norm(gap[:, place], axis=-1) - length)
+        if it.distance and (length := _length(header, int(j))) is not None:
+            longer = np.linalg.norm(gap[:, place], axis=-1) - length
+            apart[:, place] = np.hypot(apart[:, place], longer)
     askew = np.zeros_like(apart)
     for angles, places in _alike([it.angles for it in holds]):
-        askew[:, places] = _askew(a[:, places], b[:, places], angles)
+        askew[:, places] = _askew(axes[0][:, places], axes[1][:, places], angles)
     return apart, askew
 
 

@@ -14,7 +14,7 @@ from linkwork import _core, arguments
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError
 from linkwork.motion.header import Header
-from linkwork.motion.violations import violations
+from linkwork.motion.violations import told, violations
 from linkwork.results.result import Result
 from linkwork.view import view
 from linkwork.view.page import Page
@@ -78,10 +78,11 @@ def _apart(result: Result, joints: dict[int, str]) -> dict[int, str]:
     """The same in lengths and angles, where points and axes tell."""
     apart, askew = violations(result, np.array(list(joints), dtype=np.intp))
     texts: dict[int, str] = {}
+    known = told(result.header)
     for joint, gap, angle in zip(joints, apart[-1], askew[-1], strict=True):
         words = [f"{_length(gap)} apart"] if gap > 0 else []
         words += [f"{np.degrees(angle):.3g} deg askew"] if angle > TOLERANCE else []
-        if words:
+        if words and known[joint]:
             texts[joint] = ", ".join(words)
     return texts
 

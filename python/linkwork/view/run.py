@@ -19,7 +19,7 @@ from linkwork.modeling.shapes import Box, Cylinder, Mesh, Rod, Shape, Sphere
 from linkwork.motion.header import Header
 from linkwork.motion.records import energy_error
 from linkwork.motion.summary import method
-from linkwork.motion.violations import joint_kinds, violations
+from linkwork.motion.violations import told, violations
 from linkwork.view.appearance import Scene, Solid, Span, scene
 from linkwork.view.encoding import Pack
 from linkwork.view.poses import (
@@ -186,7 +186,7 @@ def _joint_facts(header: Header, choice: Choice) -> dict[str, Any]:
         "kinds": list(header.joint_kinds),
         "unique": np.asarray(header.reaction_unique, int).tolist(),
         "plotted": choice.joints.tolist(),
-        "held": [int(it.anything) for it in joint_kinds(header)],
+        "held": list(map(int, told(header))),
     }
 
 
