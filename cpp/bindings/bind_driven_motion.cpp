@@ -1,5 +1,6 @@
 #include "bindings.hpp"
 #include "linkwork/integration/driven_motion.hpp"
+#include "turns.hpp"
 
 namespace linkwork::python {
 namespace {
@@ -54,6 +55,17 @@ void bind_driven_motion(py::module_& module) {
       .def("start", &DrivenMotion::start, py::arg("q"), py::arg("history"),
            "From the pose at t = 0 to which q leads; False: none is found, or it is singular, or nearly so.")
       .def_property_readonly("state", &state, "(t, q, v, v_dot, history) where it has come.")
+      .def(
+          "pass_by", [](DrivenMotion& it, double t, const VectorXd& q, const VectorXd& v) { it.turns().pass(t, q, v); },
+          py::arg("t"), py::arg("q"), py::arg("v"), "Somebody else has taken a step to this state.")
+      .def(
+          "record",
+          [](DrivenMotion& it, double t, const VectorXd& q, const VectorXd& v) { it.turns().record(t, q, v); },
+          py::arg("t"), py::arg("q"), py::arg("v"), "And has made a frame of it.")
+      .def_property_readonly(
+          "turned", [](const DrivenMotion& it) { return to_python(it.turns().found()); },
+          "[joint, coordinate, before, t, angle] of how far joints turned from one frame to another [s], where these "
+          "do not tell it.")
       .def("begin", &DrivenMotion::begin, py::arg("t"), py::arg("q"), py::arg("v"), py::arg("v_dot"),
            py::arg("history"), "From a state on the constraints; False: it is singular, or nearly so.")
       .def("follow", &follow, py::arg("times"), py::arg("seconds"),

@@ -2,6 +2,7 @@
 #include "linkwork/ensemble/ensemble.hpp"
 #include "linkwork/ensemble/lane_timing.hpp"
 #include "linkwork/ensemble/lane_trials.hpp"
+#include "turns.hpp"
 
 namespace linkwork::python {
 namespace {
@@ -15,8 +16,10 @@ struct AllBusy {
 };
 
 py::list run_ensemble(const std::vector<Dynamics*>& dynamics, const ButcherTableau& tableau, double t_end, double step,
-                      std::int64_t record_every, int threads, std::vector<LaneRun*> runs, std::vector<double> breaks) {
-  const FixedSteps steps(t_end, step, record_every, std::move(breaks));
+                      std::int64_t record_every, int threads, std::vector<LaneRun*> runs, std::vector<double> breaks,
+                      bool counts_turns) {
+  FixedSteps steps(t_end, step, record_every, std::move(breaks));
+  if (counts_turns) steps.count_turns();
   const InstructionSet widest = best_instruction_set();
   const AllBusy busy(dynamics);
   std::vector<Ensemble::Member> members;
@@ -31,6 +34,7 @@ py::list run_ensemble(const std::vector<Dynamics*>& dynamics, const ButcherTable
     py::dict one;
     one["reason"] = members[k].reason;
     one["left_at"] = std::isnan(members[k].left_at) ? py::object(py::none()) : py::float_(members[k].left_at);
+    if (!members[k].turned.empty()) one["turned"] = to_python(members[k].turned);
     if (members[k].reason.empty()) one["frames"] = frames_to_dict(std::move(members[k].frames), dynamics[k]->system());
     out.append(one);
   }
@@ -73,11 +77,12 @@ void bind_ensemble(py::module_& module) {
   module.def(
       "run_ensemble", &run_ensemble, py::arg("dynamics"), py::arg("tableau"), py::arg("t_end"), py::arg("step"),
       py::arg("record_every"), py::arg("threads"), py::arg("runs") = std::vector<LaneRun*>(),
-      py::arg("breaks") = std::vector<double>(),
+      py::arg("breaks") = std::vector<double>(), py::arg("counts_turns") = false,
       "Simulates all `dynamics`, of equal options, from their initial states by an explicit Runge-Kutta method, "
       "in the lanes of the processor. Of each {reason, left_at [s], frames}: frames as of Run.advance where the "
       "reason is empty, else why it has to be simulated by itself. `runs`: of each what its verdict is made of, or "
-      "none of them. `breaks`: times [s] at which something is not smooth, beside those that they know.");
+      "none of them. `breaks`: times [s] at which something is not smooth, beside those that they know. "
+      "`counts_turns`: how far joints turned between frames, `turned`, where these do not tell it.");
 }
 
 }  // namespace linkwork::python

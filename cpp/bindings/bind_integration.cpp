@@ -3,6 +3,7 @@
 #include "linkwork/integration/adaptive_simulation.hpp"
 #include "linkwork/integration/simulation.hpp"
 #include "linkwork/math/error.hpp"
+#include "turns.hpp"
 
 namespace linkwork::python {
 
@@ -172,6 +173,8 @@ py::dict run_statistics(const Run& run) {
   out["violations"] = run.violation_monitor().count();
   out["projections"] = run.projections();
   out["excesses"] = excesses(run);
+  if (const TurnCounter* turns = run.turns(); turns && !turns->found().empty())
+    out["turned"] = to_python(turns->found());
   if (const Contradiction& found = run.contradiction(); !std::isnan(found.t))
     out["contradiction"] = to_dict(run, found);
   return out;

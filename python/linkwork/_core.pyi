@@ -235,10 +235,33 @@ class DrivenMotion:
         """
         From the pose at t = 0 to which q leads; False: none is found, or it is singular, or nearly so.
         """
+    def pass_by(
+        self,
+        t: typing.SupportsFloat | typing.SupportsIndex,
+        q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+        v: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+    ) -> None:
+        """
+        Somebody else has taken a step to this state.
+        """
+    def record(
+        self,
+        t: typing.SupportsFloat | typing.SupportsIndex,
+        q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+        v: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+    ) -> None:
+        """
+        And has made a frame of it.
+        """
     @property
     def state(self) -> tuple:
         """
         (t, q, v, v_dot, history) where it has come.
+        """
+    @property
+    def turned(self) -> list:
+        """
+        [joint, coordinate, before, t, angle] of how far joints turned from one frame to another [s], where these do not tell it.
         """
 
 class Dynamics:
@@ -1351,9 +1374,10 @@ def run_ensemble(
     threads: typing.SupportsInt | typing.SupportsIndex,
     runs: collections.abc.Sequence[LaneRun] = [],
     breaks: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex] = [],
+    counts_turns: bool = False,
 ) -> list:
     """
-    Simulates all `dynamics`, of equal options, from their initial states by an explicit Runge-Kutta method, in the lanes of the processor. Of each {reason, left_at [s], frames}: frames as of Run.advance where the reason is empty, else why it has to be simulated by itself. `runs`: of each what its verdict is made of, or none of them. `breaks`: times [s] at which something is not smooth, beside those that they know.
+    Simulates all `dynamics`, of equal options, from their initial states by an explicit Runge-Kutta method, in the lanes of the processor. Of each {reason, left_at [s], frames}: frames as of Run.advance where the reason is empty, else why it has to be simulated by itself. `runs`: of each what its verdict is made of, or none of them. `breaks`: times [s] at which something is not smooth, beside those that they know. `counts_turns`: how far joints turned between frames, `turned`, where these do not tell it.
     """
 
 def special_joint_kinds() -> list[KindInfo]:

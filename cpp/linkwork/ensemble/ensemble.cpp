@@ -83,6 +83,7 @@ void Ensemble::run_task(const Task& task, const std::function<void()>& look) {
         [&] {
           lanes.push_back(
               std::make_unique<Lane>(*dynamics_[member], steps_.breaks(), runs_.empty() ? nullptr : runs_[member]));
+          if (steps_.counts_turns()) lanes.back()->count_turns();
           members.push_back(member);
           alive.push_back(lanes.back().get());
         },
@@ -99,8 +100,10 @@ void Ensemble::run_task(const Task& task, const std::function<void()>& look) {
         structures.push_back(later.emplace_back(std::move(structure)).get());
     }
   judge(structures, alive, look);
-  for (std::size_t k = 0; k < members.size(); ++k)
-    members_[members[k]] = {lanes[k]->take_frames(), lanes[k]->reason(), lanes[k]->left_at()};
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    members_[members[k]] = {lanes[k]->take_frames(), lanes[k]->reason(), lanes[k]->left_at(), {}};
+    if (const TurnCounter* turns = lanes[k]->turns()) members_[members[k]].turned = turns->found();
+  }
 }
 
 void Ensemble::run(int threads) {
@@ -117,7 +120,7 @@ void Ensemble::refuse_distrusted() {
   for (const Dynamics* it : dynamics_) models.push_back(&it->system().model());
   const std::vector<std::string> reasons = distrusted_forces(models);
   for (std::size_t k = 0; k < members_.size(); ++k)
-    if (members_[k].reason.empty() && !reasons[k].empty()) members_[k] = {{}, reasons[k], NAN};
+    if (members_[k].reason.empty() && !reasons[k].empty()) members_[k] = {{}, reasons[k], NAN, {}};
 }
 
 std::vector<Ensemble::Member> Ensemble::take() { return std::exchange(members_, {}); }

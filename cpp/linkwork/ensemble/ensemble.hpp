@@ -25,6 +25,7 @@ class Ensemble {
     Frames frames;
     std::string reason;  ///< why it left its pack or was never in one; empty: it ended
     double left_at = NAN;
+    std::vector<TurnCounter::Turned> turned;  ///< between frames, where that is counted
   };
   /// After `run`; the frames are handed over.
   std::vector<Member> take();

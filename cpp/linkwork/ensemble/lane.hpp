@@ -39,6 +39,9 @@ class FixedSteps {
   /// See Dynamics::correct_over.
   double correction_length(std::int64_t step) const { return whole_ || step + 1 < count_ ? 0.0 : step_; }
   bool records(std::int64_t step) const { return step == count_ || step % record_every_ == 0; }
+  /// Where frames are not at every step, turns of joints between them are counted.
+  void count_turns() { counts_turns_ = record_every_ > 1; }
+  bool counts_turns() const { return counts_turns_; }
   /// Of a frame.
   double frame_time(std::int64_t step) const { return step == count_ ? t_end_ : time(step); }
 
@@ -46,7 +49,7 @@ class FixedSteps {
   double t_end_, step_;
   std::int64_t record_every_, count_ = 0;
   std::vector<double> breaks_;
-  bool whole_ = false;
+  bool whole_ = false, counts_turns_ = false;
 };
 
 /// Energies at some times of a run [J], as of its frames.
@@ -97,6 +100,9 @@ class Lane {
   double left_at() const { return left_at_; }
   void leave(double t, std::string reason);
   Frames take_frames() { return recorder_.take(); }
+  void count_turns() { recorder_.count_turns(); }
+  /// None where they are not counted.
+  const TurnCounter* turns() const { return recorder_.turns(); }
   bool watches() const { return crossing_.watches(); }
   /// Whether the stage that comes was looked at ahead, and is factorized there already.
   bool looked() const { return looked_; }
@@ -120,6 +126,8 @@ class Lane {
   Evaluation& begin(double t, const VectorXd& y) { return dynamics_.begin_elsewhere(t, y); }
   /// Of the history variables.
   void accept(double t, double last_step);
+  /// It goes on from the state y.
+  void pass(double t, const VectorXd& y) { recorder_.pass(t, y); }
   // Of Phi and Phi_dot, where rows are redundant: whether those of one are as usual; else of all.
   bool usual_in_redundant_row(double Phi, double Phi_dot) const { return redundancy_.usual(Phi, Phi_dot); }
   void watch_redundant_rows(double t, const VectorXd& y);

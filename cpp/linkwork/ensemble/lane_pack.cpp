@@ -140,6 +140,7 @@ void LanePack::begin_step(std::int64_t step) {
   each_lane([&](int l, Lane& lane) {
     if (lane.waits() || lane.joins_at() == step) return;
     lane.accept(t, step > 0 ? steps_.size(step - 1) : 0.0);
+    if (lane.turns() && lane.alive()) lane.pass(t, watches_.state(l));
     if (needs_state && lane.alive()) begin_lane(l, step);
   });
   for (int l = 0; l < static_cast<int>(lanes_.size()); ++l) take_usual_pivots(l);

@@ -66,6 +66,7 @@ AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& p
       touches_(dynamics, schedule.tolerances.absolute) {
   check(schedule);
   yields_ = formulation_info(dynamics.options().formulation).compliant;
+  if (schedule.record_every != 1) recorder_.count_turns();
   begin_at(schedule.t_start, schedule.t_end, schedule.start);
   t_ = last_stop_ = start_ = schedule.t_start;
   stepper_.start(dynamics.y_size());

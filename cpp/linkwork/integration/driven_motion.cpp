@@ -65,6 +65,7 @@ DrivenMotion::DrivenMotion(Dynamics& dynamics, double length, VectorXd row_lengt
       values_(pattern_.row.size()),
       row_scale_(system_.row_count()),
       column_scale_(system_.v_size()),
+      turns_(system_),
       here_(system_.make_evaluation()),
       there_(system_.make_evaluation()),
       right_(system_.v_size()),
@@ -78,6 +79,7 @@ DrivenMotion::DrivenMotion(Dynamics& dynamics, double length, VectorXd row_lengt
 bool DrivenMotion::begin(double t, const ConstVector& q, const ConstVector& v, const ConstVector& v_dot,
                          const ConstVector& history) {
   now_ = {t, q, v, v_dot, history};
+  turns_.pass(t, q, v);
   dynamics_.set_history(history);
   system_.evaluate(t, q, v, history, here_);
   return choose_pivots(here_) && begins_regular();
@@ -96,6 +98,7 @@ bool DrivenMotion::start(const ConstVector& q, const ConstVector& history) {
   }
   complete(next);
   now_ = std::move(next);
+  turns_.pass(now_.t, now_.q, now_.v);
   std::swap(here_, there_);
   dynamics_.set_history(now_.history);
   return true;
@@ -182,6 +185,7 @@ DrivenMotion::Step DrivenMotion::step(double t, double soon) {
   if (h > soon && system_.begins_contact(now_.history, next.history)) return Step::touches;
   left_ = left;
   now_ = std::move(next);
+  turns_.pass(now_.t, now_.q, now_.v);
   std::swap(here_, there_);
   dynamics_.set_history(now_.history);
   steps_ += 1;
@@ -325,6 +329,7 @@ bool DrivenMotion::add_frame(DrivenFrames& out) {
   if (!find_multipliers(lambda)) return false;
   system_.multiply_D(here_, now_.v_dot, residual);
   residual -= here_.gamma;
+  turns_.record(now_.t, now_.q, now_.v);
   out.count += 1;
   out.t.push_back(now_.t);
   append(out.q, now_.q);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "linkwork/formulation/dynamics.hpp"
+#include "linkwork/integration/turn_counter.hpp"
 #include "linkwork/linear/sparse_lu.hpp"
 
 namespace linkwork {
@@ -64,6 +65,9 @@ class DrivenMotion {
   DrivenFrames follow(const std::vector<double>& times, double seconds);
   /// Where it has come.
   const DrivenState& state() const { return now_; }
+  /// How far joints turned between frames, with those of whoever takes steps in between.
+  const TurnCounter& turns() const { return turns_; }
+  TurnCounter& turns() { return turns_; }
 
  private:
   enum class Step { taken, refused, touches };  ///< `touches`: it is not taken, as a contact begins in it
@@ -102,6 +106,7 @@ class DrivenMotion {
   std::vector<double> values_;
   VectorXd row_scale_, column_scale_;
   DrivenState now_;
+  TurnCounter turns_;
   Evaluation here_, there_;  ///< where the mechanism is, and at what a step tries
   VectorXd right_, left_;    ///< singular vectors of the smallest singular value, D^T left = sigma right
   VectorXd rest_, b_, dx_;

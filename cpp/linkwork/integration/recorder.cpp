@@ -51,6 +51,7 @@ void Recorder::record(double t, const VectorXd& y, const ConstVector& v_dot, con
   look_for_interruption();
   if (with_reactions_) add_reactions(t, y.head(nq), lambda);
   look_for_interruption();  // and not before the frame is there as a whole
+  if (turns_) turns_->record(t, y.head(nq), y.segment(nq, nv));
   frames_.t.push_back(t);
   append(frames_.q, y.head(nq));
   append(frames_.v, y.segment(nq, nv));
@@ -63,6 +64,11 @@ void Recorder::record(double t, const VectorXd& y, const ConstVector& v_dot, con
     frames_.violation.push_back(largest(*rows));
   append(frames_.history, at.history);
   look_for_interruption();
+}
+
+void Recorder::pass(double t, const VectorXd& y) {
+  const System& system = dynamics_.system();
+  if (turns_) turns_->pass(t, y.head(system.q_size()), y.segment(system.q_size(), system.v_size()));
 }
 
 void Recorder::correct_last(const VectorXd& y, const ConstVector& v_dot, const ConstVector& lambda) {

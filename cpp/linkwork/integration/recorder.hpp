@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "linkwork/formulation/dynamics.hpp"
+#include "linkwork/integration/turn_counter.hpp"
 
 namespace linkwork {
 
@@ -40,6 +41,12 @@ class Recorder {
   void correct_last(const VectorXd& y, const ConstVector& v_dot, const ConstVector& lambda);
   /// From here on frames have reactions, which whoever needs them can find later, too, but not for less.
   void record_reactions() { with_reactions_ = true; }
+  /// From here on turns of joints between frames are counted. Before the first of them.
+  void count_turns() { turns_ = std::make_unique<TurnCounter>(dynamics_.system()); }
+  /// The run goes on from the state y at t.
+  void pass(double t, const VectorXd& y);
+  /// Nothing where they are not counted.
+  const TurnCounter* turns() const { return turns_.get(); }
   /// Frames up to t are not kept.
   void silence_until(double t) { silent_until_ = t; }
   /// A frame that waits for a step which will not come.
@@ -55,6 +62,7 @@ class Recorder {
   Dynamics& dynamics_;
   std::shared_ptr<char> here_ = std::make_shared<char>();  ///< `dynamics` may outlive what it was asked to call
   bool with_reactions_ = false;
+  std::unique_ptr<TurnCounter> turns_;
   std::unique_ptr<Evaluation> anew_;  ///< of reactions that the evaluation of the dynamics does not tell
   double silent_until_ = -INFINITY;
   double waiting_t_ = 0.0;

@@ -66,6 +66,8 @@ class Run {
 
   /// Frames have reactions. Before the first of them.
   void record_reactions() { recorder_.record_reactions(); }
+  /// How far joints turned between frames, where steps are between them; nothing else.
+  const TurnCounter* turns() const { return recorder_.turns(); }
 
   /// Goes on from a checkpoint of a run of the same mechanism by the same method, which this run, before its first
   /// step, need not begin at: it takes the steps of the other once more up to its start, unseen, and the rest as that
@@ -105,6 +107,7 @@ class Run {
   void accept_history() {
     dynamics_.advance_history();
     turns_.accept();
+    recorder_.pass(t(), y_);
   }
 
   /// Begins at a state y = (q, v) other than that of the model; nothing where it is empty.

@@ -35,6 +35,7 @@ Simulation::Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrato
   if (!(schedule.t_end >= 0.0) || !std::isfinite(schedule.t_end))
     throw OptionError("t_end", "t_end must be finite and not negative");
   if (schedule.record_every < 1) throw OptionError("record_every", "record_every must be at least 1");
+  if (schedule.record_every > 1) recorder_.count_turns();
   begin_at(schedule.t_start, schedule.t_end, schedule.start);
   find_origin();
   count_steps();

@@ -52,6 +52,7 @@ class Frames:
         self.rows: dict[str, list[Any]] = {}
         self.poses: list[dict[str, Any]] = []  # that are singular
         self.passed: list[Passed] = []
+        self.turned: list[Any] = []  # joints between frames, see linkwork.results.joint_motion
         self.doubts: dict[float, float] = {}  # by how much what equations say at a time may be off, relative
         self.struck = breakpoints.struck_between_frames(model, float(asked[0]), float(asked[-1]))
         breaks = sorted(
@@ -117,10 +118,24 @@ class Frames:
         struck = {it.time for it in self.struck if it.time <= fields["t"][-1]}
         statistics = {**continuation.counts, "impacts": len(struck), "singular_poses": len(crossings),
                       "singularity_crossings": crossings, "seconds": time.perf_counter() - began,
-                      "failed": failed}  # fmt: skip
+                      "failed": failed, **self._turned()}  # fmt: skip
         if not failed:
             self._warn_of_doubts()
         return Result(fields, header, statistics)
+
+    def _turned(self) -> dict[str, Any]:
+        """As the statistics of a run have it; frames beside a break are those at it."""
+        found = [
+            [*which, self._asked_at(before), self._asked_at(t), angle]
+            for *which, before, t, angle in self.turned
+        ]
+        return {"turned": found} if found else {}
+
+    def _asked_at(self, t: float) -> float:
+        """The time that was asked for beside which t is, or t [s]."""
+        near = float(self.asked[np.abs(self.asked - t).argmin()])
+        before, after = breakpoints.on_either_side(near)
+        return near if before <= t <= after else t
 
     def _values(self, it: MotionState, multipliers: Floats | None = None) -> dict[str, Any]:
         dynamics = self.system.compiled()

@@ -91,6 +91,7 @@ def _motion(model: Model, t: Floats, on_singular: Literal["pass", "warn", "stop"
                 continuation.go_to(float(t[k]))
                 watch.warn()
                 frames.add(continuation.at, continuation.doubt(continuation.at))
+                fast.record(continuation.at)
                 fast.resume()
             k += taken or 1
     except Exception as error:
@@ -143,9 +144,10 @@ class _CompiledContinuation:
         self.motion = None
         if eq.holonomic.all() and eq.core.row_count >= continuation.rank:
             dynamics = frames.system.compiled()
-            self.motion = _core.DrivenMotion(
+            self.motion = motion = _core.DrivenMotion(
                 dynamics, eq.length, eq.row_lengths, eq.rounding, continuation.unit
             )
+            continuation.passed = lambda at: motion.pass_by(at.t, at.q, at.v)
 
     def start(self) -> bool:
         """Onto the constraints at t = 0, with the continuation; False: that needs a closer look."""
@@ -161,6 +163,12 @@ class _CompiledContinuation:
         if self.motion is not None and not any(it.covers(at.t) for it in crossed[-1:]):
             self.ready = self.motion.begin(at.t, at.q, at.v, at.a, at.history)
 
+    def record(self, at: MotionState) -> None:
+        """A frame that was found otherwise: turns of joints up to it are counted."""
+        if self.motion is not None:
+            self.motion.record(at.t, at.q, at.v)
+            self.frames.turned = self.motion.turned
+
     def follow(self, t: Floats) -> int:
         """How many frames at these times have been added; 0: the next one needs a closer look."""
         if not self.ready or self.motion is None:
@@ -171,6 +179,7 @@ class _CompiledContinuation:
         self.ready = count > 0
         if count:
             self.frames.extend(found)
+            self.frames.turned = self.motion.turned
         self.continuation.jump(*self.motion.state)
         return int(count)
 

@@ -82,6 +82,7 @@ class Continuation:
     shortest: float = SHORTEST_STEP  # as a part of the way
     most_seconds: float = math.inf  # from now on
     watch: Watch | None = None  # told of singular poses
+    passed: Callable[[MotionState], None] | None = None  # told of each state that it comes to
     crossed: list[Crossing] = field(default_factory=list)
     unmet: Floats | None = field(
         default=None, init=False
@@ -109,6 +110,8 @@ class Continuation:
     def _accept(self, state: MotionState) -> None:
         self.at = state
         self.equations.dynamics.history = state.history
+        if self.passed is not None:
+            self.passed(state)
 
     def __post_init__(self) -> None:
         self._ends = time.monotonic() + self.most_seconds

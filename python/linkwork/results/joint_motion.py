@@ -48,20 +48,49 @@ def ends_of(result: Result, sides: NDArray[np.integer[Any]]) -> Iterator[list[tu
 
 
 def _read_together(result: Result, chosen: Sequence[tuple[int, str]]) -> Iterator[JointCoordinate]:
-    header = result.header
+    header, counted = result.header, _counted(result)
     sides = header.joint_bodies[[joint for joint, _ in chosen]]
     for (joint, which), ends in zip(chosen, ends_of(result, sides), strict=True):
         found = coordinates_of(which, result.t, ends, header.joint_origin[joint], header.joint_frame[joint])
         if which != "displacement":
-            _check_turns(f"{which} of '{header.joint_names[joint]}'", result.t, found)
+            found, known, lost = _turned(result.t, found, counted.get((joint, which), ()))
+            _check_turns(f"{which} of '{header.joint_names[joint]}'", result.t, found, known, lost)
         yield found
 
 
-def _check_turns(what: str, t: Floats, angle: JointCoordinate) -> None:
+def _counted(result: Result) -> dict[tuple[int, str], list[tuple[float, float, float]]]:
+    """Of joints and coordinates: from one frame to another [s] they turned by an angle [rad], in steps amid
+    these, where the frames do not tell it."""
+    found: dict[tuple[int, str], list[tuple[float, float, float]]] = {}
+    for joint, which, before, t, angle in result._statistics.get("turned", ()):
+        found.setdefault((joint, which), []).append((before, t, angle))
+    return found
+
+
+def _turned(
+    t: Floats, angle: JointCoordinate, counted: Sequence[tuple[float, float, float]]
+) -> tuple[JointCoordinate, NDArray[np.bool_], NDArray[np.bool_]]:
+    """With the full turns that the run counted, between which frames (k - 1,) it did, and between which the
+    frames are not here that it counted for."""
+    value, (known, lost) = angle.value.copy(), np.zeros((2, max(len(t) - 1, 0)), dtype=bool)
+    for before, after, turned in counted:
+        first, last = int(np.searchsorted(t, before, "right")) - 1, int(np.searchsorted(t, after, "left"))
+        if first < 0 or last >= len(t) or (t[first], t[last]) != (before, after):
+            lost[max(first, 0) : last] = True
+            continue
+        value[last:] += 2 * np.pi * np.round((turned - (value[last] - value[first])) / (2 * np.pi))
+        known[first:last] = True
+    return JointCoordinate(value, angle.rate), known, lost
+
+
+def _check_turns(
+    what: str, t: Floats, angle: JointCoordinate, known: NDArray[np.bool_], lost: NDArray[np.bool_]
+) -> None:
     """LinkworkWarning: turns between frames follow from the rates at these alone, or not even from them."""
     change = np.diff(angle.value)
     missed = np.abs(change - np.diff(t) * (angle.rate[1:] + angle.rate[:-1]) / 2)
-    for doubtful, how in ((missed > MISSED_TURN, ""), (np.abs(change) > np.pi, " but by its rates there")):
+    doubts = (lost | (missed > MISSED_TURN), ""), (np.abs(change) > np.pi, " but by its rates there")
+    for doubtful, how in ((doubt & ~known, how) for doubt, how in doubts):
         if doubtful.any():
             k = int(np.argmax(doubtful))
             return warn(

@@ -377,9 +377,9 @@ class Result:
                "angle_a" and "angle_b", about its two axes, of universal; not needed where there is one
 
         It is zero where the joint's frames agree; b against a; full turns count from the first frame on,
-        which is within half a turn of zero, also where the run goes on from another. ModelError: no such
-        joint, or no such coordinate of it. LinkworkWarning: frames too far apart to tell how often the angle
-        went round.
+        which is within half a turn of zero, also where the run goes on from another. Runs count turns between
+        frames in their steps. ModelError: no such joint, or no such coordinate of it. LinkworkWarning: frames
+        too far apart to tell how often the angle went round, of a run that has not come to its end.
         """
         joint, header = self._place("joint", name), self._header
         kind = header.joint_kinds[joint]

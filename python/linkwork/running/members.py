@@ -356,7 +356,7 @@ def _in_lanes(ready: Sequence[_Ready], method: Method) -> dict[int, Member | _Le
         answers = _core.run_ensemble(
             [it.system.compiled() for it in ready], tableau, plan.t_end, plan.step, method.lanes_record_every,
             method.threads, [it.run for it in ready if it.run is not None],
-            list(check_breaks(method.given["breaks"], "simulate")),
+            list(check_breaks(method.given["breaks"], "simulate")), counts_turns=not method.last_state,
         )  # fmt: skip
     found: dict[int, Member | _Left] = {}
     for it, answer in zip(ready, answers, strict=True):
@@ -365,14 +365,16 @@ def _in_lanes(ready: Sequence[_Ready], method: Method) -> dict[int, Member | _Le
             reason = answer["reason"] + ("" if when is None else f" (at t = {when:.6g} s)")
             found[it.place] = _Left(reason, it.remarks)
         else:
-            found[it.place] = _ended(it, answer["frames"], method)
+            found[it.place] = _ended(it, answer, method)
     return found
 
 
-def _ended(it: _Ready, frames: Mapping[str, Any], method: Method) -> Member:
+def _ended(it: _Ready, answer: Mapping[str, Any], method: Method) -> Member:
+    frames = answer["frames"]
     poses = _singular_poses(it)
     if not method.state_alone:
         result = _result(it, frames, method, poses)
+        result._statistics.update({name: answer[name] for name in ("turned",) if name in answer})
         with remarked() as more:
             warn_of_what_frames_show(result)
         return Member(result, remarks=[*it.remarks, *more])
