@@ -10,7 +10,9 @@
 namespace linkwork {
 
 /// How far the angles that joints leave free turn from one recorded frame to the next, where there are steps between:
-/// frames tell full turns by the rates at them alone. Each step is taken to turn by nearly the mean of its rates.
+/// frames tell full turns by the rates at them alone. Between states that are looked at each angle is taken to turn by
+/// nearly the mean of its rates; these are no farther apart than the fastest body may have turned by a radian, and
+/// none is looked at between frames that are too near for any doubt.
 class TurnCounter {
  public:
   explicit TurnCounter(const System& system);
@@ -38,14 +40,26 @@ class TurnCounter {
   struct Angle {
     int joint;
     const FreeCoordinate* coordinate;
-    State passed, recorded;
+    State at_frame, last;
+  };
+  struct Frame {
+    double t = NAN;
+    VectorXd q, v;
+    double fastest = 0.0;
   };
 
-  State at(const Angle& angle, double t, const ConstVector& q, const ConstVector& v) const;
+  void advance(double t, const ConstVector& v);
+  void look(double t, const ConstVector& q, const ConstVector& v);
+  State state(const Angle& angle, const ConstVector& q, const ConstVector& v) const;
+  void compare(double t);
+  double fastest(const ConstVector& v) const;
 
   const System& system_;
   std::vector<Angle> angles_;
-  double passed_ = NAN, recorded_ = NAN;  ///< when [s]
+  Frame frame_;                                  ///< the last one
+  double t_ = NAN, fastest_ = 0.0;               ///< of the last state [rad/s]
+  double looked_at_ = NAN;                       ///< when, since the last frame [s]
+  double since_frame_ = 0.0, since_look_ = 0.0;  ///< by which any angle may have turned [rad]
   std::vector<Turned> found_;
 };
 
