@@ -10,6 +10,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import _core, mechanisms
+from scipy.integrate import solve_ivp
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "benchmarks"))
 
@@ -387,3 +388,98 @@ def test_a_run_leaves_a_singular_pose_on_the_branch_of_its_velocities(
     assert np.abs(result.energy_error).max() <= 1e-6
     turns = [2 * np.arctan2(result.orientation[-1, k, 3], result.orientation[-1, k, 0]) for k in (0, 2)]
     assert np.sign(turns[0] * turns[1]) == np.sign(rocker)
+
+
+def folded_parallelogram(
+    masses: tuple[float, float, float],
+    omega: float = 0.0,
+    gravity: tuple[float, float, float] = (0, 0, -9.81),
+) -> lw.Model:
+    """Bars of 1 m on one line, crank and rocker 2 m apart at `omega` [rad/s] as those of a parallelogram."""
+    model = lw.Model(gravity=gravity)
+    for name, mass, x, turn, rise in zip(
+        ("crank", "rod", "rocker"), masses, (-0.5, -0.5, 0.5), (omega, 0, omega), (0.5, 1, 0.5), strict=True
+    ):
+        model.body(
+            name,
+            mass=mass,
+            inertia=(0.001, 0.08, 0.081),
+            position=(x, 0, 0),
+            omega=(0, turn, 0),
+            velocity=(0, 0, rise * omega),
+        )
+    for a, b, x in (
+        ("ground", "crank", 0),
+        ("crank", "rod", -1),
+        ("rod", "rocker", 0),
+        ("ground", "rocker", 1),
+    ):
+        model.revolute(a, b, at=(x, 0, 0), axis=(0, 1, 0), name=f"{a}-{b}")
+    return model
+
+
+ANY_METHOD = [
+    {"step": 1e-3},
+    {"step": 1e-4, "integrator": "ab4"},
+    {"step": 1e-3, "integrator": "hem4"},
+    {"rtol": 1e-6, "integrator": "dop853"},
+    {"step": 1e-3, "formulation": "penalty"},
+]
+
+
+@pytest.mark.parametrize("options", ANY_METHOD, ids=str)
+def test_rest_from_which_several_motions_are_possible_is_refused(options: dict[str, Any]) -> None:
+    """The parallelogram falls, or crank and rod as one arm: nothing says which."""
+    model = folded_parallelogram((3.0, 0.2, 0.7))
+    with pytest.raises(lw.SingularSystemError, match="several motions are possible from rest") as caught:
+        lw.simulate(model, 0.3, progress=False, **options)
+    assert caught.value.code == "several_motions" and caught.value.time == 0.0
+    assert set(caught.value.joints) == {"ground-crank", "crank-rod", "rod-rocker", "ground-rocker"}
+
+
+def test_members_of_ensembles_that_may_leave_rest_in_several_ways_are_refused() -> None:
+    models = [folded_parallelogram((3.0, 0.2, 0.7)), folded_parallelogram((3.0, 0.2, 0.7), 1.0)]
+    found = lw.simulate_many(models, None, 0.1, 1e-3, progress=False)
+    assert found.errors[0]["code"] == "several_motions"
+    assert list(found.errors) == [0]
+
+
+@pytest.mark.parametrize("masses", [(3.0, 0.2, 0.7), (1.0, 1.0, 1.0)])
+@pytest.mark.parametrize("gravity", [(9.81, 0, 0), (0, 0, 0)], ids=["along", "none"])
+def test_rest_in_equilibrium_in_a_singular_pose_goes_on(
+    masses: tuple[float, float, float], gravity: tuple[float, float, float]
+) -> None:
+    result = lw.simulate(folded_parallelogram(masses, gravity=gravity), 0.1, 1e-2, progress=False)
+    assert np.abs(result.v[-1]).max() <= 1e-12
+
+
+def fall(masses: tuple[float, float, float], omega: float, t_end: float) -> float:
+    """Rate of the parallelogram [rad/s] that leaves the line with omega."""
+    crank, rod, rocker = masses
+    weight, inertia = 0.5 * (crank + rocker) + rod, 0.16 + 0.25 * (crank + rocker) + rod
+    found = solve_ivp(
+        lambda _, y: (y[1], -weight * 9.81 * np.cos(y[0]) / inertia),
+        (0, t_end),
+        (0.0, omega),
+        rtol=1e-11,
+        atol=1e-12,
+    )
+    return float(found.y[1, -1])
+
+
+def test_rest_is_left_by_the_branch_on_which_reactions_are_finite() -> None:
+    masses = (1.0, 1.0, 1.0)
+    result = lw.simulate(folded_parallelogram(masses), 0.2, 1e-3, progress=False)
+    assert result.omega[-1, [0, 2], 1] == pytest.approx(fall(masses, 0.0, 0.2), rel=1e-6)
+
+
+@pytest.mark.parametrize("options", [{"step": 1e-3}, {"rtol": 1e-8}], ids=str)
+@pytest.mark.parametrize("omega", [0.1, 0.03, 0.01, 1e-3, -1e-3, -0.01])
+@pytest.mark.parametrize("masses", [(1.0, 1.0, 1.0), (3.0, 0.2, 0.7)])
+def test_slow_velocities_of_a_branch_decide_as_fast_ones_do(
+    masses: tuple[float, float, float], omega: float, options: dict[str, Any]
+) -> None:
+    """Those that rise are turned back by the weights, and come through the pose once more."""
+    result = lw.simulate(folded_parallelogram(masses, omega), 0.2, progress=False, **options)
+    assert result.omega[-1, [0, 2], 1] == pytest.approx(fall(masses, omega, 0.2), rel=1e-5)
+    assert result.omega[-1, 1, 1] == pytest.approx(0.0, abs=1e-5)

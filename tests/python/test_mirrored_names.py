@@ -30,6 +30,7 @@ PARTS = {
     "integration/adaptive_switches": "adaptive_simulation",
     "integration/crossing_frames": "crossing",
     "integration/crossing_leaps": "crossing",
+    "integration/departure": "crossing",
     "linear/kkt": "saddle_solver",
     "linear/normal": "saddle_solver",
     "linear/schur": "saddle_solver",

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "linkwork/constraints/displacement.hpp"
 #include "linkwork/constraints/length_scale.hpp"
 #include "linkwork/integration/growing_multipliers.hpp"
 #include "linkwork/math/elementary.hpp"
@@ -14,6 +15,8 @@ namespace {
 
 constexpr int most_sweeps = 40;
 constexpr double converged = 1e-13, roundoff = 1e-7, shrinking = 0.5;
+// From a pose that is left slowly the first nodes are near to it; what is made of it has to be fair.
+constexpr double roundoff_departing = 1e-6;
 constexpr int slow_from = 10, looked_back = 5;  // sweeps
 constexpr double tolerance = 1e-10;             // of the energy over a step
 constexpr double resolved = 1e-10;              // of velocities inside; at the end about the square of it counts
@@ -76,17 +79,20 @@ double CollocationStep::size(const ConstVector& velocities) const {
   return largest;
 }
 
-void CollocationStep::begin_in_pose(double t, const VectorXd& y, double off) {
+void CollocationStep::begin_in_pose(double t, const VectorXd& y, double off, const VectorXd& v_dot) {
   allocate(t, y);
   off_ = off;
   note_energy(y);
   dynamics_.rates(rates_before_);
+  departs_ = v_dot.size() > 0;
+  if (departs_) rates_before_.segment(dynamics_.system().q_size(), v_dot.size()) = v_dot;
   step_.axes.see_rates(0.0, step_.y, rates_before_);
   v_dot_before_ = rates_before_.segment(dynamics_.system().q_size(), v_dot_.size());
 }
 
 void CollocationStep::allocate(double t, const VectorXd& y) {
   start_.reset();
+  departs_ = false;
   const System& system = dynamics_.system();
   blur_ = std::numeric_limits<double>::epsilon() * farthest_position(system, y.head(system.q_size()));
   const SpinningAxes axes = SpinningAxes::at_start(rotors_, y.segment(system.q_size(), system.v_size()));
@@ -137,7 +143,7 @@ CollocationStep::Quality CollocationStep::attempt(double h, int left_out) {
   Quality quality;
   left_out_ = left_out;
   step_.h = step_.followed = h;
-  step_.k = rates_before_.replicate(1, stages);
+  guess();
   try {
     quality.converged = iterate();
     if (quality.converged) finish(quality);
@@ -149,9 +155,26 @@ CollocationStep::Quality CollocationStep::attempt(double h, int left_out) {
   return quality;
 }
 
+/// Rates to begin with. A node that is nearer to a pose than to the branch would be taken to another one: where the
+/// velocities in the pose are slow, accelerations tell where the nodes are.
+void CollocationStep::guess() {
+  step_.k = rates_before_.replicate(1, stages);
+  least_speed_ = 0.0;
+  if (!departs_ || !step_.axes.Omega.isZero(0.0)) return;
+  const System& system = dynamics_.system();
+  const VectorXd v = step_.y.segment(system.q_size(), system.v_size());
+  least_speed_ = size(v + step_.h * v_dot_before_);
+  for (int i = 0; i < stages; ++i) {
+    const double time = gauss_.c[i] * step_.h;
+    y_ = step_.y;
+    displace(system, time * v + 0.5 * time * time * v_dot_before_, y_);
+    system.position_rates(y_.head(system.q_size()), v + time * v_dot_before_, step_.k.col(i).head(system.q_size()));
+  }
+}
+
 /// Fixed-point iteration, node after node: it converges like (h L)^k / k!.
 bool CollocationStep::iterate() {
-  const double noise = std::max(roundoff, of_accelerations(blur_));
+  const double noise = std::max(departs_ ? roundoff_departing : roundoff, of_accelerations(blur_));
   double last = INFINITY, changes[most_sweeps];
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     double change = 0.0;
@@ -212,6 +235,7 @@ double CollocationStep::extrapolated_node(int i) {
 /// Takes the rates at a node; how much they changed, as velocities relative to a speed.
 double CollocationStep::changed(int i, double speed) {
   const System& system = dynamics_.system();
+  speed = std::max(speed, least_speed_);
   const auto of_velocities = [&](const auto& rates) { return rates.segment(system.q_size(), system.v_size()); };
   const double change = step_.h * size(of_velocities(rates_) - of_velocities(step_.k.col(i)));
   step_.k.col(i) = rates_;

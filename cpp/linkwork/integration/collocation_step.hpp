@@ -59,8 +59,8 @@ class CollocationStep {
   /// is too far from them, as in a run that diverges.
   bool begin(double t, const VectorXd& y, bool on_constraints);
   /// The same in or near a singular pose, where nothing can be projected, and it may be `off` [rad]; accelerations, for
-  /// a beginning, are what the watch makes of them.
-  void begin_in_pose(double t, const VectorXd& y, double off);
+  /// a beginning, are `v_dot`, or where that is empty what the watch makes of them.
+  void begin_in_pose(double t, const VectorXd& y, double off, const VectorXd& v_dot = {});
   /// To t + h. A node that is `left_out`, in a singular pose, is where the others lead.
   Quality attempt(double h, int left_out = none);
   /// How far the motion is from the forces and constraints between the nodes, in velocities relative to them, looked at
@@ -97,6 +97,7 @@ class CollocationStep {
  private:
   void allocate(double t, const VectorXd& y);
   bool can_project(double t, VectorXd& y);
+  void guess();
   bool iterate();
   double node(int i);
   double extrapolated_node(int i);
@@ -119,6 +120,8 @@ class CollocationStep {
   int left_out_ = none;
   GaussCollocation gauss_;
   Leap step_;
+  bool departs_ = false;                  ///< from a pose in which accelerations are those of a branch
+  double least_speed_ = 0.0;              ///< that changes of velocities are relative to
   double correction_ = 0.0, jump_ = 0.0;  ///< of the last sweep, see Quality
   MatrixXd g_;                            ///< at the nodes
   std::optional<Forces> start_;

@@ -145,8 +145,22 @@ bool Crossing::starts_near(double t, const VectorXd& y) {
   }
   const bool near_pose = root < near_at_start && pivot_changes(t, y, root);
   in_pose_ = near_pose && in_singular_pose(t, y);
-  if (in_pose_) poses_.list(t, y);
+  if (in_pose_) depart(t, y);
   return near_pose;
+}
+
+/// Lists the pose, and looks where the mechanism can go from it. Leaves `dynamics` evaluated there.
+void Crossing::depart(double t, const VectorXd& y) {
+  poses_.list(t, y);
+  const System& system = dynamics_.system();
+  const VectorXd q = y.head(system.q_size());
+  DepartureSearch search(system, dynamics_.dropped().rows(), {t, q, dynamics_.history()});
+  const VectorXd v = y.segment(system.q_size(), system.v_size());
+  Departure found = search.find(v, dynamics_.evaluation().g.head(system.v_size()));
+  if (found.kind == Departure::Kind::of_no_branch) throw_no_branch(t);
+  if (found.kind == Departure::Kind::several_motions) throw_several_motions(t);
+  departing_ = std::move(found.v_dot);
+  decided_ = found.decided;
 }
 
 /// Whether the root of the smallest pivot, which falls linearly to a pose, changes as the motion begins: in a large
@@ -328,10 +342,12 @@ void Crossing::keep(Archive& archive, bool leaping) {
 }
 
 /// A small pivot alone is no sign: that of a long chain, or beside bodies of little mass, is small in every pose.
-bool Crossing::in_singular_pose(double t, const VectorXd& y) const {
+bool Crossing::in_singular_pose(double t, const VectorXd& y) {
   const System& system = dynamics_.system();
   const VectorXd q = y.head(system.q_size());
-  return examine_pose(system, {t, q, dynamics_.history()}, dynamics_.dropped().rows(), in_pose).singular;
+  PoseExamination found = examine_pose(system, {t, q, dynamics_.history()}, dynamics_.dropped().rows(), in_pose);
+  joints_ = std::move(found.joints);
+  return found.singular;
 }
 
 bool Crossing::look_back(double t, double h, const VectorXd& y) {

@@ -5,6 +5,7 @@
 
 #include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/integration/collocation_step.hpp"
+#include "linkwork/integration/departure.hpp"
 #include "linkwork/integration/interpolant.hpp"
 #include "linkwork/integration/recorder.hpp"
 #include "linkwork/integration/singular_pose_search.hpp"
@@ -148,7 +149,8 @@ class Crossing final : public Interpolant {
   static bool declined_before(double value, double& declined);
   bool starts_near(double t, const VectorXd& y);
   bool pivot_changes(double t, const VectorXd& y, double root);
-  bool in_singular_pose(double t, const VectorXd& y) const;
+  bool in_singular_pose(double t, const VectorXd& y);
+  void depart(double t, const VectorXd& y);
   double usual_length(const ConstVector& v, const ConstVector& v_dot) const;
   // Without accelerations.
   double usual_length(const Speeds& speeds) const;
@@ -162,13 +164,16 @@ class Crossing final : public Interpolant {
   ForcesBeside between_forces_beside(const Interpolant& step, double t, double h, double at, VectorXd& v_dot,
                                      VectorXd& lambda);
   [[noreturn]] void throw_no_branch(double t) const;
+  [[noreturn]] void throw_not_left(double t) const;
+  [[noreturn]] void throw_several_motions(double t) const;
+  ErrorDetails in_this_pose(double t) const;
   void keep_rows_good(Arrival& state);
   Speeds speeds(const ConstVector& v) const;
   double largest_rate(const Speeds& speeds) const;
   double largest_rate(const ConstVector& v) const { return largest_rate(speeds(v)); }
   int parts_to(double t) const;
   bool leap_beside(double most, double usual);
-  bool try_lengths(Search& search, const VectorXd& y);
+  bool try_lengths(Search& search);
   void weigh(Search& search, CollocationStep::Quality quality);
   double switches_in_leap();
   bool stays_before_switches(Search& search);
@@ -191,6 +196,9 @@ class Crossing final : public Interpolant {
   bool prepared_ = false;
   bool starting_ = false;    ///< the leap begins near the pose, not before it
   bool in_pose_ = false;     ///< or in it
+  std::vector<int> joints_;  ///< whose equations depend on each other there
+  VectorXd departing_;       ///< accelerations there
+  bool decided_ = false;     ///< by velocities
   bool stepped_in_ = false;  ///< it begins in one that a step of the run ends in
   bool fresh_ = true;        ///< no step was looked at yet
   bool limited_ = false;

@@ -5,6 +5,7 @@
 #include "linkwork/integration/crossing.hpp"
 #include "linkwork/math/elementary.hpp"
 #include "linkwork/math/error.hpp"
+#include "linkwork/math/names.hpp"
 
 /// How long leaps are, and what is in them.
 namespace linkwork {
@@ -21,11 +22,11 @@ constexpr int most_attempts = 12;
 constexpr double other_lengths[most_attempts] = {0.85, 1.15, 0.7, 0.6, 0.5, 1.3, 0.4, 0.35, 0.3, 0.25, 0.2, 0.15};
 constexpr double precision = 1e-16;         // of solutions, relative to the square of the angle to the pose
 constexpr double part_of_blur = 0.05;       // for that, far from the origin
-constexpr double no_branch = 1e-2;          // correction of velocities by the constraints: they do not go on that way
 constexpr double looked_at_between = 36.0;  // times, where steps are adaptive: the eight nodes are not all that counts
 constexpr double beside_pose = 0.05;        // of a leap: so near nothing is projected
 constexpr double too_far = 1.5;             // of the usual distance to the pose: steps go on before the leap
 constexpr double part_of_way = 0.8;         // to a foreseen pose
+constexpr std::size_t named = 8;            // joints in an error
 constexpr double before_switch = 0.9;       // of the way to where a contact or a stop begins or ends
 
 }  // namespace
@@ -92,7 +93,7 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   const bool beside = std::abs(foreseen) < beside_pose * usual_length(v);
   const bool in_it = starting_ || (beside && latest && latest->root < solvable * dynamics_.watch().root_of_level());
   stepped_in_ = in_it && !starting_;
-  if (in_it) step_.begin_in_pose(t, y, stepped_in_ ? drifted : 0.0);
+  if (in_it) step_.begin_in_pose(t, y, stepped_in_ ? drifted : 0.0, starting_ && in_pose_ ? departing_ : VectorXd());
   const Unwatched unwatched(dynamics_);
   if (!in_it && !step_.begin(t, y, !beside)) return false;
   if (beside_ > 0.0) return leap_beside(most, usual_length(v));
@@ -103,7 +104,7 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   search.base = search.least;
   search.too_far = too_far * near_enough(usual, h, !(grid > 0.0)) + h;
   known_ = -INFINITY;
-  if (!try_lengths(search, y)) {
+  if (!try_lengths(search)) {
     if (known_ > t && !(grid > 0.0)) most_step_ = known_ - t - before_pose * usual;
     return false;
   }
@@ -147,7 +148,7 @@ bool Crossing::look_ahead(Search& search) {
 }
 
 /// False where no leap was found.
-bool Crossing::try_lengths(Search& search, const VectorXd& y) {
+bool Crossing::try_lengths(Search& search) {
   for (int k = 0; k < most_attempts && !search.done && std::isfinite(search.least); ++k) {
     const double other = other_lengths[std::max(search.failures - 2, 0)] * limit(search, search.base);
     const double h = search.failures < 2 ? best_length(search) : allowed_length(search, other);
@@ -168,8 +169,7 @@ bool Crossing::try_lengths(Search& search, const VectorXd& y) {
     if (!search.ahead) search.failures = 2;
   }
   if (search.error < INFINITY) return true;
-  const bool moves = step_.size(y.segment(dynamics_.system().q_size(), dynamics_.system().v_size())) > 0.0;
-  if (starting_ && !search.any_converged && moves && in_pose_) throw_no_branch(search.t);
+  if (starting_ && in_pose_ && decided_ && !search.any_converged) throw_not_left(search.t);
   return false;
 }
 
@@ -177,7 +177,6 @@ bool Crossing::try_lengths(Search& search, const VectorXd& y) {
 void Crossing::weigh(Search& search, CollocationStep::Quality quality) {
   search.any_converged = search.ahead = true;
   search.failures = 1;
-  if (starting_ && quality.jump > no_branch && in_pose_) throw_no_branch(search.t);
   search.poses = leap_.poses = poses_in_leap(0.5);
   search.done = search.poses.empty();
   if (!starting_ && !search.done && search.poses.front() > search.too_far) {
@@ -222,12 +221,37 @@ double Crossing::switches_in_leap() {
   return part < 1.0 ? part * leap_.h : INFINITY;
 }
 
-void Crossing::throw_no_branch(double t) const {
+ErrorDetails Crossing::in_this_pose(double t) const {
   ErrorDetails details;
   details.time = t;
+  for (const int joint : joints_) details.joints.push_back(dynamics_.system().model().joint_name(joint));
+  return details;
+}
+
+void Crossing::throw_no_branch(double t) const {
+  const ErrorDetails details = in_this_pose(t);
   throw SingularSystemError("no_branch",
-                            "the mechanism is in a singular pose, where branches of motion meet, with velocities that "
-                            "belong to none of them; give velocities of one branch, or another pose",
+                            "the mechanism is in a singular pose of " + quoted(details.joints, ", ", named) +
+                                ", where branches of motion meet, with velocities that belong to none of them; give "
+                                "velocities of one branch, or another pose",
+                            details);
+}
+
+void Crossing::throw_not_left(double t) const {
+  const ErrorDetails details = in_this_pose(t);
+  throw SingularSystemError("singular_pose",
+                            "the mechanism is in a singular pose of " + quoted(details.joints, ", ", named) +
+                                ", and its motion along the branch of its velocities could not be followed; begin "
+                                "before or behind that pose",
+                            details);
+}
+
+void Crossing::throw_several_motions(double t) const {
+  const ErrorDetails details = in_this_pose(t);
+  throw SingularSystemError("several_motions",
+                            "the mechanism rests in a singular pose of " + quoted(details.joints, ", ", named) +
+                                ", where branches of motion meet: several motions are possible from rest there; turn "
+                                "it a little along the branch that is meant, or give velocities of that branch",
                             details);
 }
 
