@@ -424,6 +424,7 @@ ANY_METHOD = [
     {"step": 1e-3, "integrator": "hem4"},
     {"rtol": 1e-6, "integrator": "dop853"},
     {"step": 1e-3, "formulation": "penalty"},
+    {"step": 1e-3, "formulation": "penalty", "linear_solver": "eigen_ldlt"},
 ]
 
 

@@ -145,13 +145,20 @@ bool Crossing::starts_near(double t, const VectorXd& y) {
   }
   const bool near_pose = root < near_at_start && pivot_changes(t, y, root);
   in_pose_ = near_pose && in_singular_pose(t, y);
-  if (in_pose_) depart(t, y);
+  if (in_pose_) {
+    poses_.list(t, y);
+    depart(t, y);
+  }
   return near_pose;
 }
 
-/// Lists the pose, and looks where the mechanism can go from it. Leaves `dynamics` evaluated there.
+/// Where pivots tell no poses, the one of the model is known.
+void Crossing::begin_unwatched(double t, const VectorXd& y) {
+  if (std::exchange(fresh_, false) && !dynamics_.rank().singular_rows.empty() && in_singular_pose(t, y)) depart(t, y);
+}
+
+/// Looks where the mechanism can go from a singular pose, in which `dynamics` is evaluated.
 void Crossing::depart(double t, const VectorXd& y) {
-  poses_.list(t, y);
   const System& system = dynamics_.system();
   const VectorXd q = y.head(system.q_size());
   DepartureSearch search(system, dynamics_.dropped().rows(), {t, q, dynamics_.history()});
@@ -219,7 +226,10 @@ class Here final : public Arrival {
 }  // namespace
 
 bool Crossing::due(double t, double h, const VectorXd& y, bool adaptive) {
-  if (!prepared_) return false;
+  if (!prepared_) {
+    begin_unwatched(t, y);
+    return false;
+  }
   const System& system = dynamics_.system();
   Here here(y);
   return due(t, h, speeds(y.segment(system.q_size(), system.v_size())), adaptive, here);

@@ -151,6 +151,7 @@ class Crossing final : public Interpolant {
   bool pivot_changes(double t, const VectorXd& y, double root);
   bool in_singular_pose(double t, const VectorXd& y);
   void depart(double t, const VectorXd& y);
+  void begin_unwatched(double t, const VectorXd& y);
   double usual_length(const ConstVector& v, const ConstVector& v_dot) const;
   // Without accelerations.
   double usual_length(const Speeds& speeds) const;

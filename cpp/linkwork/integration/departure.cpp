@@ -22,7 +22,7 @@ constexpr double off_tangent = 1e-5;                  // the same, less what it 
 constexpr double beside = 0.03;                       // of the way along velocities: others from there
 constexpr double slow = 1e-9;                         // of the speed of a fall: velocities that mean rest
 constexpr double balanced = 1e-8;                     // of what forces would do without joints
-constexpr double in_pose = 1e-7;                      // of rows that near each other in the pose
+constexpr double in_pose = 1e-6;                      // of rows that near each other in the pose
 constexpr double undecided = 1e-9, not_known = 1e-6;  // the same beside it
 constexpr double different = 0.1;                     // of what joints do to accelerations: of another branch
 constexpr double same = 1e-2;                         // of accelerations
