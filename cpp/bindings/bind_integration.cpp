@@ -401,7 +401,8 @@ void bind_adaptive_steps(py::module_& module) {
       .def("take_strikes", exclusive(+[](AdaptiveSimulation& run) {
              py::list out;
              for (const Strike& it : run.take_strikes())
-               out.append(py::make_tuple(it.t, it.potential, it.before.y, it.before.kinetic, it.after.y, it.after.kinetic));
+               out.append(
+                   py::make_tuple(it.t, it.potential, it.before.y, it.before.kinetic, it.after.y, it.after.kinetic));
              return out;
            }),
            "(t, potential energy, y before, kinetic energy before, y after, kinetic energy after) of bodies struck by "

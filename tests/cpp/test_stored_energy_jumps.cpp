@@ -52,8 +52,8 @@ TEST_CASE("a break between two steps counts once, whichever of them sees it") {
   const StoredEnergyJumps jumps(system);
   const VectorXd none, y = at(system, 1.4, 0.0);
   for (const double between : {breaks.before(jump), jump, breaks.after(jump)}) {
-    const double both = jumps.work_in_step(breaks, 0.4, between, y, y, none) +
-                        jumps.work_in_step(breaks, between, 0.6, y, y, none);
+    const double both =
+        jumps.work_in_step(breaks, 0.4, between, y, y, none) + jumps.work_in_step(breaks, between, 0.6, y, y, none);
     CHECK(both == doctest::Approx(work_at(1.4)).epsilon(1e-12));
   }
 }

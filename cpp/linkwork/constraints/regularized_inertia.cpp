@@ -14,8 +14,8 @@ constexpr double fill = 1e-5;       // what is added to moments: roundoff of 1e-
 constexpr double small = 1e-3;      // moments whose roundoff shows in any solution
 constexpr double roundoff = 4e-13;  // tolerance times moment from which on it shows in that tolerance
 constexpr double of_interest = 0.1;
-constexpr double felt = 1e-6;       // part of a row of D
-constexpr double massless = 1e-14;  // as in System
+constexpr double felt = 1e-6;        // part of a row of D
+constexpr double massless = 1e-14;   // as in System
 constexpr double rounded = 1.5e-14;  // of positions
 
 /// Mass and inertia that are typical of a body, though some of its own may vanish: m l^2 counts as inertia and J / l^2

@@ -158,7 +158,7 @@ class AdaptiveSimulation final : public Run {
   std::vector<Occurrence> of_step_;            ///< found in the current step, which is not finished
   std::vector<Occurrence> occurrences_;        ///< of finished steps
   std::vector<Strike> strikes_;
-  std::vector<EventWatch::Found> stops_;       ///< the event that ends the current step, and those that come with it
+  std::vector<EventWatch::Found> stops_;  ///< the event that ends the current step, and those that come with it
   double last_stop_ = 0.0, last_interval_ = std::numeric_limits<double>::infinity();  ///< between such events
   int shorter_ = 0;             ///< such intervals in a row that were shorter than the one before
   double shorter_since_ = 0.0;  ///< when the first of them began

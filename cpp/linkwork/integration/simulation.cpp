@@ -192,9 +192,8 @@ void Simulation::follow_leap() {
 /// In the step that ends here: steps go over breaks.
 void Simulation::cross_breaks() {
   const double t_new = time_of(steps_done_), t = time_of(steps_done_ - 1);
-  with_time(t_new, t_new - t, [&] {
-    y_[y_.size() - 1] += jumps_.work_in_step(breaks_, t, t_new, kept_y_, y_, dynamics_.history());
-  });
+  with_time(t_new, t_new - t,
+            [&] { y_[y_.size() - 1] += jumps_.work_in_step(breaks_, t, t_new, kept_y_, y_, dynamics_.history()); });
 }
 
 void Simulation::forget() {
