@@ -227,14 +227,6 @@ class DrivenMotion:
         """
         (count, frames, costs): as many frames as there are before something unusual, and until `seconds` are over.
         """
-    def start(
-        self,
-        q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
-        history: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
-    ) -> bool:
-        """
-        From the pose at t = 0 to which q leads; False: none is found, or it is singular, or nearly so.
-        """
     def pass_by(
         self,
         t: typing.SupportsFloat | typing.SupportsIndex,
@@ -252,6 +244,14 @@ class DrivenMotion:
     ) -> None:
         """
         And has made a frame of it.
+        """
+    def start(
+        self,
+        q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        history: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+    ) -> bool:
+        """
+        From the pose at t = 0 to which q leads; False: none is found, or it is singular, or nearly so.
         """
     @property
     def state(self) -> tuple:
