@@ -21,7 +21,7 @@ Model rotor() {
 
 /// Frames every so many of 1000 steps of a second in which it turns to and fro by 3 turns, or on by them, from rest to
 /// rest.
-std::vector<TurnCounter::Turned> turned(int every, bool on) {
+std::vector<TurnCounter::Turned> turned(int every, bool on, int first = 0) {
   const Model model = rotor();
   const System system(model);
   TurnCounter counter(system);
@@ -32,7 +32,7 @@ std::vector<TurnCounter::Turned> turned(int every, bool on) {
     v[5] = on ? 6.0 * pi * (1.0 - std::cos(phase)) : 6.0 * pi * pi * std::sin(phase);
     q[3] = std::cos(angle / 2), q[6] = std::sin(angle / 2);
     counter.pass(t, q, v);
-    if (k % every == 0) counter.record(t, q, v);
+    if (k >= first && k % every == 0) counter.record(t, q, v);
   }
   return counter.found();
 }
@@ -51,4 +51,11 @@ TEST_CASE("turns of which frames show nothing are counted in the steps between t
 TEST_CASE("what turns to and fro has not turned, and frames that tell turns need no counting") {
   CHECK(turned(1000, false).empty());
   CHECK(turned(10, true).empty());
+}
+
+TEST_CASE("nothing is counted before the first frame") {
+  CHECK(turned(1000, true, 1000).empty());
+  const auto found = turned(400, true, 1);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].before == 0.4);
 }

@@ -73,14 +73,14 @@ void TurnCounter::look(double t, const ConstVector& q, const ConstVector& v) {
 void TurnCounter::pass(double t, const ConstVector& q, const ConstVector& v) {
   if (angles_.empty()) return;
   advance(t, v);
-  if (since_look_ >= followed && !std::isnan(frame_.t)) look(t, q, v);
+  if (since_look_ >= followed && !is_first()) look(t, q, v);
 }
 
 void TurnCounter::record(double t, const ConstVector& q, const ConstVector& v) {
   if (angles_.empty()) return;
   advance(t, v);
-  const double by_rates = (t - frame_.t) * (frame_.fastest + fastest_);  // NaN: there is no frame before
-  if (since_frame_ > doubtful || by_rates > doubtful) {
+  const double by_rates = (t - frame_.t) * (frame_.fastest + fastest_);
+  if (!is_first() && (since_frame_ > doubtful || by_rates > doubtful)) {
     look(t, q, v);
     compare(t);
   }

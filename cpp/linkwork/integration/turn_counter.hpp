@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 #include <vector>
@@ -48,6 +49,7 @@ class TurnCounter {
     double fastest = 0.0;
   };
 
+  bool is_first() const { return std::isnan(frame_.t); }  ///< there is no frame yet
   void advance(double t, const ConstVector& v);
   void look(double t, const ConstVector& q, const ConstVector& v);
   State state(const Angle& angle, const ConstVector& q, const ConstVector& v) const;

@@ -148,8 +148,10 @@ def _steps_bytes(model: Model, stages: int, steps: float) -> float:
     return state * (stages + VECTORS) + kept + VERDICT_EVALUATIONS * evaluation
 
 
-def announce(forecast: Forecast, progress: ProgressOption) -> None:
-    """Where progress is shown, and in the log."""
+def announce(forecast: Forecast | None, progress: ProgressOption) -> None:
+    """Where progress is shown, and in the log; None: there is nothing to be told."""
+    if forecast is None:
+        return
     log.info("%s", forecast.text())
     if (progress is None or progress is True) and screen():
         print(forecast.text(), file=sys.stderr, flush=True)

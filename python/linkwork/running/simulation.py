@@ -375,8 +375,7 @@ def _carried_out(
     model, run, plan, t_start = it.system.model, it.run, it.plan, it.t_start
     spent = {"setup_seconds": time.perf_counter() - started}
     log.info("%s: %g to %g s by %s", model.describe(), t_start, plan.t_end, _listed(it.chosen))
-    if it.forecast is not None:
-        forecast.announce(it.forecast, progress)
+    forecast.announce(it.forecast, progress)
     labels, warns = it.facts["events"], it.system.options["on_singular"] == "warn"
     with telling_of_reach(model), recording.kept(run, recorder, labels, checkpoints):
         with reporting(progress, plan.t_end, run.steps_total, t_start, spent["setup_seconds"]) as report:
