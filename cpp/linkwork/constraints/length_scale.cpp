@@ -15,6 +15,7 @@ constexpr double at_rest = 1e-12;  // [1/s]: slower, and nothing moves but by ro
 
 constexpr double roundoff = 64 * std::numeric_limits<double>::epsilon();
 constexpr double least_row = 0.1;  // of natural size 1
+constexpr double next_to = 1e-3;   // a center of mass: of the radius of gyration
 
 Vec3<double> point(const Body& body, const Vec3<double>& s) {
   return body.position + rotation_matrix<double>(body.orientation) * s;
@@ -43,13 +44,15 @@ class ConnectedBodies {
     for (std::size_t body = 0; body < parent_.size(); ++body) measure(body);
   }
 
-  /// Joints at centers of mass, or next to them, leave the extent of the bodies: the least radius of gyration.
+  /// Where joints are at centers of mass, or next to them, the extent of the bodies counts: the least radius of
+  /// gyration. Else it does not depend on masses.
   double length(int body) {
     const std::size_t c = root(body);
-    const double own = gyration_[c] < INFINITY ? std::max(arm_[c], gyration_[c]) : arm_[c];
-    for (const double length : {own, way_[c]})
-      if (length > roundoff * reach_[c]) return length;
-    return 1.0;
+    const bool extended = gyration_[c] < INFINITY;
+    const double least = std::max(roundoff * reach_[c], extended ? next_to * gyration_[c] : 0.0);
+    for (const double length : {arm_[c], way_[c]})
+      if (length > least) return length;
+    return extended ? gyration_[c] : 1.0;
   }
 
  private:
