@@ -62,3 +62,21 @@ TEST_CASE("a violation is relative to the size of its own part, however large ot
     CHECK(RelativeViolation(system).largest(0.0, y, system.initial_history()) == doctest::Approx(1e-4).epsilon(1e-3));
   }
 }
+
+TEST_CASE("the size is that of the arms, or the radius of gyration where joints are next to centers of mass") {
+  const auto size = [](double arm, double mass, double inertia) {
+    Model model;
+    Body body = body_at({arm, 0, 0});
+    body.mass = mass;
+    body.inertia = inertia * Mat3<double>::Identity();
+    model.add_body("rotor", body);
+    join(model, "revolute", "hinge", ground, 0, Vec3<double>::Zero());
+    return RelativeViolation::lengths_of(System(model))[0];
+  };
+  const double gyration = std::sqrt(3.0 * 0.25);  // of the trace
+  for (const double mass : {1e-6, 1.0, 1e6})
+    for (const double arm : {0.0, 1e-17, 1e-4})
+      CHECK(size(arm, mass, 0.25 * mass) == doctest::Approx(gyration).epsilon(1e-12));
+  CHECK(size(0.1, 1.0, 0.25) == doctest::Approx(0.1).epsilon(1e-12));
+  CHECK(size(0.1, 1e-3, 1.0) == doctest::Approx(0.1).epsilon(1e-12));  // the inertia is that of a rotor elsewhere
+}

@@ -9,6 +9,10 @@
 namespace linkwork {
 namespace {
 
+// Of the radius of gyration: joints nearer to a center of mass give a part no size of its own. Not more, as the radius
+// says nothing of bodies with much inertia and little mass, which stand for rotors.
+constexpr double next_to = 1e-3;
+
 bool keeps_points_apart(const Element& joint) {
   const std::vector<EquationInfo>& equations = joint_info(joint.kind).equations;
   return std::any_of(equations.begin(), equations.end(),
@@ -41,7 +45,8 @@ VectorXd RelativeViolation::lengths_of(const System& system) {
     if (system.mass(body) > 0.0 && J > 0.0) own = std::min(own, J / system.mass(body));
   }
   for (Eigen::Index part = 0; part < longest.size(); ++part) {
-    if (squared[part] < INFINITY) longest[part] = std::max(longest[part], std::sqrt(squared[part]));
+    const double gyration = std::sqrt(squared[part]);
+    if (gyration < INFINITY && longest[part] < next_to * gyration) longest[part] = gyration;
     else if (!(longest[part] > 0.0)) longest[part] = 1.0;
   }
   return longest;
