@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "linkwork/formulation/watched_formulation.hpp"
@@ -167,7 +168,8 @@ class Crossing final : public Interpolant {
   [[noreturn]] void throw_no_branch(double t) const;
   [[noreturn]] void throw_not_left(double t) const;
   [[noreturn]] void throw_several_motions(double t) const;
-  ErrorDetails in_this_pose(double t) const;
+  [[noreturn]] void throw_in_this_pose(double t, const char* code, const std::string& does,
+                                       const std::string& why) const;
   void keep_rows_good(Arrival& state);
   Speeds speeds(const ConstVector& v) const;
   double largest_rate(const Speeds& speeds) const;

@@ -221,38 +221,31 @@ double Crossing::switches_in_leap() {
   return part < 1.0 ? part * leap_.h : INFINITY;
 }
 
-ErrorDetails Crossing::in_this_pose(double t) const {
+void Crossing::throw_in_this_pose(double t, const char* code, const std::string& does, const std::string& why) const {
   ErrorDetails details;
   details.time = t;
   for (const int joint : joints_) details.joints.push_back(dynamics_.system().model().joint_name(joint));
-  return details;
+  throw SingularSystemError(
+      code, "the mechanism " + does + " in a singular pose of " + quoted(details.joints, ", ", named) + ", " + why,
+      details);
 }
 
 void Crossing::throw_no_branch(double t) const {
-  const ErrorDetails details = in_this_pose(t);
-  throw SingularSystemError("no_branch",
-                            "the mechanism is in a singular pose of " + quoted(details.joints, ", ", named) +
-                                ", where branches of motion meet, with velocities that belong to none of them; give "
-                                "velocities of one branch, or another pose",
-                            details);
+  throw_in_this_pose(t, "no_branch", "is",
+                     "where branches of motion meet, with velocities that belong to none of them; give velocities of "
+                     "one branch, or another pose");
 }
 
 void Crossing::throw_not_left(double t) const {
-  const ErrorDetails details = in_this_pose(t);
-  throw SingularSystemError("singular_pose",
-                            "the mechanism is in a singular pose of " + quoted(details.joints, ", ", named) +
-                                ", and its motion along the branch of its velocities could not be followed; begin "
-                                "before or behind that pose",
-                            details);
+  throw_in_this_pose(t, "singular_pose", "is",
+                     "and its motion along the branch of its velocities could not be followed; begin before or behind "
+                     "that pose");
 }
 
 void Crossing::throw_several_motions(double t) const {
-  const ErrorDetails details = in_this_pose(t);
-  throw SingularSystemError("several_motions",
-                            "the mechanism rests in a singular pose of " + quoted(details.joints, ", ", named) +
-                                ", where branches of motion meet: several motions are possible from rest there; turn "
-                                "it a little along the branch that is meant, or give velocities of that branch",
-                            details);
+  throw_in_this_pose(t, "several_motions", "rests",
+                     "where branches of motion meet: several motions are possible from rest there; turn it a little "
+                     "along the branch that is meant, or give velocities of that branch");
 }
 
 /// Times from the start of a leap that converged, ascending; the first may be just before it, the last may be foreseen
