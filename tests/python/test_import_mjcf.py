@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +11,7 @@ import linkwork as lw
 import mujoco
 import numpy as np
 import pytest
+from linkwork.modeling.coordinates import JointCoordinate
 from mujoco_comparison import largest_difference
 from random_mjcf import RandomFile
 from robot_files import ROBOTS, accelerations
@@ -460,6 +462,26 @@ def test_coordinates_of_several_joints_of_a_body_are_from_their_references(tmp_p
     assert at_rest.q0 == pytest.approx(lw.import_mjcf(path).model.compiled().q0, abs=1e-14)
 
 
+def jointed(tmp_path: Path, joints: str) -> tuple[Path, mujoco.MjModel, mujoco.MjData]:
+    """A body on these joints, also as MuJoCo has it."""
+    path = tmp_path / "model.xml"
+    path.write_text(
+        '<mujoco><compiler angle="radian"/><option timestep="1e-3" integrator="RK4"/><worldbody>'
+        f'<body name="a" pos="1 2 3" quat="1 2 3 4">{joints}{INERTIAL}</body></worldbody></mujoco>'
+    )
+    theirs = mujoco.MjModel.from_xml_path(str(path))
+    return path, theirs, mujoco.MjData(theirs)
+
+
+def assert_moves_as(theirs: mujoco.MjModel, data: mujoco.MjData, found: Sequence[JointCoordinate]) -> None:
+    """From the state that MuJoCo has now, over 200 of its steps: one coordinate for each of its own."""
+    assert [it.value[0] for it in found] == pytest.approx(data.qpos, abs=1e-12)
+    for _ in range(200):
+        mujoco.mj_step(theirs, data)
+    assert [it.value[-1] for it in found] == pytest.approx(data.qpos, abs=1e-5)
+    assert [it.rate[-1] for it in found] == pytest.approx(data.qvel, abs=1e-4)
+
+
 #: Joints of one body that no one joint here stands for, with what acts at each.
 FOLLOWING = {
     "three hinges": '<joint name="a" axis="1 0 0" damping="0.3" armature="0.02" limited="true" range="-2 2"/>'
@@ -474,13 +496,7 @@ FOLLOWING = {
 @pytest.mark.parametrize("name", FOLLOWING)
 def test_joints_of_a_body_follow_each_other_as_in_mujoco(name: str, tmp_path: Path) -> None:
     """In the motion, each by its coordinate, and with each limit a stop."""
-    path = tmp_path / "model.xml"
-    path.write_text(
-        '<mujoco><compiler angle="radian"/><option timestep="1e-3" integrator="RK4"/><worldbody>'
-        f'<body name="a" pos="1 2 3" quat="1 2 3 4">{FOLLOWING[name]}{INERTIAL}</body></worldbody></mujoco>'
-    )
-    theirs = mujoco.MjModel.from_xml_path(str(path))
-    data = mujoco.MjData(theirs)
+    path, theirs, data = jointed(tmp_path, FOLLOWING[name])
     names = "abc"[: theirs.njnt]
     data.qpos[:], data.qvel[:] = [0.8, -0.5, 0.4][: theirs.nq], [0.3, 0.7, -1.0][: theirs.nv]
     start = {"coordinates": dict(zip(names, data.qpos.tolist(), strict=True)),
@@ -490,11 +506,7 @@ def test_joints_of_a_body_follow_each_other_as_in_mujoco(name: str, tmp_path: Pa
     result = lw.simulate(imported.model, t_end=0.2, step=1e-3)
     which = "displacement" if name == "slides" else "angle"
     found = [result.coordinate(joint, which) for joint in names]
-    assert [it.value[0] for it in found] == pytest.approx(data.qpos, abs=1e-12)
-    for _ in range(200):
-        mujoco.mj_step(theirs, data)
-    assert [it.value[-1] for it in found] == pytest.approx(data.qpos, abs=1e-5)
-    assert [it.rate[-1] for it in found] == pytest.approx(data.qvel, abs=1e-4)
+    assert_moves_as(theirs, data, found)
     stops = imported.model.compiled().find_force("a stop") >= 0
     assert stops == bool(theirs.jnt_limited[0])
 
@@ -591,23 +603,13 @@ MEASURED = {
 @pytest.mark.parametrize("name", MEASURED)
 def test_coordinates_in_results_are_those_of_mujoco(name: str, tmp_path: Path) -> None:
     joints, which = MEASURED[name]
-    path = tmp_path / "model.xml"
-    path.write_text(
-        '<mujoco><compiler angle="radian"/><option timestep="1e-3" integrator="RK4"/><worldbody>'
-        f'<body name="a" pos="1 2 3" quat="1 2 3 4">{joints}{INERTIAL}</body></worldbody></mujoco>'
-    )
-    theirs = mujoco.MjModel.from_xml_path(str(path))
-    data = mujoco.MjData(theirs)
+    path, theirs, data = jointed(tmp_path, joints)
     data.qpos[:], data.qvel[:] = [0.8, -0.5][: theirs.nq], [0.3, 0.7][: theirs.nv]
     given = "+".join("ab"[: theirs.njnt])
     start = {"coordinates": {given: data.qpos.copy()}, "velocities": {given: data.qvel.copy()}}
     result = lw.simulate(lw.import_mjcf(path, **start).model, t_end=0.2, step=1e-3)
     found = [result.coordinate(given, it) for it in which]
-    assert [it.value[0] for it in found] == pytest.approx(data.qpos, abs=1e-12)
-    for _ in range(200):
-        mujoco.mj_step(theirs, data)
-    assert [it.value[-1] for it in found] == pytest.approx(data.qpos, abs=1e-5)
-    assert [it.rate[-1] for it in found] == pytest.approx(data.qvel, abs=1e-4)
+    assert_moves_as(theirs, data, found)
 
 
 def test_stops_are_where_mujoco_has_them_though_coordinates_have_a_reference(tmp_path: Path) -> None:
