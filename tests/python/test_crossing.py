@@ -454,6 +454,34 @@ def test_rest_in_equilibrium_in_a_singular_pose_goes_on(
     assert np.abs(result.v[-1]).max() <= 1e-12
 
 
+def stretched(lengths: tuple[float, ...], gravity: tuple[float, float, float]) -> lw.Model:
+    """Bars on one line as long as the way between their held ends."""
+    model = lw.Model(gravity=gravity)
+    x, last = 0.0, "ground"
+    for i, length in enumerate(lengths):
+        bar = model.body(f"bar {i}", mass=1, inertia=(0.01, 0.1, 0.1), position=(x + 0.5 * length, 0, 0))
+        model.revolute(last, bar, at=(x, 0, 0), axis=(0, 1, 0))
+        x, last = x + length, bar.name
+    model.revolute(last, "ground", at=(x, 0, 0), axis=(0, 1, 0), name="end")
+    return model
+
+
+@pytest.mark.parametrize("options", [*ANY_METHOD, {"rtol": 1e-8}], ids=str)
+@pytest.mark.parametrize("lengths", [(1.0, 1.0), (1.0, 0.3, 2.0), (0.5, 1.0, 1.0, 0.7, 0.2)], ids=len)
+def test_loads_that_no_reactions_hold_are_refused(
+    lengths: tuple[float, ...], options: dict[str, Any]
+) -> None:
+    """A toggle stretched to the full holds a load across it with infinite forces."""
+    with pytest.raises(lw.SingularSystemError, match="no finite reactions hold it") as caught:
+        lw.simulate(stretched(lengths, (0, 0, -9.81)), 0.1, progress=False, **options)
+    assert caught.value.code == "no_motion" and "end" in caught.value.joints
+
+
+def test_loads_along_a_stretched_toggle_are_held() -> None:
+    result = lw.simulate(stretched((1.0, 0.3, 2.0), (9.81, 0, 0)), 0.1, 1e-2, progress=False)
+    assert np.abs(result.v).max() <= 1e-12
+
+
 def fall(masses: tuple[float, float, float], omega: float, t_end: float) -> float:
     """Rate of the parallelogram [rad/s] that leaves the line with omega."""
     crank, rod, rocker = masses

@@ -166,6 +166,7 @@ void Crossing::depart(double t, const VectorXd& y) {
   Departure found = search.find(v, dynamics_.evaluation().g.head(system.v_size()));
   if (found.kind == Departure::Kind::of_no_branch) throw_no_branch(t);
   if (found.kind == Departure::Kind::several_motions) throw_several_motions(t);
+  if (found.kind == Departure::Kind::no_motion) throw_no_motion(t);
   departing_ = std::move(found.v_dot);
   decided_ = found.decided;
 }

@@ -168,6 +168,7 @@ class Crossing final : public Interpolant {
   [[noreturn]] void throw_no_branch(double t) const;
   [[noreturn]] void throw_not_left(double t) const;
   [[noreturn]] void throw_several_motions(double t) const;
+  [[noreturn]] void throw_no_motion(double t) const;
   [[noreturn]] void throw_in_this_pose(double t, const char* code, const std::string& does,
                                        const std::string& why) const;
   void keep_rows_good(Arrival& state);

@@ -248,6 +248,12 @@ void Crossing::throw_several_motions(double t) const {
                      "along the branch that is meant, or give velocities of that branch");
 }
 
+void Crossing::throw_no_motion(double t) const {
+  throw_in_this_pose(t, "no_motion", "rests",
+                     "where it can move by infinitesimal amounts only, and forces act along these: no finite reactions "
+                     "hold it; give it other dimensions or another pose, or a bushing for a joint");
+}
+
 /// Times from the start of a leap that converged, ascending; the first may be just before it, the last may be foreseen
 /// by so many lengths beyond its end. Empty: there is none.
 std::vector<double> Crossing::poses_in_leap(double beyond_it) {

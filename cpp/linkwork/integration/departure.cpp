@@ -17,6 +17,8 @@ constexpr double yielding = 1e-12;                    // of rows, so that there 
 constexpr double arrived = 1e-6;                      // of the way: the last step to the constraints
 constexpr int most_steps = 30;                        // to there
 constexpr double farthest = 0.9;                      // of the way: corrections that lead back into the pose
+constexpr double astray = 3.0;                        // of the way: and those that lead elsewhere
+constexpr double back_in_pose = 1e-2;                 // of the way
 constexpr double off_branch = 1e-2;                   // of the way: a branch bends less
 constexpr double off_tangent = 1e-5;                  // the same, less what it bends
 constexpr double beside = 0.03;                       // of the way along velocities: others from there
@@ -50,7 +52,7 @@ Departure DepartureSearch::find(const VectorXd& v, const VectorXd& g) {
   Departure out{Departure::Kind::one_motion, accelerations(ahead)};
   out.decided = !singular(ahead, size_.of(v_) > 0.0 ? undecided : in_pose);
   if (out.decided) return out;
-  if (several(v_dot, undecided_by(v_dot), out.v_dot)) out.kind = Departure::Kind::several_motions;
+  out.kind = kind_of(v_dot, undecided_by(v_dot), out.v_dot);
   return out;
 }
 
@@ -90,20 +92,24 @@ DepartureSearch::OfComponents DepartureSearch::undecided_by(const VectorXd& v_do
   return out;
 }
 
-/// Whether there are places beside the pose with different accelerations; `of_branch` become those of one.
-bool DepartureSearch::several(const VectorXd& v_dot, const OfComponents& open, VectorXd& of_branch) {
-  if (std::find(open.begin(), open.end(), 1) == open.end()) return false;
+/// By places beside the pose; `of_branch` become the accelerations of one that there is.
+Departure::Kind DepartureSearch::kind_of(const VectorXd& v_dot, const OfComponents& open, VectorXd& of_branch) {
+  if (std::find(open.begin(), open.end(), 1) == open.end()) return Departure::Kind::one_motion;
   std::vector<std::pair<Place, VectorXd>> found;
+  VectorXd farthest_away = sizes(center_);
   for (std::uint64_t seed = 1; seed <= places; ++seed) {
     const Place place = go(beside_center(random_direction(seed)));
+    farthest_away = farthest_away.cwiseMax(place.away);
     if (singular(place, not_known)) continue;
     const VectorXd a = accelerations(place);
     for (const auto& [other, b] : found)
-      if (differ(place, a, other, b, v_dot, open)) return true;
+      if (differ(place, a, other, b, v_dot, open)) return Departure::Kind::several_motions;
     found.emplace_back(place, a);
   }
+  for (Eigen::Index c = 0; c < farthest_away.size(); ++c)
+    if (open[static_cast<std::size_t>(c)] && farthest_away[c] < back_in_pose) return Departure::Kind::no_motion;
   if (!found.empty()) of_branch = found.front().second;
-  return false;
+  return Departure::Kind::one_motion;
 }
 
 bool DepartureSearch::differ(const Place& one, const VectorXd& a, const Place& other, const VectorXd& b,
@@ -119,7 +125,7 @@ bool DepartureSearch::differ(const Place& one, const VectorXd& a, const Place& o
 /// To the constraints, from a displacement along the velocities and in a direction beside them.
 DepartureSearch::Place DepartureSearch::go(const VectorXd& direction, double sign) {
   const VectorXd displacement = way * (sign * center_ + direction), none = VectorXd::Zero(v_.size());
-  Place out{pose_.t + sign * seconds_, pose_.q, none, {}};
+  Place out{pose_.t + sign * seconds_, pose_.q, none, {}, {}};
   displace(given_, displacement, out.q);
   VectorXd going = VectorXd::Ones(sizes(none).size());
   out.off = VectorXd::Zero(going.size());
@@ -132,10 +138,11 @@ DepartureSearch::Place DepartureSearch::go(const VectorXd& direction, double sig
     const VectorXd last = sizes(step) / way, all = sizes(out.corrected);
     for (Eigen::Index c = 0; c < going.size(); ++c) {
       if (going[c] == 0.0) continue;
-      if (last[c] <= arrived || !(all[c] <= farthest)) going[c] = 0.0;
+      if (last[c] <= arrived || !(all[c] <= astray)) going[c] = 0.0;
       out.off[c] = last[c] <= arrived && all[c] <= farthest ? all[c] : INFINITY;
     }
   }
+  out.away = sizes(displacement / way + out.corrected);
   return out;
 }
 

@@ -9,9 +9,10 @@ namespace linkwork {
 /// What begins in a singular pose, where branches of motion meet.
 struct Departure {
   enum class Kind {
-    one_motion,      ///< or rest
-    of_no_branch,    ///< the velocities belong to none
-    several_motions  ///< no velocities decide between them
+    one_motion,       ///< or rest
+    of_no_branch,     ///< the velocities belong to none
+    several_motions,  ///< no velocities decide between them
+    no_motion         ///< from rest: forces act along infinitesimal motions, which no finite reactions hold
   };
   Kind kind = Kind::one_motion;
   VectorXd v_dot = {};   ///< on the branch
@@ -24,7 +25,8 @@ struct Departure {
 /// Velocities lie on a branch where a displacement along them is off the constraints by no more than a branch bends. Then
 /// they decide, be they fast or slow. From rest the accelerations do that the joints allow in the pose: on a branch that
 /// leads along them reactions are finite, on all others these would grow like 1 / t^2. Where none does, each branch has
-/// a motion of its own, with the accelerations that its D allows.
+/// a motion of its own, with the accelerations that its D allows. A toggle that is stretched to the full, both ends held,
+/// has none: from everywhere beside the pose the constraints lead back into it.
 ///
 /// Each connected component is looked at by itself.
 class DepartureSearch {
@@ -40,13 +42,14 @@ class DepartureSearch {
     VectorXd q;
     VectorXd corrected;  ///< from where a displacement led, relative to that, 6 per body
     VectorXd off;        ///< the size of it, per component; infinite where it does not come to the constraints
+    VectorXd away;       ///< from the pose, per component, relative to the displacement
   };
   using OfComponents = std::vector<char>;
 
   Place go(const VectorXd& direction, double sign = 1.0);
   bool lies_on_branch(const VectorXd& fall);
   OfComponents undecided_by(const VectorXd& v_dot);
-  bool several(const VectorXd& v_dot, const OfComponents& undecided, VectorXd& of_branch);
+  Departure::Kind kind_of(const VectorXd& v_dot, const OfComponents& undecided, VectorXd& of_branch);
   bool differ(const Place& one, const VectorXd& a, const Place& other, const VectorXd& b, const VectorXd& v_dot,
               const OfComponents& undecided) const;
   VectorXd accelerations(const Place& place);
