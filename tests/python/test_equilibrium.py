@@ -433,3 +433,59 @@ def test_equilibrium_takes_the_same_way_in_any_unit_of_length() -> None:
 def test_a_way_past_a_pose_without_a_constraint_warns_of_nothing() -> None:
     with pytest.raises(lw.NotConvergedError, match="found none"):
         lw.equilibrium(lw.mechanisms.rolling_disc())  # which lies flat on its way
+
+
+def follower_column(load: float, damping: float) -> lw.Model:
+    """Ziegler's: bars of 1 m, 2 kg and 1 kg at their ends, hinges of 1 N m/rad, the load along the second."""
+    model = lw.Model(gravity=(0, 0, 0), name="column")
+    last = model.ground
+    for k, mass in enumerate((2.0, 1.0)):
+        bar = model.body(f"bar {k}", mass=mass, inertia=(1e-9,) * 3, position=(k + 1, 0, 0))
+        place = {"at": (k, 0, 0), "axis": Z}
+        model.revolute(last, bar, **place)
+        model.rotational_spring_damper(last, bar, **place, stiffness=1.0, damping=damping)
+        last = bar
+    model.force(last, force=(-load, 0, 0), frame="body")
+    return model
+
+
+@pytest.mark.parametrize(
+    ("load", "damping", "stability"),
+    [
+        (2.0, 0.0, "stable"),
+        (2.15, 0.0, "unstable"),
+        (1.42, 0.01, "stable"),
+        (1.52, 0.01, "unstable"),
+    ],
+)
+def test_a_column_under_a_follower_load_flutters(load: float, damping: float, stability: str) -> None:
+    """Beyond 7/2 - sqrt(2) N, and with the same small damping in both hinges beyond 41/28 N already (Ziegler,
+    Die Stabilitätskriterien der Elastomechanik, Ingenieur-Archiv 20, 1952): all stiffness is positive."""
+    rest = lw.equilibrium(follower_column(load, damping))
+    assert rest.stability == stability
+    assert ("small motions grow" in str(rest)) == (stability == "unstable")
+
+
+def disc_in_springs() -> lw.Model:
+    center, upright = np.array((0.1, 0, 0.1)), lw.rotation.about((1, 0, 0), np.pi / 2)
+    model = lw.Model()
+    model.body("disc", mass=0.5, inertia=(0.00125, 0.00125, 0.0025), position=center, orientation=upright)
+    axes = (Z, lw.rotation.matrix(upright)[:, 2])
+    model.rolling_disc("ground", "disc", at=((0, 0, 0), center), axes=axes, radius=0.1)
+    for end, stiffness, rise, damping in (
+        ((1, 1, 0.3), 80.0, 0.0, 0.3),
+        ((-1, 0.1, 0.3), 40.0, 0.0, 0.0),
+        ((0, 1, 1), 40.0, 0.05, 0.0),
+        ((0, -1, 1), 40.0, 0.05, 0.0),
+    ):
+        at = (end, center + np.array((0, 0, rise)))
+        model.spring_damper("ground", "disc", at=at, stiffness=stiffness, damping=damping, free_length=0.8)
+    return model
+
+
+def test_motions_of_a_disc_that_rolls_grow_although_it_is_stiff() -> None:
+    rest = lw.equilibrium(disc_in_springs())
+    assert rest.softest > 0 and rest.stability == "unstable"
+    pushed = lw.assemble(rest.model.replaced("disc", omega=(1e-6, 0, 2e-6))).model
+    energy = lw.simulate(pushed, 1.2, rtol=1e-9, progress=False).kinetic_energy
+    assert energy.max() > 1e4 * energy[0]

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Literal, NamedTuple, TypeVar
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
 from linkwork.analyses.softest import softest
+from linkwork.analyses.stability import Stability, judged
 from linkwork.analyses.step_limits import LONGEST_STEP, LONGEST_TURN, StepLimits
 from linkwork.analyses.stiffness import stiffness
 from linkwork.arrays import Floats, ReadOnly
@@ -55,9 +56,6 @@ COUNTED_TURN = np.pi / 2
 ITERATIONS, ALL_ITERATIONS, CORRECTIONS, DEPARTURES = 400, 4000, 20, 5
 
 
-Stability = Literal["stable", "neutral", "unstable", "unknown"]
-
-
 @dataclass(frozen=True, eq=False)
 class Equilibrium(ReadOnly):
     """A model at rest in balance: g + D^T lambda = 0, Phi = 0."""
@@ -72,7 +70,7 @@ class Equilibrium(ReadOnly):
     imbalance: float
     #: smallest stiffness among the motions that the joints leave [N/m]; NaN: there is none, or it is unknown
     softest: float
-    softest_motion: str  #: which this is, in words; or why it is unknown
+    softest_motion: str  #: which this is, in words, and which small motions grow; or why it is unknown
     stability: Stability  #: "unknown" at a kink of the forces, as where a contact or stop just touches
     iterations: int
     _equations: Equations = field(repr=False)
@@ -131,8 +129,9 @@ def equilibrium(model: Model, *, stable: bool = True) -> Equilibrium:
     stable  False: the nearest equilibrium of any kind, by steps that reduce the imbalance
 
     `stability` is that of the stiffness; a rotation counts by the size of the mechanism. Where forces follow
-    the bodies, linkwork.linearize has the last word. It is "unknown" where a contact or stop just touches,
-    and wherever else forces have a kink: stiffness is another one to each side.
+    the bodies or wheels roll stiffness does not tell: small motions do, with their damping, as
+    linkwork.linearize finds them; of large models it is "unknown" then. So it is where a contact or stop just
+    touches, and wherever else forces have a kink: stiffness is another one to each side.
 
     NotConvergedError: no equilibrium, with the body that is driven most, or that goes round and round, as by
     a motor against friction, which does not hold at rest; the error's `state` is the pose that was reached.
@@ -188,10 +187,10 @@ class _Search:
             q = self._descend(q)
             if not self.stable:
                 return q
-            soft, motion, neutral, kink = softest(self.eq, q, self._balance(q)[1])
-            if kink or not soft < -neutral:
+            soft = softest(self.eq, q, self._balance(q)[1])
+            if soft.kink or not soft.stiffness < -soft.neutral:
                 return q
-            away = self._moved(q, 0.01 * motion / self._reach(motion))
+            away = self._moved(q, 0.01 * soft.motion / self._reach(soft.motion))
             if away is None:
                 return q
             q = away[0]
@@ -384,23 +383,19 @@ class _Search:
             error.state = self._snapshot(q)
             raise
         r, multipliers = self._balance(q)
-        soft, motion, neutral, kink = softest(eq, q, multipliers)
+        soft = softest(eq, q, multipliers)
         K = stiffness(eq, 0.0, q, self.rest, multipliers)
         self.acting = eq.acting(0.0, q, self.rest, multipliers, K)
         at_rest = eq.model.with_initial_state(q, self.rest, self._turns(q))
         multipliers = shared(eq, 0.0, q, multipliers)
         x = between(np.array(eq.core.q0), q).reshape(-1, 2, 3)
         shift, angle = np.linalg.norm(x, axis=2).T
-        kinds: tuple[Stability, ...] = ("unstable", "neutral", "stable")
-        kind = kinds[2 if np.isnan(soft) else 1 + int(np.sign(soft) * (abs(soft) > neutral))]
+        found = judged(eq, at_rest, soft)
         imbalance = self._size(eq.beyond_rounding(r, q, K, self.acting))
-        words = "" if np.isnan(soft) else eq.motion(motion)
-        if kink:
-            kind, soft, words = "unknown", np.nan, str(kink)
         return Equilibrium(
             at_rest, moved=shift, turned=angle, multipliers=multipliers, imbalance=imbalance,
-            softest=soft, softest_motion=words, stability=kind, iterations=self.steps,
-            _equations=eq,
+            softest=found.softest, softest_motion=found.words, stability=found.stability,
+            iterations=self.steps, _equations=eq,
         )  # fmt: skip
 
     def _fail(self, q: Floats, r: Floats, limits: StepLimits) -> None:

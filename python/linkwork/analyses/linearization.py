@@ -19,7 +19,7 @@ from linkwork.analyses.eigenmodes import (
 from linkwork.analyses.held_in_time import warn_of_time
 from linkwork.analyses.kinks import kink
 from linkwork.analyses.steadiness import Steadiness
-from linkwork.analyses.stiffness import Stiffness
+from linkwork.analyses.stiffness import Stiffness, has_potential, scaled
 from linkwork.arguments import is_number, number
 from linkwork.arrays import Complex, Floats, ReadOnly
 from linkwork.constraints.equations import Equations, Sparse, Terms
@@ -53,9 +53,6 @@ FOLLOWED = 1e-4
 
 #: Velocities below this part of the rates of its forces are those of a mechanism at rest.
 REST = 1e-9
-
-#: Asymmetry of the stiffness that counts as none, relative to the largest entries of the bodies: rounding.
-SMALL = 1e-10
 
 #: Modes in the table of a notebook.
 MODES_SHOWN = 20
@@ -247,7 +244,7 @@ def _modes(
 ) -> tuple[Complex, Complex]:
     """Eigenvalues and shapes (6n, k), of small models over the motions Z (6n, f)."""
     M, C, K, D, found = now.M, now.C, now.K, now.fixed, now.stiffness
-    symmetric = _symmetric(eq, found)
+    symmetric = has_potential(eq, found)
     if Z is not None:
         s, shapes, off = by_dense_matrices(M, C, K, Z, symmetric, now.rolling)
     else:
@@ -325,11 +322,6 @@ def _check_velocities(eq: Equations, terms: Terms, v: Floats, gross: Floats) -> 
         )
 
 
-def _scaled(eq: Equations, K: Sparse) -> Sparse:
-    """In N/m: rotations by the size of the mechanism."""
-    return K.multiply(eq.scale[:, None]).multiply(eq.scale[None, :])
-
-
 def _neutral(eq: Equations, s: Complex, shapes: Complex, M: Sparse, found: Stiffness) -> NDArray[np.bool_]:
     """Which motions have no stiffness, and no damping that brings them to rest (k,)."""
 
@@ -337,20 +329,9 @@ def _neutral(eq: Equations, s: Complex, shapes: Complex, M: Sparse, found: Stiff
         return np.asarray(np.abs(np.sum(shapes.conj() * (A @ shapes), axis=0)))
 
     largest = np.abs(s).max(initial=0.0)
-    stiffest = float(_scaled(eq, found.parts).max()) if found.parts.nnz else 0.0
+    stiffest = float(scaled(eq, found.parts).max()) if found.parts.nnz else 0.0
     noise = found.rounding(shapes, NEUTRAL)
     noise += EPSILON * stiffest * np.sum(np.abs(shapes / eq.scale[:, None]) ** 2, axis=0)
     mass = of(M)
     slow = np.abs(s) ** 2 * mass <= noise + (ROUNDED * largest) ** 2 * mass
     return np.asarray((of(found.K) <= noise) & slow)
-
-
-def _symmetric(eq: Equations, found: Stiffness) -> bool:
-    """Whether scaled entries differ from those across the diagonal by rounding of their bodies' largest."""
-    K, parts = _scaled(eq, found.K), _scaled(eq, found.parts).tocoo()
-    skew = abs(K - K.T).tocoo()
-    size = np.zeros(K.shape[0] // 6)
-    for place in (parts.row, parts.col):
-        np.maximum.at(size, place // 6, parts.data)
-    rounding = max(SMALL, found.digits) * np.sqrt(size[skew.row // 6] * size[skew.col // 6])
-    return bool((skew.data <= rounding).all())

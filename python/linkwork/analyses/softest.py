@@ -8,7 +8,7 @@ import numpy as np
 
 from linkwork.analyses.eigenmodes import softest_by_lanczos
 from linkwork.analyses.kinks import Kink, kink
-from linkwork.analyses.stiffness import stiffness_and_parts
+from linkwork.analyses.stiffness import has_potential, scaled, stiffness_and_parts
 from linkwork.arrays import Floats
 from linkwork.constraints.equations import Equations, Sparse
 from linkwork.constraints.solver import DENSE, null_space
@@ -16,9 +16,6 @@ from linkwork.errors import NotFiniteError
 from linkwork.motion.records import Snapshot
 
 __all__ = ["Softest", "softest"]
-
-#: Of the stiffness, relative, where it counts as that of forces with a potential.
-ASYMMETRY = 1e-7
 
 #: Stiffness below this part of the terms that it is the sum of, and of the largest, counts as none.
 NEUTRAL, EPSILON = 1e-9, 1e-14
@@ -29,6 +26,7 @@ class Softest(NamedTuple):
     motion: Floats  # (6n,)
     neutral: float  # which stiffness would be rounding of the terms that it is the sum of [N/m]
     kink: Kink | None  # where there is one stiffness is none
+    symmetric: bool  # the stiffness of what has a potential, which alone decides whether motions grow
 
 
 def softest(eq: Equations, q: Floats, multipliers: Floats) -> Softest:
@@ -37,13 +35,16 @@ def softest(eq: Equations, q: Floats, multipliers: Floats) -> Softest:
     found = stiffness_and_parts(eq, 0.0, q, rest, multipliers)
     D = eq.terms(0.0, q).D
     D = D[eq.independent(D)]
-    value, x = _smallest(eq, found.K, D)
+    symmetric = bool(eq.holonomic.all()) and has_potential(eq, found)
+    value, x = _smallest(eq, found.K, D, symmetric)
     noise = float(found.rounding(x, NEUTRAL)) / (float(np.sum((x / eq.scale) ** 2)) or 1.0)
     at = Snapshot(0.0, q.reshape(-1, 7), rest.reshape(-1, 6))
-    return Softest(value, x, noise + EPSILON * _stiffest(eq, found.parts), kink(eq, at, D, found.doubt))
+    return Softest(
+        value, x, noise + EPSILON * _stiffest(eq, found.parts), kink(eq, at, D, found.doubt), symmetric
+    )
 
 
-def _smallest(eq: Equations, K: Sparse, D: Sparse) -> tuple[float, Floats]:
+def _smallest(eq: Equations, K: Sparse, D: Sparse, symmetric: bool) -> tuple[float, Floats]:
     if D.shape[1] > DENSE:
         from scipy.sparse import diags_array
 
@@ -58,14 +59,10 @@ def _smallest(eq: Equations, K: Sparse, D: Sparse) -> tuple[float, Floats]:
             "the stiffness about the equilibrium is not finite: masses, forces or lengths are too large",
             code="not_finite",
         )
-    if np.abs(k - k.T).max() <= ASYMMETRY * np.abs(k).max():
-        values, y = np.linalg.eigh((k + k.T) / 2)
-    else:  # forces that follow the bodies
-        values, y = np.linalg.eig(k)
+    values, y = np.linalg.eigh((k + k.T) / 2) if symmetric else np.linalg.eig(k)
     lowest = int(np.argmin(values.real))
     return float(values[lowest].real), Z @ y[:, lowest].real
 
 
 def _stiffest(eq: Equations, K: Sparse) -> float:
-    scaled = K.multiply(eq.scale[:, None]).multiply(eq.scale[None, :])
-    return float(abs(scaled).max()) if K.nnz else 0.0
+    return float(abs(scaled(eq, K)).max()) if K.nnz else 0.0

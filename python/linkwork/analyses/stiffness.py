@@ -35,7 +35,8 @@ from linkwork.constraints.equations import LAST_DIGITS, Equations, Sparse
 from linkwork.constraints.tangent import displaced
 
 __all__ = [
-    "Stiffness", "damping", "damping_and_doubt", "stiffness", "stiffness_and_parts", "velocity_part",
+    "Stiffness", "damping", "damping_and_doubt", "has_potential", "scaled", "stiffness",
+    "stiffness_and_parts", "velocity_part",
 ]  # fmt: skip
 
 Indices = NDArray[np.intp]
@@ -56,6 +57,9 @@ AGREEMENT, FEW = 1e-6, 50
 #: Differences of the constraints in steps shorter by this factor are the same but for such a part, or the
 #: steps become shorter, so often at most.
 SHORTEN, SMOOTH, SHORTER = 8.0, 1e-6, 5
+
+#: Asymmetry of the stiffness that counts as none, relative to the largest entries of the bodies: rounding.
+SMALL = 1e-10
 
 
 class Stiffness(NamedTuple):
@@ -191,6 +195,22 @@ def velocity_part(equations: Equations, t: float, q: Floats, v: Floats) -> Spars
             terms = np.array([w * rates(s * x.ravel())[own] for s, w in STENCIL])
             parts.append((_change(terms, np.arange(len(own))) / steps[moved, k], own, 6 * moved + k))
     return assembled(parts, 6 * n, core.row_count)
+
+
+def scaled(equations: Equations, K: Sparse) -> Sparse:
+    """In N/m: rotations by the size of the mechanism."""
+    return K.multiply(equations.scale[:, None]).multiply(equations.scale[None, :])
+
+
+def has_potential(equations: Equations, found: Stiffness) -> bool:
+    """Whether scaled entries differ from those across the diagonal by rounding of their bodies' largest."""
+    K, parts = scaled(equations, found.K), scaled(equations, found.parts).tocoo()
+    skew = abs(K - K.T).tocoo()
+    size = np.zeros(K.shape[0] // 6)
+    for place in (parts.row, parts.col):
+        np.maximum.at(size, place // 6, parts.data)
+    rounding = max(SMALL, found.digits) * np.sqrt(size[skew.row // 6] * size[skew.col // 6])
+    return bool((skew.data <= rounding).all())
 
 
 def _partners(core: _core.Model) -> Indices:
