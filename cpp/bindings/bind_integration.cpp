@@ -78,6 +78,7 @@ py::dict to_dict(const AccumulatedError& found, const System& system, bool steps
   out["reactions_by_state"] = found.reactions_by_state;
   out["yielding"] = std::isnan(found.yielding) ? 0.0 : found.yielding;
   out["onset"] = found.onset;
+  out["rounding"] = found.rounding;
   out["violation"] = found.violation;
   out["rate"] = found.rate;
   out["seconds"] = found.seconds;

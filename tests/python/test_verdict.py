@@ -441,7 +441,8 @@ def test_reactions_of_exact_equations_lose_nothing() -> None:
 def test_reactions_that_may_be_off_are_named_beside_a_good_motion() -> None:
     numbers: dict[str, Any] = {
         "taken": 1, "failed": 0, "kinetic_share": 1.0, "rest_energy": 1.0, "violation": 0.0, "seconds": 1.0,
-        "rate": 1.0, "state": 1e-3, "local_error": 1e-3, "yielding": 0.0, "steps": [(0.0, 1e-3, 1e-6, None)],
+        "rate": 1.0, "state": 1e-3, "local_error": 1e-3, "rounding": 0.0, "yielding": 0.0,
+        "steps": [(0.0, 1e-3, 1e-6, None)],
     }  # fmt: skip
     method = verdict.Method(4, step=1e-3)
     for ratio, said in ((10.0, "2e-3"), (100.0, "20 % off"), (1e4, "far off")):
@@ -786,3 +787,18 @@ def test_a_step_that_its_tolerance_did_not_see_needs_a_longest_one() -> None:
     assert "between t = 2 and 17 s" in said and "longest step (step=), less than 10 s" in said
     assert "rtol 1e-11 would give 1e-4" in method.advice(1.0, [usual])
     assert "longest step" in method.advice(1.0, [usual], state=1e-3)  # the energy alone shows it
+
+
+@pytest.mark.parametrize(("place", "speed", "step"), [(1e6, 1e-3, 1e-4), (1e9, 0.1, 1e-5), (1e9, 0.1, 1e-6)])
+def test_rounding_of_places_far_away_adds_up_in_uniform_motion(
+    place: float, speed: float, step: float
+) -> None:
+    """All steps are rounded to the same side."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("slider", mass=1, inertia=(0.1,) * 3, position=(place, 0, 0), velocity=(speed, 0, 0))
+    model.translational("ground", "slider", at=(place, 0, 0), axis=(1, 0, 0))
+    result = lw.simulate(model, 10**4 * step, step, on_inaccurate="pass", progress=False)
+    moved = result.position[-1, 0, 0] - place
+    off = abs(moved / (10**4 * step * speed) - 1)
+    assert result.verdict.error >= 0.5 * off > 0
+    assert ("from the origin" in result.verdict.sentence) == (result.verdict.level != "good")

@@ -72,6 +72,8 @@ class Accumulation {
     out_.state = once + (judged_.rest ? away_from_rest() : judged_.resolved * state());
     out_.local_error = sum([this](const StepError& it) { return error(of(it).end); }) / out_.seconds;
     out_.onset = sum([this](const StepError& it) { return of(it).onset; }) / V_;
+    const double path = sum([this](const StepError& it) { return of(it).displacement; });
+    out_.rounding = sum([this](const StepError& it) { return of(it).rounding; }) / std::max(path, size_);
     out_.rate = V_ / L_;
     out_.carried = judged_.speed_as_a_whole / V_;
     return std::move(out_);
@@ -219,10 +221,12 @@ class Accumulation {
 AccumulatedError worse(AccumulatedError a, AccumulatedError b) {
   const double reactions = std::fmax(a.reactions_by_state * a.state, b.reactions_by_state * b.state);
   const double onset = std::max(a.onset, b.onset), yielding = std::fmax(a.yielding, b.yielding);
+  const double rounding = std::max(a.rounding, b.rounding);
   AccumulatedError out = b.state > a.state || std::isnan(b.state) ? std::move(b) : std::move(a);
   out.reactions_by_state = reactions / out.state;
   out.onset = onset;
   out.yielding = yielding;
+  out.rounding = rounding;
   return out;
 }
 

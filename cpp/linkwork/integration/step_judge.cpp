@@ -70,6 +70,16 @@ DifferencesOfParts rounding(const System& system, const VectorXd& y) {
   return out;
 }
 
+/// What rounding makes of positions in a step, if the displacements of the next are the same to the last digit: then all
+/// are rounded to the same side [m].
+double lasting_rounding(const System& system, int body, const KeptStep& step) {
+  const int r = position_size * body, v = system.q_size() + velocity_size * body;
+  const auto velocity = step.y_new.segment<3>(v);
+  const double unit = std::numeric_limits<double>::epsilon() * step.y_new.segment<3>(r).norm();
+  if ((velocity - step.y.segment<3>(v)).norm() * step.h > unit) return 0.0;
+  return std::min(unit, velocity.norm() * step.h);
+}
+
 /// By how much a step of Baumgarte stabilization takes violations back, at least: the slower root of
 /// x^2 + 2 alpha x + beta^2 = 0, times h; all of them where it is sampled with the gains of the step.
 double share_taken_back(const Dynamics& dynamics, double h) {
@@ -340,6 +350,8 @@ void StepJudge::look_at_motion(const KeptStep& step, StepError& out) {
     const auto rate = [&](int at) { return (a.segment<3>(at) - step.y.segment<3>(at)).norm() / step.h; };
     of_part.speed = std::max({of_part.speed, seen_.segment<3>(v).norm(), arms_[part] * a.segment<3>(v + 3).norm()});
     of_part.acceleration = std::max(of_part.acceleration, rate(v));
+    of_part.rounding = std::max(of_part.rounding, lasting_rounding(system, body, step));
+    of_part.displacement = std::max(of_part.displacement, a.segment<3>(v).norm() * step.h);
     of_part.spin_rate = std::max(of_part.spin_rate, rate(v + 3));
   }
   const VectorXd kinetic = kinetic_energies_of(seen_);

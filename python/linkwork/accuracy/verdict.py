@@ -82,8 +82,8 @@ class Verdict:
 
     level        "good": up to 1 % off, "coarse", or "wrong": beyond 10 %
     sentence     "accurate to about 3e-7", or what is the matter and what would help
-    error        the largest of `state`, `energy`, `violation` and `yielding`; of unstable and chaotic motion
-                 it may be too small by any factor, unless there was a second run
+    error        the largest of `state`, `energy`, `violation`, `yielding` and `rounding`; of unstable and
+                 chaotic motion it may be too small by any factor, unless there was a second run
     state        of poses, relative to the smaller of the path and the size of the motion, and of velocities,
                  relative to the largest: local errors accumulated over the run; None: no step was taken
                  again. Parts that neither joints nor forces connect are judged as if alone: the worst counts
@@ -104,6 +104,8 @@ class Verdict:
     recalled     what a function returned in the run, and later for the same arguments, in words
     yielding     of forces and torques, relative to the largest: what they lose in the states of the run where
                  constraints yield, by a penalty or by iterations that end early
+    rounding     of positions, relative to the path, where it adds up: of motion that is uniform to the last
+                 digit, in steps that are short beside the distance from the origin
     body         of the connected part that the error is of; "": all bodies are one part, or it is of no one
     """
 
@@ -126,6 +128,7 @@ class Verdict:
     memory: tuple[str, ...] = ()
     recalled: str = ""
     yielding: float = 0.0
+    rounding: float = 0.0
     body: str = ""
 
     def numbers(self) -> dict[str, Any]:
@@ -264,7 +267,7 @@ def estimate(
     reactions = None if accumulated is None else accumulated + yielding
     error, steps = max(state, energy, yielding), tuple(itertools.starmap(StepEstimate, found["steps"]))
     body = body if by_steps >= error else ""
-    return Verdict(
+    verdict = Verdict(
         level=_level(error),
         sentence=_sentence(error, violation, state, method, before, steps, body) + _but(error, reactions),
         error=error,
@@ -280,6 +283,7 @@ def estimate(
         body=body,
         **_counts(statistics),
     )
+    return _rounded_off(replace(verdict, rounding=found["rounding"]))
 
 
 def without_steps(
@@ -311,7 +315,7 @@ def verified(
     sentence = f"{found} by a second run{_but(error, reactions)}"
     if second is not None and second.level != "good" and second.error > max(error, HARDLY * verdict.error):
         error, sentence, body = second.error, f"{second.sentence} (of a second run)", second.body
-    return replace(
+    second_run = replace(
         verdict,
         error=error,
         level=_level(error),
@@ -320,6 +324,19 @@ def verified(
         verified=state,
         body=body,
     )
+    return _rounded_off(second_run)
+
+
+def _rounded_off(verdict: Verdict) -> Verdict:
+    """Says so where it is rounding that makes most of the error, in each run alike."""
+    error = verdict.rounding
+    if error <= verdict.error:
+        return verdict
+    sentence = f"accurate to about {_figure(error)}"
+    if error > GOOD:
+        why = "as steps are short beside the distance from the origin, to which positions are rounded"
+        sentence = f"{_off(error)}, {why}: use longer steps, or put the origin nearer"
+    return replace(verdict, error=error, level=_level(error), sentence=sentence, body="")
 
 
 def leaping(verdict: Verdict, moments: Iterable[tuple[float, str]]) -> Verdict:
