@@ -263,6 +263,18 @@ def test_a_run_that_goes_on_at_a_jump_of_stiffness_knows_its_work(
     assert abs(rest.energy_error).max() < max(1e-7, 1.1 * abs(whole.energy_error).max())
 
 
+@pytest.mark.parametrize("off", [-1e-15, 0.0, 1e-15, 1e-13])
+@pytest.mark.parametrize("terminal", [False, True])
+def test_an_event_at_a_jump_of_stiffness_does_not_do_its_work_again(off: float, terminal: bool) -> None:
+    event = lw.Event(lambda t, _: t - JUMP - off, change=None if terminal else lambda t, state: None,
+                     terminal=terminal)  # fmt: skip
+    result = lw.simulate(_switched("stiffness"), t_end=0.3, rtol=1e-10, events=event)
+    assert len(result.events) == 1 and result.t[-1] == pytest.approx(JUMP if terminal else 0.3)
+    assert result.work[-1] == pytest.approx(_stored_more("stiffness"), rel=1e-8)
+    assert abs(result.energy_error).max() < 1e-8
+    assert result.statistics["breaks"] == 1
+
+
 def test_a_stiffness_that_jumps_does_work_in_a_driven_motion() -> None:
     model = lw.Model(gravity=(0, 0, 0))
     body = model.body("b", mass=1.0, inertia=(0.1, 0.2, 0.3), position=(1.3, 0, 0))

@@ -27,7 +27,7 @@ void AdaptiveSimulation::look_for_events() {
   const Eigen::Index size = y_.size() - 1;
   for (const EventWatch::Found& found : watch_.scan(interpolant(), system, t_, h_, t_new_ >= schedule_.t_end)) {
     if (stops_.empty()) interpolant().interpolate(system, found.theta, workspace_);
-    const double t = stops_.empty() ? t_ + found.theta * h_ : t_new_;
+    const double t = stops_.empty() ? std::min(t_ + found.theta * h_, t_new_) : t_new_;
     of_step_.push_back({found.event, t, workspace_.head(size), workspace_.head(size)});
     if (stops_.empty() && !watch_.event(found.event).stops()) continue;
     stops_.push_back(found);

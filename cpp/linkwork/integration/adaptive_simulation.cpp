@@ -228,6 +228,12 @@ double AdaptiveSimulation::end_of_step(double& h) const {
 /// Where functions of time are evaluated for what begins at t_; at the end, for what ends there.
 double AdaptiveSimulation::clock() const { return t_ < schedule_.t_end ? breaks_.after(t_) : breaks_.before(t_); }
 
+/// Whether what acts changes in a step, which ends there; at a break where it begins it has changed before.
+bool AdaptiveSimulation::meets_break(double t, double t_new) const {
+  const double next = breaks_.next(t);
+  return next <= t_new && next < breaks_.before(schedule_.t_end);
+}
+
 /// An error after which about half of the step is tried.
 BodyMaximum AdaptiveSimulation::half_a_step() const {
   return {elementary::power(2.0, stepper_.pair().error_order + 1), -1};
@@ -409,7 +415,7 @@ void AdaptiveSimulation::finish_step() {
   y_ = y_new_;
   accepted_ = false;
   steps_done_ += 1;
-  const bool at_break = t_ < schedule_.t_end && breaks_.at(t_);
+  const bool at_break = meets_break(t_before, t_);
   if (at_break) with_time(t_, h_, [&] { cross_break(); });
   if (away_from_ && !projects() && !at_break) with_time(t_, NAN, [&] { dynamics_.return_to(*away_from_); });
   away_from_.reset();

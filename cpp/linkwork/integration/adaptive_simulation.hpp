@@ -119,6 +119,7 @@ class AdaptiveSimulation final : public Run {
   void cross_break();
   void strike(const VectorXd& Phi_t_before);
   double clock() const;
+  bool meets_break(double t, double t_new) const;
   double kinetic_energy() const;
   double energy() const { return kinetic_energy() + dynamics_.evaluation().potential; }
   double end_of_step(double& h) const;
