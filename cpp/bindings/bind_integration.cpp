@@ -421,9 +421,30 @@ void bind_adaptive_steps(py::module_& module) {
       });
 }
 
+void bind_break_points(py::module_& module) {
+  py::class_<BreakPoints>(module, "BreakPoints",
+                          "Times (b,) [s] at which something is not smooth; those that roundoff parts are one.")
+      .def(py::init<std::vector<double>>(), py::arg("times"))
+      .def(
+          "before", [](const BreakPoints& breaks, double t) { return breaks.before(t); }, py::arg("t"),
+          "Where functions are evaluated for what ends at t [s].")
+      .def(
+          "after", [](const BreakPoints& breaks, double t) { return breaks.after(t); }, py::arg("t"),
+          "Where functions are evaluated for what begins at t [s].")
+      .def(
+          "clock",
+          [](const BreakPoints& breaks, const VectorXd& t, double t_end) {
+            return VectorXd(t.unaryExpr([&](double it) { return breaks.clock(it, t_end); }));
+          },
+          py::arg("t"), py::arg("t_end"),
+          "Where functions are evaluated (k,) [s] for frames at t (k,): after a break, but before it where the run "
+          "ends at it.");
+}
+
 }  // namespace
 
 void bind_integration(py::module_& module) {
+  bind_break_points(module);
   py::class_<ButcherTableau>(module, "Tableau", "An explicit Runge-Kutta method.")
       .def(py::init([](std::string name, int order, const MatrixXd& A, const VectorXd& b, const VectorXd& c) {
              return ButcherTableau{std::move(name), order, A, b, c};

@@ -13,6 +13,7 @@ import numpy.typing
 __all__ = [
     "AdaptiveSimulation",
     "Assembler",
+    "BreakPoints",
     "CoordinateInfo",
     "CoupledCoordinate",
     "DrivenLimits",
@@ -147,6 +148,32 @@ class Assembler:
         """
     @property
     def iterations(self) -> int: ...
+
+class BreakPoints:
+    """
+    Times (b,) [s] at which something is not smooth; those that roundoff parts are one.
+    """
+    @staticmethod
+    def _pybind11_conduit_v1_(*args, **kwargs): ...
+    def __init__(
+        self, times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]
+    ) -> None: ...
+    def after(self, t: typing.SupportsFloat | typing.SupportsIndex) -> float:
+        """
+        Where functions are evaluated for what begins at t [s].
+        """
+    def before(self, t: typing.SupportsFloat | typing.SupportsIndex) -> float:
+        """
+        Where functions are evaluated for what ends at t [s].
+        """
+    def clock(
+        self,
+        t: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+        t_end: typing.SupportsFloat | typing.SupportsIndex,
+    ) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        Where functions are evaluated (k,) [s] for frames at t (k,): after a break, but before it where the run ends at it.
+        """
 
 class CoordinateInfo:
     """

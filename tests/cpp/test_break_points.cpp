@@ -48,14 +48,22 @@ TEST_CASE("up to a break there is room for whole steps, and up to just before it
   CHECK(std::isinf(breaks.room(2.1, 0.1)));
 }
 
-TEST_CASE("breaks that differ by roundoff are one") {
+TEST_CASE("breaks that differ by roundoff are one, and what is between them is after it") {
   const double nearly = 0.1 + 0.2;  // above 0.3 by one unit
   const BreakPoints breaks(free_body(), {0.3, nearly});
-  CHECK(breaks.next(0.0) == nearly);
-  CHECK(std::isinf(breaks.next(nearly)));
+  CHECK(breaks.next(0.0) == 0.3);
+  CHECK(std::isinf(breaks.next(0.3)));
   CHECK(breaks.at(0.3));
   CHECK(breaks.before(nearly) < 0.3);
   CHECK(breaks.after(0.3) > nearly);
+  for (const double t : {0.3, nearly}) CHECK(breaks.clock(t, 1.0) == breaks.after(nearly));
+}
+
+TEST_CASE("where a run ends at a break, nothing is after it") {
+  const double nearly = 0.1 + 0.2;
+  const BreakPoints breaks(std::vector<double>{nearly, 0.3});
+  for (const double t_end : {0.3, nearly}) CHECK(breaks.clock(0.3, t_end) == breaks.before(0.3));
+  CHECK(breaks.clock(0.2, 0.3) == 0.2);
 }
 
 TEST_CASE("a function's own breaks are known: where an actuator begins and ends") {

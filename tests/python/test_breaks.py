@@ -311,6 +311,90 @@ def test_fixed_steps_warn_of_an_impact() -> None:
         lw.simulate(model, 0.5, 1e-3, on_inaccurate="pass")
 
 
+# --- functions that break at one time up to roundoff --------------------------------------------------------
+
+#: [s], such as a user writes them.
+NEARLY = [(0.3, 0.1 + 0.2), (0.1 + 0.2, 0.3), (0.6, 3 * 0.2), (0.7, 0.7 * (1 + 1e-14))]
+
+
+def stiffening(*times: float) -> lw.Model:
+    """A body on springs along x, each of which becomes stiffer at one of these times."""
+    model = slider()
+    for k, (t, rest) in enumerate(zip(times, (0.2, 0.1), strict=True)):
+        stiffness = pieces(-1.0, [10.0], t, [40.0 + 30 * k], 9.0)
+        model.translational_spring_damper("ground", "b", at=(0, 0, 0), axis=(1, 0, 0), stiffness=stiffness,
+                                          free_displacement=rest, name=f"spring {k}")  # fmt: skip
+    return model
+
+
+def check_of_one_side(result: lw.Result, at: float) -> None:
+    """The frames at the break are of motion before it or after it, by forces, energies and readings."""
+    x, a = result.position[:, 0, 0], result.acceleration[:, 0, 0]
+    springs = [result.force(f"spring {k}") for k in (0, 1)]
+    np.testing.assert_allclose(sum(it.force[:, 0] for it in springs), MASS * a, rtol=1e-12, atol=1e-13)
+    np.testing.assert_allclose(sum(it.potential for it in springs), result.potential_energy, rtol=1e-12)
+    assert np.abs(result.energy_error).max() < 1e-9
+    (frames,) = np.nonzero(np.abs(result.t - at) < 1e-12)
+    assert len(frames)
+    for k in frames:
+        before, after = (np.array([10, 10]), np.array([40, 70]))
+        forces = [-c @ (x[k] - [0.2, 0.1]) for c in (before, after)]
+        assert MASS * a[k] == pytest.approx(forces[int(result.work[k] != 0.0)], rel=1e-12)
+
+
+@pytest.mark.parametrize("times", NEARLY)
+def test_functions_that_break_at_one_time_up_to_roundoff_break_together(times: tuple[float, float]) -> None:
+    first, last = sorted(times)
+    result = lw.simulate(stiffening(*times), 1.0, rtol=1e-10)
+    check_of_one_side(result, first)
+    assert result.verdict is not None and result.verdict.level == "good"
+    assert result.statistics["breaks"] == 1
+    inside = [0.1, first, 0.5 * (first + last), last, 0.9]
+    listed = lw.simulate(stiffening(*times), 1.0, rtol=1e-10, times=np.unique(inside))
+    check_of_one_side(listed, first)
+    assert listed.t.tolist() == np.unique(inside).tolist()
+    assert np.all(listed.work[1:] > 0.01)
+
+
+@pytest.mark.parametrize("end", [0.3, 0.1 + 0.2])
+@pytest.mark.parametrize("record", [{}, {"record_every": 1}, {"times": [0.3, 0.1 + 0.2, 0.5]}])
+def test_runs_end_before_functions_that_break_together_and_go_on_after_them(end: float, record) -> None:
+    model = stiffening(0.3, 0.1 + 0.2)
+    times = {"times": [t for t in record["times"] if t <= end]} if "times" in record else record
+    first = lw.simulate(model, end, rtol=1e-10, **times)
+    check_of_one_side(first, end)
+    assert np.all(first.work == 0.0)
+    times = {"times": [t for t in record["times"] if t >= end]} if "times" in record else record
+    rest = lw.simulate(model, 0.5, rtol=1e-10, start=first.snapshot(), **times)
+    check_of_one_side(rest, end)
+    assert rest.t[0] == end and np.all(rest.work > 0.01)
+
+
+@pytest.mark.parametrize("times", NEARLY)
+def test_drivers_that_jump_at_one_time_up_to_roundoff_strike_together(times: tuple[float, float]) -> None:
+    model = slider()
+    model.body("c", mass=1, inertia=(1, 1, 1), position=(0, 1, 0))
+    model.translational("b", "c", at=(0, 1, 0), axis=(1, 0, 0), name="on it")
+    for joint, t in zip(("guide", "on it"), times, strict=True):
+        model.drive(joint, velocity=pieces(-1.0, [0.0], t, [1.0], 9.0))
+    asked = np.unique([0.2, *times, 0.9])
+    run = lw.simulate(model, 1.0, rtol=1e-9, times=asked)
+    for result in (run, driven_motion(model, asked)):
+        at_rest = result.t < min(times)
+        expected = np.where(at_rest[:, None], 0.0, [[1.0, 2.0]])
+        np.testing.assert_allclose(result.velocity[:, :, 0], expected, atol=1e-12)
+        assert result.violation[:, 1].max() < 1e-12
+        assert result.statistics["impacts"] == 1
+        np.testing.assert_allclose(
+            result.work, np.where(at_rest, 0.0, 3.0), atol=1e-12
+        )  # 2 * 1 / 2 + 1 * 4 / 2
+
+
+def driven_motion(model: lw.Model, times: np.ndarray) -> lw.Result:
+    with pytest.warns(lw.LinkworkWarning, match="jumps by 1"):
+        return lw.kinematics(model, times)
+
+
 # --- fixed steps --------------------------------------------------------------------------------------------
 
 

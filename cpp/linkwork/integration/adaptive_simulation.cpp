@@ -213,7 +213,7 @@ void AdaptiveSimulation::finish_trial() {
 
 /// Where a step h ends: at the end of the run, at a break point, or at the only knot of tables on its way.
 double AdaptiveSimulation::end_of_step(double& h) const {
-  const double end = std::min(schedule_.t_end, breaks_.next(t_)), remaining = end - t_;
+  const double end = next_stop(), remaining = end - t_;
   double t_new = t_ + h;
   if (h >= remaining) {
     t_new = end;
@@ -225,13 +225,25 @@ double AdaptiveSimulation::end_of_step(double& h) const {
   return t_new;
 }
 
+/// The end of the run, or a break before it: at one that it ends in, nothing comes after.
+double AdaptiveSimulation::next_stop() const {
+  const double next = breaks_.next(t_);
+  return next < breaks_.before(schedule_.t_end) ? next : schedule_.t_end;
+}
+
 /// Where functions of time are evaluated for what begins at t_; at the end, for what ends there.
-double AdaptiveSimulation::clock() const { return t_ < schedule_.t_end ? breaks_.after(t_) : breaks_.before(t_); }
+double AdaptiveSimulation::clock() const { return breaks_.clock(t_, schedule_.t_end); }
 
 /// Whether what acts changes in a step, which ends there; at a break where it begins it has changed before.
 bool AdaptiveSimulation::meets_break(double t, double t_new) const {
   const double next = breaks_.next(t);
   return next <= t_new && next < breaks_.before(schedule_.t_end);
+}
+
+/// A step h from t_ to t_new_, between breaks.
+StepSpan AdaptiveSimulation::span(double h) const {
+  const double begin = clock();
+  return {t_, h, begin, std::max(begin, breaks_.before(t_new_))};
 }
 
 /// An error after which about half of the step is tried.
@@ -243,7 +255,7 @@ BodyMaximum AdaptiveSimulation::half_a_step() const {
 bool AdaptiveSimulation::leap() {
   leapt_ = false;
   const double h = std::min(step_, schedule_.largest_step);
-  const double end = std::min(schedule_.t_end, breaks_.next(t_)), remaining = end - t_;
+  const double end = next_stop(), remaining = end - t_;
   with_time(t_, h, [&] {
     if (!crossing_.due(t_, std::min(h, remaining), y_, true)) return;
     const bool goes_on = end == schedule_.t_end && dynamics_.system().model().autonomous();
@@ -298,7 +310,7 @@ void AdaptiveSimulation::pass_singular_pose(double h, double error) {
   if (!std::isfinite(best_error_)) return reject(h, {best_error_, -1});
   evaluate(clock(), y_);
   proposed_ = best_step_;
-  t_new_ = t_ + best_step_;
+  t_new_ = std::min(t_ + best_step_, next_stop());
   trial(best_step_);
   statistics_.singular += 1;
   accept(best_step_, 1.0);
@@ -308,7 +320,7 @@ void AdaptiveSimulation::pass_singular_pose(double h, double error) {
 BodyMaximum AdaptiveSimulation::trial(double h) {
   last_failure_.clear();
   try {
-    const StepSpan step{t_, h, breaks_.after(t_), breaks_.before(t_new_)};
+    const StepSpan step = span(h);
     BodyMaximum error;
     with_time(t_, h, [&] { error = stepper_.trial(dynamics_, measure_, step, y_); });
     const bool seen = error.value > 1.0 || breaks_.seen(stepper_.pair(), step, schedule_.tolerances.relative);
@@ -388,7 +400,7 @@ void AdaptiveSimulation::record_inside() {
     if (!leapt_) stepper_.prepare_interpolation(dynamics_);
     if (leapt_) crossing_.place(crossing_.theta(t), workspace_);
     else interpolant().interpolate(dynamics_.system(), (t - t_) / h_, workspace_);
-    dynamics_.evaluate(std::max(t, breaks_.after(t_)), workspace_);
+    dynamics_.evaluate(span(h_).within(t), workspace_);
     if (leapt_) record_in_leap(t, workspace_);
     else record_in_step(t, workspace_);
   });
@@ -459,6 +471,7 @@ void AdaptiveSimulation::sample(double t_before, bool at_break) {
   const bool struck = at_break && dynamics_.system().time_dependent_constraints();
   if (!stops_.empty() || leapt_ || struck) return sampling_.pass_over();
   const double t = breaks_.after(t_before), t_new = breaks_.before(t_);
+  if (!(t < t_new)) return sampling_.pass_over();
   sampling_.after(t, t_new - t, y_before_, y_);
   if (at_break) sampling_.pass_over();
 }
@@ -468,13 +481,15 @@ void AdaptiveSimulation::record_if_due() {
   const auto& times = schedule_.times;
   const bool stopped = !stops_.empty(), last = finished_ && stopped;
   bool due = schedule_.record_every > 0 && (finished_ || stopped || steps_done_ % schedule_.record_every == 0);
-  if (schedule_.record_every > 0) due = due || (resumed() && t_ == start_ && breaks_.at(t_));
+  const bool at_start = resumed() && breaks_.at(start_) && breaks_.at(t_) && breaks_.after(t_) == breaks_.after(start_);
+  if (schedule_.record_every > 0) due = due || at_start;
   for (; next_time_ < times.size() && times[next_time_] == t_; ++next_time_) due = true;
   if (!due && !last) return;
+  const double t = at_start && schedule_.record_every > 0 ? std::max(start_, t_) : t_;
   with_time(t_, NAN, [&] {
-    if (leapt_ && !stopped) record_in_leap(t_, y_);
-    else if (finished_) recorder_.record(t_, y_);
-    else recorder_.record_in_step(t_, y_);
+    if (leapt_ && !stopped) record_in_leap(t, y_);
+    else if (finished_) recorder_.record(t, y_);
+    else recorder_.record_in_step(t, y_);
   });
 }
 

@@ -73,7 +73,7 @@ class AdaptiveSimulation final : public Run {
   bool advance_to_trial();
   /// The first stage of that step. False where there is none, which `finish_trial` will find.
   bool begin_trial();
-  StepSpan trial_span() const { return {t_, trial_h_, breaks_.after(t_), breaks_.before(t_new_)}; }
+  StepSpan trial_span() const { return span(trial_h_); }
   const VectorXd& trial_start() const { return y_; }
   PairStepper& stepper() { return stepper_; }
   /// Tries it, with the stages that were supplied to the stepper, and evaluates those that were not.
@@ -119,6 +119,8 @@ class AdaptiveSimulation final : public Run {
   void cross_break();
   void strike(const VectorXd& Phi_t_before);
   double clock() const;
+  StepSpan span(double h) const;
+  double next_stop() const;
   bool meets_break(double t, double t_new) const;
   double kinetic_energy() const;
   double energy() const { return kinetic_energy() + dynamics_.evaluation().potential; }

@@ -27,11 +27,21 @@ BreakPoints::BreakPoints(const Model& model, const std::vector<double>& given) {
     for (const double t : *times) breaks.push_back({t});
   std::sort(breaks.begin(), breaks.end(), [](const Break& a, const Break& b) { return a.t < b.t; });
   for (const Break& it : breaks) {
-    if (!it.ends_step) knots_.push_back(it.t);
-    else if (!ends_.empty() && it.t - ends_.back().last <= distance(same, it.t)) ends_.back().last = it.t;
-    else ends_.push_back({it.t, it.t});
+    if (it.ends_step) add_end(it.t);
+    else knots_.push_back(it.t);
   }
   if (!knots_.empty()) add_watched(model);
+}
+
+BreakPoints::BreakPoints(std::vector<double> times) {
+  std::sort(times.begin(), times.end());
+  for (const double t : times) add_end(t);
+}
+
+/// The latest so far.
+void BreakPoints::add_end(double t) {
+  if (!ends_.empty() && t - ends_.back().last <= distance(same, t)) ends_.back().last = t;
+  else ends_.push_back({t, t});
 }
 
 void BreakPoints::add_watched(const Model& model) {
@@ -44,7 +54,7 @@ void BreakPoints::add_watched(const Model& model) {
 
 const BreakPoints::Cluster* BreakPoints::following(double t) const {
   const auto found =
-      std::upper_bound(ends_.begin(), ends_.end(), t, [](double a, const Cluster& b) { return a < b.last; });
+      std::upper_bound(ends_.begin(), ends_.end(), t, [](double a, const Cluster& b) { return a < b.first; });
   return found == ends_.end() ? nullptr : &*found;
 }
 
@@ -56,13 +66,13 @@ const BreakPoints::Cluster* BreakPoints::find(double t) const {
 
 double BreakPoints::next(double t) const {
   const Cluster* found = following(t);
-  return found ? found->last : std::numeric_limits<double>::infinity();
+  return found ? found->first : std::numeric_limits<double>::infinity();
 }
 
 double BreakPoints::room(double t, double h) const {
   const Cluster* found = following(t + same_time * h);
   if (!found) return std::numeric_limits<double>::infinity();
-  return std::min(before(found->last) - t, std::floor((found->last - t) / h + same_time) * h);
+  return std::min(before(found->first) - t, std::floor((found->first - t) / h + same_time) * h);
 }
 
 double BreakPoints::after(double t) const {

@@ -15,9 +15,13 @@ namespace linkwork {
 /// At a break a function has two values, so it is never evaluated there: what ends at a break sees the time `before`
 /// it, what begins there the time `after` it, which differ by some units in the last place. So a function may count the
 /// break itself on either side, and be off by as much where it computes it otherwise.
+///
+/// Several functions may break at one time up to roundoff, such as 0.3 and 0.1 + 0.2. Whatever is from the first to the
+/// last of these breaks is at one break: never after the one and before the other.
 class BreakPoints {
  public:
   BreakPoints(const Model& model, const std::vector<double>& given);
+  explicit BreakPoints(std::vector<double> times);
 
   /// The first break after t at which a step ends in any case; infinite where there is none.
   double next(double t) const;
@@ -28,6 +32,8 @@ class BreakPoints {
   /// Where functions are evaluated for what begins or ends at t.
   double after(double t) const;
   double before(double t) const;
+  /// The same of a frame at t in a run that ends at t_end: after a break, but before it where the run ends at it.
+  double clock(double t, double t_end) const { return t < before(t_end) ? after(t) : before(t); }
 
   /// The first of the other knots between t and t_new where it is the only one; else t_new. One knot in a step is
   /// cheaply its end; where there are several a step may go over them. One just after t counts as behind.
@@ -46,10 +52,11 @@ class BreakPoints {
   };
   const Cluster* find(double t) const;
   const Cluster* following(double t) const;
+  void add_end(double t);
   void add_watched(const Model& model);
   static bool seen(const TimeFunction& function, const EmbeddedPair& pair, const StepSpan& step, double relative);
 
-  std::vector<Cluster> ends_;  ///< a step lands on the last of each
+  std::vector<Cluster> ends_;  ///< a step lands on the first of each, what lies between begins after the last
   std::vector<double> knots_;
   std::vector<TimeFunctionPtr> watched_;
 };

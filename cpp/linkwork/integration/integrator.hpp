@@ -16,7 +16,8 @@ struct StepSpan {
   double t = 0.0, h = 0.0;
   double earliest = -std::numeric_limits<double>::infinity(), latest = std::numeric_limits<double>::infinity();
 
-  double at(double c) const { return std::clamp(t + c * h, earliest, latest); }
+  double at(double c) const { return within(t + c * h); }
+  double within(double time) const { return std::clamp(time, earliest, latest); }
 };
 
 /// One step of an explicit method for y_dot = f(t, y).

@@ -62,7 +62,7 @@ double StoredEnergyJumps::work_in_step(const BreakPoints& breaks, double t, doub
                                        const VectorXd& y_new, const VectorXd& history) const {
   double out = 0.0;
   if (elements_.empty()) return out;
-  const double first = breaks.next(t - beside * std::abs(t));
+  const double first = breaks.next(breaks.before(t - beside * std::abs(t)));
   if (!(breaks.before(first) < t_new)) return out;
   const VectorXd end = with_signs_of(y, y_new, system_.body_count());
   const HermiteStep step(system_, y, end, t_new - t);

@@ -55,17 +55,14 @@ class Frames:
         self.turned: list[Any] = []  # joints between frames, see linkwork.results.joint_motion
         self.doubts: dict[float, float] = {}  # by how much what equations say at a time may be off, relative
         self.struck = breakpoints.struck_between_frames(model, float(asked[0]), float(asked[-1]))
-        breaks = sorted(
-            {t for _, signal in model.drivers for t in signal.break_points if t > 0.0}.union(
-                breakpoints.stored_energy_jumps(model, 0.0, float(asked[-1]))
-            )
-        )
+        breaks = {t for _, signal in model.drivers for t in signal.break_points if t > 0.0}
+        breaks.update(breakpoints.stored_energy_jumps(model, 0.0, float(asked[-1])))
         #: The last time before each of these, and the first after it.
-        self.sides = [it for it in map(breakpoints.on_either_side, breaks) if it[1] < asked[-1]]
-        #: When frames are found: at a break the last one is of what comes before it, as that of a run.
-        self.at_end = _breaks_at_end(model, asked)
-        before = [breakpoints.on_either_side(t)[0] for t in self.at_end[:1]]
-        self.taken = np.append(asked[:-1], before) if before else asked
+        self.sides = [it for it in breakpoints.on_either_side(breaks) if it[1] < asked[-1]]
+        #: Of all that acts, with the last frame where rounding puts it beside one.
+        self.breaks = _breaks(model, float(asked[-1]))
+        #: When frames are found: at a break, as those of a run.
+        self.taken = _core.BreakPoints(self.breaks).clock(asked, float(asked[-1]))
 
     @property
     def times(self) -> Floats:
@@ -74,7 +71,7 @@ class Frames:
     @property
     def begun(self) -> bool:
         """Whether there is one of those that are asked for."""
-        return any(np.max(t) >= self.asked[0] for t in self.rows.get("t", ()))
+        return any(np.max(t) >= self.taken[0] for t in self.rows.get("t", ()))
 
     def add(self, at: MotionState, off: float) -> None:
         """One in which accelerations and forces are known to that, relative."""
@@ -112,10 +109,10 @@ class Frames:
             "breaks": {"count": len(self.sides), **breakpoints.noted(self.struck)},
         }
         model = self.model
-        header = Header.of(model.compiled(), dynamics, facts, None, model.shapes, model.curves, self.at_end)
+        header = Header.of(model.compiled(), dynamics, facts, None, model.shapes, model.curves, self.breaks)
         header = replace(header, unlike_run=LawsOfForces(model))
         crossings = self.poses
-        struck = {it.time for it in self.struck if it.time <= fields["t"][-1]}
+        struck = breakpoints.on_either_side(it.time for it in self.struck if it.time <= fields["t"][-1])
         statistics = {**continuation.counts, "impacts": len(struck), "singular_poses": len(crossings),
                       "singularity_crossings": crossings, "seconds": time.perf_counter() - began,
                       "failed": failed, **self._turned()}  # fmt: skip
@@ -134,8 +131,8 @@ class Frames:
     def _asked_at(self, t: float) -> float:
         """The time that was asked for beside which t is, or t [s]."""
         near = float(self.asked[np.abs(self.asked - t).argmin()])
-        before, after = breakpoints.on_either_side(near)
-        return near if before <= t <= after else t
+        known = _core.BreakPoints([*self.breaks, near])
+        return near if known.before(near) <= t <= known.after(near) else t
 
     def _values(self, it: MotionState, multipliers: Floats | None = None) -> dict[str, Any]:
         dynamics = self.system.compiled()
@@ -194,7 +191,7 @@ class Frames:
     def _warn_of_doubts(self) -> None:
         """LinkworkWarning: frames nearly in a pose that the motion does not cross."""
         beside = {t for it in self.passed for t in self.doubts if it.crossing.covers(t)}
-        left = {t: off for t, off in self.doubts.items() if t >= self.asked[0] and t not in beside}
+        left = {t: off for t, off in self.doubts.items() if t >= self.taken[0] and t not in beside}
         if left:
             worst = max(left, key=left.__getitem__)
             others = f", and {len(left) - 1} more frames" if len(left) > 1 else ""
@@ -208,13 +205,14 @@ class Frames:
         arrays = {name: np.concatenate(values, dtype=float) for name, values in self.rows.items()}
         for passed in self.passed:
             self._tell(arrays, passed, continuation)
-        arrays = {name: values[arrays["t"] >= self.asked[0]] for name, values in arrays.items()}
+        arrays = {name: values[arrays["t"] >= self.taken[0]] for name, values in arrays.items()}
         t, power = arrays["t"], arrays.pop("power")
         states = (arrays["q"].reshape(len(t), -1), arrays["v"].reshape(len(t), -1))
         kinetic = self.system.compiled().kinetic_energies(*states)
         found = {**arrays, "kinetic": kinetic, "work": self._work(t, power, kinetic + arrays["potential"])}
-        found = {name: values[np.isin(t, self.taken)] for name, values in found.items()}
-        found["t"] = self.asked[: len(found["t"])]
+        count = np.searchsorted(self.taken, t[-1], side="right")
+        found = {name: values[np.searchsorted(t, self.taken[:count])] for name, values in found.items()}
+        found["t"] = self.asked[:count]
         return found
 
     def _work(self, t: Floats, power: Floats, energy: Floats) -> Floats:
@@ -247,13 +245,11 @@ class Frames:
         return total
 
 
-def _breaks_at_end(model: Model, asked: Floats) -> list[float]:
-    """Of all that acts, with the time of the last frame, which rounding may put beside; [] without any."""
-    last = float(asked[-1])
-    near = breakpoints.of_run(model, (), float(asked[-2]), breakpoints.on_either_side(last)[1])
-    sides = {t: breakpoints.on_either_side(t) for t in near}
-    found = [t for t, (before, after) in sides.items() if asked[-2] < before <= last <= after]
-    return sorted({*found, last}) if found else []
+def _breaks(model: Model, last: float) -> list[float]:
+    """Of all that acts, after t = 0 up to the last frame, with its time where one is that near [s]."""
+    reach = _core.BreakPoints([last])
+    breaks = breakpoints.of_run(model, (), 0.0, reach.after(last))
+    return sorted({*breaks, last}) if breaks and breaks[-1] >= reach.before(last) else breaks
 
 
 def _multipliers(dynamics: _core.Dynamics, it: MotionState) -> Floats:

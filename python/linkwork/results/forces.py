@@ -22,9 +22,6 @@ if TYPE_CHECKING:
 
 __all__ = ["clock", "force", "place"]
 
-#: Breaks that are one, and where functions are evaluated beside one, relative to the time; as steps do it.
-SAME, BESIDE = 64 * np.finfo(float).eps, 4 * np.finfo(float).eps
-
 
 def force(result: Result, name: str | int, model: Model | None) -> ForceResult:
     """See Result.force."""
@@ -55,20 +52,8 @@ def _warn_of_other_laws(result: Result, which: int, model: Model | None) -> None
 def clock(result: Result) -> Floats:
     """Where functions of time were evaluated for the frames (k,) [s]: of those at breaks just after them, as
     for what begins there, at the end of the run just before."""
-    t, breaks = result.t, np.asarray(result.header.breaks, dtype=float)
-    if not len(breaks):
-        return t
-    begins = np.diff(breaks, prepend=-np.inf) > _distance(SAME, breaks)
-    first, last = breaks[begins], breaks[np.append(begins[1:], True)]
-    cluster = np.minimum(np.searchsorted(last, t), len(last) - 1)
-    first, last = first[cluster], last[cluster]
-    ended = t >= result.manifest.get("options", {}).get("t_end", np.inf)
-    side = np.where(ended, first - _distance(BESIDE, first), last + _distance(BESIDE, last))
-    return np.where((first <= t) & (t <= last), side, t)
-
-
-def _distance(relative: float, t: Floats) -> Floats:
-    return np.maximum(relative * np.abs(t), np.finfo(float).tiny)
+    t_end = result.manifest.get("options", {}).get("t_end", np.inf)
+    return _core.BreakPoints(list(result.header.breaks)).clock(result.t, t_end)
 
 
 def place(result: Result, name: Named, model: Model | None = None) -> int:

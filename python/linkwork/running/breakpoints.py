@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from linkwork import _core
 from linkwork.errors import ModelError, OptionError, warn
 from linkwork.functions import TimeFunction, check_breaks
 from linkwork.modeling.model import Model
-
-#: Beside a break [units in the last place], where functions are evaluated on either side; as steps do it.
-BESIDE = 4
 
 #: Jumps of a driver that are none, relative to its size and to the way that it makes beside the break.
 ROUNDOFF = 1e-9
@@ -24,9 +22,6 @@ CANCELLED = 16 * float(np.finfo(float).eps)
 
 #: So many jumps are noted in a manifest.
 NOTED = 100
-
-#: Beside a break at t = 0 [s].
-LEAST = float(np.finfo(float).tiny)
 
 
 def of_run(model: Model, given: ArrayLike, t_start: float, t_end: float) -> list[float]:
@@ -64,9 +59,7 @@ def velocity_jumps(model: Model, t_start: float, t_end: float) -> list[Jump]:
     """
     found: list[Jump] = []
     for what, signal in model.drivers:
-        inside = [t for t in signal.break_points if t_start < t <= t_end]
-        for last, t, following in zip([t_start, *inside], inside, [*inside[1:], t_end], strict=False):
-            order, size = _jump(signal, last, t, following)
+        for t, sides, order, size in _jumps(signal, t_start, t_end):
             if order == 0:
                 raise ModelError(
                     f"{what} jumps by {size:.4g} at t = {t:.6g} s: it drives a joint, and no force moves "
@@ -74,7 +67,7 @@ def velocity_jumps(model: Model, t_start: float, t_end: float) -> list[Jump]:
                     code="position_jump",
                     time=t,
                 )
-            if order == 1 and on_either_side(t)[1] < t_end:
+            if order == 1 and sides[1] < t_end:
                 found.append(Jump(what, t, size))
     return sorted(found, key=lambda it: it.time)
 
@@ -114,10 +107,7 @@ def stored_energy_jumps(model: Model, t_start: float, t_end: float) -> list[floa
     end [s], ascending: energy that it stores jumps then."""
     found: set[float] = set()
     for _, signal in model._storing:
-        inside = [t for t in signal.break_points if t_start < t <= t_end]
-        for last, t, following in zip([t_start, *inside], inside, [*inside[1:], t_end], strict=False):
-            if t not in found and _jump(signal, last, t, following)[0] == 0:
-                found.add(t)
+        found.update(t for t, _, order, _ in _jumps(signal, t_start, t_end) if order == 0)
     return sorted(found)
 
 
@@ -134,20 +124,36 @@ def _told(struck: Sequence[Jump]) -> str:
     return f"the rate of {first.what} jumps by {first.size:.4g} at t = {first.time:.6g} s{more}"
 
 
-def on_either_side(t: float) -> tuple[float, float]:
-    """Of a break: the last time before it, and the first after it, in spite of rounding [s]."""
-    beside = max(BESIDE * float(np.finfo(float).eps) * abs(t), LEAST)
-    return t - beside, t + beside
+def on_either_side(breaks: Iterable[float]) -> dict[tuple[float, float], float]:
+    """The last time before each break and the first after it [s], in spite of rounding, ascending, and the
+    first of the breaks that are one there."""
+    times = sorted(breaks)
+    known, found = _core.BreakPoints(times), dict[tuple[float, float], float]()
+    for t in times:
+        found.setdefault((known.before(t), known.after(t)), t)
+    return found
 
 
-def _jump(signal: TimeFunction, last: float, t: float, following: float) -> tuple[int, float]:
-    """The lowest derivative that jumps at t, of order 0 or 1, and by how much; (2, 0.0): neither.
+def _jumps(
+    signal: TimeFunction, t_start: float, t_end: float
+) -> Iterator[tuple[float, tuple[float, float], int, float]]:
+    """Of its breaks after the start and not after the end [s]: when, the times beside it, and `_jump`."""
+    inside = on_either_side(t for t in signal.break_points if t_start < t <= t_end)
+    begins, ends = [t_start, *(after for _, after in inside)], [*(before for before, _ in inside), t_end]
+    for (sides, t), last, following in zip(inside.items(), begins, ends[1:], strict=False):
+        yield t, sides, *_jump(signal, last, sides, following)
+
+
+def _jump(
+    signal: TimeFunction, last: float, sides: tuple[float, float], following: float
+) -> tuple[int, float]:
+    """The lowest derivative that jumps between both sides of a break, of order 0 or 1, and by how much;
+    (2, 0.0): neither.
 
     last, following: the breaks, or ends of the run, next to it [s].
     """
-    sides = on_either_side(t)
     before, after = (signal.evaluate(at) for at in sides)
-    beside = t - sides[0]
+    beside = 0.5 * (sides[1] - sides[0])
     for level in (0, 1):
         size = abs(after[level] - before[level])
         slope = max(abs(before[level + 1]), abs(after[level + 1]))
@@ -155,14 +161,16 @@ def _jump(signal: TimeFunction, last: float, t: float, following: float) -> tupl
         if (
             math.isfinite(size)
             and size > noise
-            and size > CANCELLED * _largest(signal, level, last, t, following)
+            and size > CANCELLED * _largest(signal, level, last, sides, following)
         ):
             return level, size
     return 2, 0.0
 
 
-def _largest(signal: TimeFunction, level: int, last: float, t: float, following: float) -> float:
-    """Of the derivative of that order, in between the breaks on either side of t."""
+def _largest(
+    signal: TimeFunction, level: int, last: float, sides: tuple[float, float], following: float
+) -> float:
+    """Of the derivative of that order, in between the breaks on either side."""
     parts = (0.25, 0.5, 0.75)
-    times = [t + part * (end - t) for end in (last, following) for part in parts]
+    times = [t + part * (end - t) for t, end in zip(sides, (last, following), strict=True) for part in parts]
     return max(abs(signal.evaluate(at)[level]) for at in times)
