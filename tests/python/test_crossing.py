@@ -227,6 +227,33 @@ def test_fixed_steps_do_not_leap_over_narrow_motions_of_drivers() -> None:
     assert result.position[:, -1, 0] == pytest.approx([bump(t) for t in result.t], abs=2e-7)
 
 
+def stiffening_parallelogram(*times: float) -> lw.Model:
+    """In line at 1/3 s; soft springs become stiffer after these times."""
+    model = lw.Model(gravity=(0, 0, 0))
+    parallelogram(model, 0.0, 0.5, -1.5)
+    for t in times:
+        stiffness = (lambda now, t=t: 1.0 if now > t else 0.2), lambda now: 0.0, lambda now: 0.0
+        model.rotational_spring_damper(
+            "ground", "body 1", at=(0, 0, 0), axis=(0, 0, 1), free_angle=0.3, name=f"spring of {t!r}",
+            stiffness=lw.functions.with_breaks(stiffness, [t]),
+        )  # fmt: skip
+    return model
+
+
+@pytest.mark.parametrize("start", [0.3, 0.335])
+@pytest.mark.parametrize("apart", [False, True])
+def test_a_leap_that_begins_at_a_break_is_of_what_comes_after_it(start: float, apart: bool) -> None:
+    """Also where several functions break there, up to roundoff."""
+    times = [start, start + 1e-16] if apart else [start]
+    model = stiffening_parallelogram(*times)
+    for rtol in (1e-4, 1e-8):
+        result = lw.simulate(model, 0.4, rtol=rtol, times=[0.2, start, 0.4], progress=False)
+        stored = sum(result.force(f"spring of {t!r}").potential for t in times)
+        np.testing.assert_allclose(result.potential_energy, stored, rtol=1e-12)
+        assert np.abs(result.energy_error).max() < rtol
+        assert len(result.singular_poses) == 1
+
+
 def test_ensembles_do_not_leap_over_breaks_either() -> None:
     models = [struck_parallelogram(0.338, torque, "run") for torque in (0.0, 100.0, 200.0)]
     options = {"step": 1e-3, "breaks": (0.338, 0.343), "deterministic": True, "progress": False}

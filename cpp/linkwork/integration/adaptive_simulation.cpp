@@ -255,11 +255,11 @@ BodyMaximum AdaptiveSimulation::half_a_step() const {
 bool AdaptiveSimulation::leap() {
   leapt_ = false;
   const double h = std::min(step_, schedule_.largest_step);
-  const double end = next_stop(), remaining = end - t_;
+  const double end = next_stop(), begin = clock(), remaining = breaks_.before(end) - begin;
   with_time(t_, h, [&] {
     if (!crossing_.due(t_, std::min(h, remaining), y_, true)) return;
     const bool goes_on = end == schedule_.t_end && dynamics_.system().model().autonomous();
-    leapt_ = crossing_.leap(t_, std::min(h, remaining), 0.0, goes_on ? INFINITY : remaining, y_);
+    leapt_ = crossing_.leap(begin, std::min(h, remaining), 0.0, goes_on ? INFINITY : remaining, y_);
     if (!leapt_) dynamics_.evaluate(clock(), y_);
   });
   bounded_ = bounded_ || (end == schedule_.t_end && crossing_.limited());
@@ -270,7 +270,7 @@ bool AdaptiveSimulation::leap() {
   if (crossing_.last().h > remaining) crossing_.cut(remaining);
   bounded_ = bounded_ || (end == schedule_.t_end && crossing_.limited());
   h_ = crossing_.last().followed;
-  t_new_ = h_ == remaining ? end : crossing_.last().end();
+  t_new_ = h_ == remaining ? end : std::min(crossing_.last().end(), end);
   y_new_ = crossing_.last().y_new;
   stops_.clear();
   switch_.reset();
