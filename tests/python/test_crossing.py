@@ -254,6 +254,12 @@ def test_a_leap_that_begins_at_a_break_is_of_what_comes_after_it(start: float, a
         assert len(result.singular_poses) == 1
 
 
+@pytest.mark.parametrize("after", [1e-3, 0.01, 0.02])
+def test_a_pose_in_a_step_that_a_break_ends_is_listed(after: float) -> None:
+    result = lw.simulate(stiffening_parallelogram(1 / 3 + after), 0.4, rtol=1e-8, progress=False)
+    assert [it.t for it in result.singular_poses] == pytest.approx([1 / 3], abs=5e-3)
+
+
 def test_ensembles_do_not_leap_over_breaks_either() -> None:
     models = [struck_parallelogram(0.338, torque, "run") for torque in (0.0, 100.0, 200.0)]
     options = {"step": 1e-3, "breaks": (0.338, 0.343), "deterministic": True, "progress": False}

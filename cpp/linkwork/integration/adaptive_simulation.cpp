@@ -462,7 +462,7 @@ void AdaptiveSimulation::finish_step() {
 
 void AdaptiveSimulation::list_singular_poses() {
   if (!leapt_ && crossing_.look_back(t_, t_new_ - t_, y_)) evaluated_ = false;
-  if (stops_.empty() && t_new_ < schedule_.t_end) return;
+  if (stops_.empty() && t_new_ < schedule_.t_end && !meets_break(t_, t_new_)) return;
   if (crossing_.end(t_new_, y_new_)) evaluated_ = false;
 }
 
