@@ -399,6 +399,13 @@ void bind_adaptive_steps(py::module_& module) {
              return out;
            }),
            "(index of the event, t, y before, y after) of the events since the last call; y = (q, v).")
+      .def("energies_around_events", exclusive(+[](const AdaptiveSimulation& run) {
+             py::list out;
+             for (const auto& [before, after] : run.energies_around_events())
+               for (const Energies& it : {before, after}) out.append(py::make_tuple(it.work, it.kinetic, it.potential));
+             return out;
+           }),
+           "(work, kinetic energy, potential energy) before each event that came, and after it; NaN: not known.")
       .def("take_strikes", exclusive(+[](AdaptiveSimulation& run) {
              py::list out;
              for (const Strike& it : run.take_strikes())

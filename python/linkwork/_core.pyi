@@ -83,6 +83,10 @@ class AdaptiveSimulation(Run):
             ]
         ] = [],
     ) -> None: ...
+    def energies_around_events(self) -> list:
+        """
+        (work, kinetic energy, potential energy) before each event that came, and after it; NaN: not known.
+        """
     def statistics(self) -> dict: ...
     def take_occurrences(self) -> list:
         """

@@ -175,3 +175,43 @@ def test_a_body_is_fastest_just_before_its_driver_stops_it(frames: dict[str, int
     assert found.manifest["lanes"] is in_lanes
     for name, value in exact.items():
         assert found.outputs[name][0] == pytest.approx(value, rel=1e-6), name
+
+
+@pytest.mark.parametrize("frames", [{}, {"record_every": 1}, {"record_every": 1000}])
+def test_a_blow_is_seen_beside_an_event_that_changes_nothing(frames: dict[str, int]) -> None:
+    """A driver shifts a spring and an inerter by v = 1 + t up to 0.8 s, and with -0.5 m/s then."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("b", mass=0.5, inertia=(0.02, 0.02, 0.02), velocity=(0, 0, 1))
+    at: dict[str, Any] = {"at": (0, 0, 0), "axis": (0, 0, 1)}
+    model.translational("ground", "b", **at, name="rail")
+    pieces = lw.functions.piecewise_polynomial([0, 0.8, 9], [[1.0, 1.0], [-0.5, 0.0]])
+    model.drive("rail", velocity=pieces)
+    model.translational_inerter("ground", "b", **at, inertance=1.5)
+    model.translational_spring_damper("ground", "b", **at, stiffness=100.0)
+    fast, stored = 0.5 * 2.0 * 1.8**2, 50 * (0.8 + 0.32) ** 2
+    exact = {"kinetic_energy.max": fast, "energy.max": fast + stored, "work.max": fast + stored - 1.0}
+    events = [lw.Event(lambda t, state, when=when: t - when, f"{when} s") for when in (0.3, 0.8, 1.2)]
+    run: dict[str, Any] = {"t_end": 1.5, "rtol": 1e-9, "processes": 1, **frames}
+    found = lw.sweep(model, {"b.mass": [0.5]}, list(exact), events=events, **run).outputs
+    for name, value in exact.items():
+        assert found[name][0] == pytest.approx(value, rel=1e-7), name
+
+
+@pytest.mark.parametrize("every", [1, 1000])
+def test_energies_and_work_before_an_impact_are_those_of_what_stores_them(every: int) -> None:
+    """1 kg with 1 kg of inertance falls 1 m under twice its weight, to rebound with 0.3 of its speed."""
+    model = lw.Model(gravity=(0, 0, -10.0))
+    body = model.body("b", mass=1.0, inertia=(0.02, 0.02, 0.02))
+    model.translational("ground", body, at=(0, 0, 0), axis=(0, 0, 1))
+    model.translational_inerter("ground", body, at=(0, 0, 0), axis=(0, 0, 1), inertance=1.0)
+    model.force(body, force=(0, 0, -10.0))
+
+    def rebound(t: float, state: lw.State) -> None:
+        state.body("b").velocity = -0.3 * state.body("b").velocity
+
+    floor = lw.Event(lambda t, state: state.body("b").position[2] + 1.0, direction=-1, change=rebound)
+    exact = {"kinetic_energy.max": 20.0, "work.max": 10.0, "energy.max": 10.0}
+    run: dict[str, Any] = {"t_end": 0.5, "rtol": 1e-9, "record_every": every, "processes": 1}
+    found = lw.sweep(model, {"b.mass": [1.0]}, list(exact), events=floor, **run).outputs
+    for name, value in exact.items():
+        assert found[name][0] == pytest.approx(value, rel=1e-7), name

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
+#include <utility>
 
 #include "linkwork/integration/adaptive_simulation.hpp"
 
@@ -28,7 +29,8 @@ void AdaptiveSimulation::look_for_events() {
   for (const EventWatch::Found& found : watch_.scan(interpolant(), system, t_, h_, t_new_ >= schedule_.t_end)) {
     if (stops_.empty()) interpolant().interpolate(system, found.theta, workspace_);
     const double t = stops_.empty() ? std::min(t_ + found.theta * h_, t_new_) : t_new_;
-    of_step_.push_back({found.event, t, workspace_.head(size), workspace_.head(size)});
+    const Energies known{.work = workspace_[size]};
+    of_step_.push_back({found.event, t, workspace_.head(size), workspace_.head(size), {known, known}});
     if (stops_.empty() && !watch_.event(found.event).stops()) continue;
     stops_.push_back(found);
     t_new_ = t;
@@ -66,6 +68,7 @@ bool AdaptiveSimulation::apply(const Event& event, Occurrence& occurrence) {
   const System& system = dynamics_.system();
   const Eigen::Index size = y_.size() - 1;
   occurrence.before = y_.head(size);
+  occurrence.energies.before = energies();
   const double before = energy();
   const Changed changed = event.change(t_, y_.head(size));
   if (changed.y.size() != size || !changed.y.allFinite())
@@ -81,6 +84,7 @@ bool AdaptiveSimulation::apply(const Event& event, Occurrence& occurrence) {
   dynamics_.take_sides(switches_.least());
   y_[size] += energy() - before;
   occurrence.after = y_.head(size);
+  occurrence.energies.after = energies();
   return changed.ends;
 }
 
@@ -136,6 +140,15 @@ void AdaptiveSimulation::finish_event(double t_before) {
     ++occurrence;
   }
   finished_ = finished_ || (ends && !known);
+}
+
+void AdaptiveSimulation::list_events() {
+  for (Occurrence& it : of_step_) {
+    if (resumed() && it.t <= start_) continue;
+    around_events_.push_back(it.energies);
+    occurrences_.push_back(std::move(it));
+  }
+  of_step_.clear();
 }
 
 void AdaptiveSimulation::check_accumulation() {

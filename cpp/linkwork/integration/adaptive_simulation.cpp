@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <iterator>
 #include <utility>
 
 #include "linkwork/math/elementary.hpp"
@@ -443,9 +442,7 @@ void AdaptiveSimulation::finish_step() {
   finished_ = t_ >= schedule_.t_end;
   if (finished_) sampling_.before(dynamics_, y_);
   if (!stops_.empty()) finish_event(t_before);
-  const auto seen = [&](const Occurrence& it) { return !resumed() || it.t > start_; };
-  std::copy_if(of_step_.begin(), of_step_.end(), std::back_inserter(occurrences_), seen);
-  of_step_.clear();
+  list_events();
   record_if_due();
   if (finished_ && crossing_.correct_last_frame(recorder_, t_, y_)) dynamics_.evaluate(clock(), y_);
   if (finished_ || (stops_.empty() && !at_break)) return;

@@ -81,7 +81,9 @@ class AdaptiveSimulation final : public Run {
 
   /// The events of the steps finished since the last call.
   std::vector<Occurrence> take_occurrences() { return std::exchange(occurrences_, {}); }
-  /// The same of strikes.
+  /// Of all of them. Of an event that changes nothing the work alone is known: forces are not evaluated there.
+  const std::vector<EnergiesAround>& energies_around_events() const { return around_events_; }
+  /// The same as `take_occurrences` of strikes.
   std::vector<Strike> take_strikes() { return std::exchange(strikes_, {}); }
 
  private:
@@ -116,6 +118,7 @@ class AdaptiveSimulation final : public Run {
   const Interpolant& interpolant() const;
   void look_for_events();
   void finish_event(double t_before);
+  void list_events();
   void cross_break();
   void strike(const VectorXd& Phi_t_before);
   double clock() const;
@@ -124,6 +127,7 @@ class AdaptiveSimulation final : public Run {
   bool meets_break(double t, double t_new) const;
   double kinetic_energy() const;
   double energy() const { return kinetic_energy() + dynamics_.evaluation().potential; }
+  Energies energies() const { return {y_[y_.size() - 1], kinetic_energy(), dynamics_.evaluation().potential}; }
   double end_of_step(double& h) const;
   bool violates(double h) const;
   /// True where the change ends the run.
@@ -160,6 +164,7 @@ class AdaptiveSimulation final : public Run {
   std::optional<SwitchWatch::Switch> switch_;  ///< that ends the current step
   std::vector<Occurrence> of_step_;            ///< found in the current step, which is not finished
   std::vector<Occurrence> occurrences_;        ///< of finished steps
+  std::vector<EnergiesAround> around_events_;  ///< of all finished steps
   std::vector<Strike> strikes_;
   std::vector<EventWatch::Found> stops_;  ///< the event that ends the current step, and those that come with it
   double last_stop_ = 0.0, last_interval_ = std::numeric_limits<double>::infinity();  ///< between such events

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -31,11 +32,22 @@ struct Event {
   bool stops() const { return terminal || change; }  ///< ends the step
 };
 
+/// At a moment [J]; NaN: not known.
+struct Energies {
+  double work = NAN, kinetic = NAN, potential = NAN;
+};
+
+/// On both sides of an event that came.
+struct EnergiesAround {
+  Energies before, after;
+};
+
 /// An event that came: when [s], and the states y = (q, v) before and after it.
 struct Occurrence {
   std::size_t event;
   double t;
   VectorXd before, after;
+  EnergiesAround energies = {};
 };
 
 /// An event that came just when a motion begins: the state y = (q, v) before it.

@@ -29,7 +29,6 @@ from linkwork.accuracy.measures import (
 from linkwork.arrays import Floats
 
 if TYPE_CHECKING:
-    from linkwork.motion.records import Occurrence
     from linkwork.results.result import Result
 
 Indices = NDArray[np.intp]
@@ -159,14 +158,10 @@ def _shifts(first: Result, second: Result) -> Floats:
     found = []
     for it in first.events:
         its_time = next(later.get(it.name, iter(())), None)
-        if its_time is not None and _changes(it):
+        if its_time is not None and it.changes:
             found.append(sorted((it.t, its_time)))
     shifts = np.array(found).reshape(-1, 2)
     return shifts if np.diff(shifts).sum() <= SHIFTED * np.ptp(first.t) else shifts[:0]
-
-
-def _changes(it: Occurrence) -> bool:
-    return not (np.array_equal(it.q_before, it.q_after) and np.array_equal(it.v_before, it.v_after))
 
 
 def _inside(t: Floats, spans: Floats, rounding: float) -> NDArray[np.bool_]:

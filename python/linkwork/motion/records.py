@@ -212,6 +212,12 @@ class Occurrence(ReadOnly):
     q_after: Floats
     v_after: Floats
 
+    @property
+    def changes(self) -> bool:
+        """Whether it changed the state."""
+        same = np.array_equal(self.q_before, self.q_after) and np.array_equal(self.v_before, self.v_after)
+        return not same
+
     @classmethod
     def of(cls, name: str, t: float, before: Floats, after: Floats) -> Occurrence:
         """

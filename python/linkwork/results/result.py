@@ -58,6 +58,9 @@ HASHED = 256
 #: Of poses that are read at a time.
 READ_NUMBERS = 4_000_000
 
+#: Work, kinetic and potential energy before and after each event, where nobody knows.
+NOT_KNOWN = np.zeros((0, 2, 3))
+
 #: So many bodies or joints are read by themselves, without the others.
 FEW_PLACES = 128
 
@@ -91,6 +94,7 @@ class Result:
         self.t: Floats = self._field("t")
         self._finer: Finer | None = None
         self._strikes: tuple[Strike, ...] = ()  # of a fresh result
+        self._energies_around_events: Floats = NOT_KNOWN  # of a fresh one: (m, 2, 3) [J]
 
     # --- what was run ---
 
@@ -824,7 +828,7 @@ class Result:
     def __setstate__(self, state: dict[str, Any]) -> None:
         """What earlier versions pickled says of itself what it says today."""
         header = replace(state["_header"], manifest=renamed_manifest(state["_header"].manifest))
-        self._checkpoint, self._strikes = None, ()
+        self._checkpoint, self._strikes, self._energies_around_events = None, (), NOT_KNOWN
         given = state.get("_statistics", state.get("statistics"))  # the latter in those of version 0.1
         self.__dict__.update(state, _header=header, _statistics=renamed_statistics(given))
         self.t = read_only(self.t)

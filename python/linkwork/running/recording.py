@@ -316,11 +316,12 @@ def _occurrences(run: _core.Run, labels: Sequence[str]) -> list[Occurrence]:
     return [Occurrence.of(labels[event], *rest) for event, *rest in run.take_occurrences()]
 
 
-def strikes(run: _core.Run) -> tuple[Strike, ...]:
-    """Of drivers, in the whole run."""
-    if not isinstance(run, _core.AdaptiveSimulation):
-        return ()
-    return tuple(Strike(*it) for it in run.take_strikes())
+def add_sides(result: Result, run: _core.Run) -> None:
+    """What was around strikes of drivers, and energies around events, in the whole run."""
+    if isinstance(run, _core.AdaptiveSimulation):
+        result._strikes = tuple(Strike(*it) for it in run.take_strikes())
+        energies = np.asarray(run.energies_around_events(), dtype=float)
+        result._energies_around_events = energies.reshape(-1, 2, 3)
 
 
 def pieces(

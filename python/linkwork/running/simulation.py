@@ -394,7 +394,7 @@ def _carried_out(
     log.info("%s: done, %d steps in %.3g s", model.name or "model", run.steps_done, seconds)
     found = {"verdict": verdict.numbers()} if verdict is not None else {}
     result = recorder.result({**statistics, "seconds": seconds, **spent, **found, **laws.statistics()}, laws)
-    result._strikes = recording.strikes(run)
+    recording.add_sides(result, run)
     checks.warn_of_contradiction(result.statistics)
     warn_of_what_frames_show(result)
     return result, estimator

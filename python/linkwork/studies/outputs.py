@@ -22,7 +22,7 @@ from linkwork.modeling.coordinates import coordinate_of
 from linkwork.results.last_state import LastState
 from linkwork.results.result import Result
 from linkwork.results.tables import COORDINATES
-from linkwork.studies.around_events import ENERGIES, around_events, energy_of_bodies
+from linkwork.studies.around_events import ENERGIES, around_events, energy_of_bodies, without
 from linkwork.studies.between_frames import Bends, Curve, bends_of
 
 __all__ = ["REDUCTIONS", "Output", "checked", "identity", "outputs_of"]
@@ -316,12 +316,14 @@ def _followed(result: Result, steps: Sequence[Step]) -> Any:
 
 
 def _around_events(result: Result, steps: Sequence[Step], values: Floats) -> tuple[Result, Floats]:
-    """With the states at events and strikes of drivers, where these tell the values."""
+    """With the states at those events and strikes of drivers that tell the values."""
     if not (result.events or result._strikes):
         return result, values
-    around = around_events(result)
+    around, places = around_events(result)
     found = _followed(around, steps)
-    return (around, found) if np.isfinite(found).all() else (result, values)
+    told = np.isfinite(found[places]).reshape(len(places), -1).all(axis=1)
+    untold = places[~told]
+    return without(around, untold), np.delete(found, untold, axis=0)
 
 
 def _bends(result: Result, steps: Sequence[Step], values: Floats) -> Bends | None:
