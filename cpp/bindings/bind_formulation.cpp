@@ -472,10 +472,24 @@ void bind_times(py::class_<Dynamics>& dynamics) {
            "Time of one symbolic analysis, by a solver like the one in use [s].");
 }
 
+py::array_t<int> history_owners(const Dynamics& dynamics) {
+  const std::vector<HistoryOwner>& owners = dynamics.system().history_owners();
+  py::array_t<int> out({std::ssize(owners), std::ptrdiff_t{2}});
+  int* to = out.mutable_data();
+  for (const HistoryOwner& it : owners) {
+    *to++ = it.joint;
+    *to++ = it.element;
+  }
+  return out;
+}
+
 void bind_history(py::class_<Dynamics>& dynamics) {
   dynamics
       .def_property_readonly("initial_history", &Dynamics::initial_history,
                              "History variables of the initial state: full turns, speeds at which contacts began.")
+      .def_property_readonly("history_owners", &history_owners,
+                             "Of each history variable (h, 2): 1 of a joint and its index, or 0 and that of a force "
+                             "element or, counted on from these, a law of a joint's force.")
       .def_property("history", exclusive(+[](const Dynamics& d) { return VectorXd(d.history()); }),
                     exclusive(+[](Dynamics& d, const ConstVector& history) { d.set_history(history); }),
                     "Those of the last accepted state, which evaluations take where none are given.")

@@ -482,6 +482,11 @@ class Dynamics:
     @history.setter
     def history(self, arg1: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]) -> None: ...
     @property
+    def history_owners(self) -> numpy.typing.NDArray[numpy.int32]:
+        """
+        Of each history variable (h, 2): 1 of a joint and its index, or 0 and that of a force element or, counted on from these, a law of a joint's force.
+        """
+    @property
     def initial_history(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """
         History variables of the initial state: full turns, speeds at which contacts began.

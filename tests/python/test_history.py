@@ -371,3 +371,92 @@ def test_adaptive_steps_stay_below_half_a_turn() -> None:
     result = run(model, 5.0, rtol=1e-2, integrator="dop853", record_every=1)
     assert np.diff(result.t).max() < np.pi / 100.0
     assert result.history[-1] == pytest.approx([500.0], rel=1e-2)
+
+
+# --- whose history it is ------------------------------------------------------------------------------------
+
+#: Torques [N m] on wheels.
+TORQUES = {"a": 0.4, "b": 0.1, "c": 0.25}
+
+
+def wheels(bodies: str, springs: str, coupled: tuple[str, ...] = (), **ends: str) -> lw.Model:
+    """Wheels that motors turn against springs, made in such orders; each of two coupled ones has a slave.
+
+    ends  of springs, where it is another wheel than that of their name
+    """
+    model = lw.Model(gravity=(0, 0, 0))
+
+    def wheel(name: str, x: float, y: float) -> None:
+        model.body(name, mass=1.0, inertia=(0.1, 0.1, 0.1), position=(x, y, 0))
+        model.revolute("ground", name, at=(x, y, 0), axis=(0, 0, 1), name=f"axle {name}")
+
+    for name in bodies:
+        wheel(name, 2.0 * "abc".index(name), 0.0)
+    for name in coupled:
+        wheel(f"{name}2", 2.0 * "abc".index(name), 2.0)
+        ratio = 1.5 + "abc".index(name)
+        model.coupler([(f"axle {name}", 1.0), (f"axle {name}2", -ratio)], name=f"belt {name}")
+    law: dict[str, Any] = {"axis": (0, 0, 1), "stiffness": 0.02, "damping": 0.03}
+    for name in springs:
+        end = ends.get(name, name)
+        model.rotational_spring_damper("ground", end, **law, torque=TORQUES[name], name=f"spring {name}")
+    return model
+
+
+def speeds(result: lw.Result, bodies: str) -> np.ndarray:
+    return np.array([result.body(name).omega[-1, 2] for name in bodies])
+
+
+@pytest.mark.parametrize("from_file", [False, True])
+def test_full_turns_are_those_of_their_elements_whatever_their_order(from_file: bool, tmp_path: Path) -> None:
+    path = tmp_path / "first.h5" if from_file else None
+    first = run(wheels("abc", "abc", ("a", "b")), 5.0, rtol=1e-9, output=path)
+    start = lw.Result.load(path).snapshot() if path else first.snapshot()
+    whole = run(wheels("abc", "abc", ("a", "b")), 8.0, rtol=1e-9)
+    model = wheels("abc", "abc", ("a", "b"))
+    turned = {name: first.force(f"spring {name}", model).deflection[-1] for name in "abc"}
+    assert turned["a"] > 2 * np.pi
+    for model in (wheels("cab", "bca", ("b", "a")), wheels("abc", "cba", ("b", "a"))):
+        rest = run(model, 8.0, rtol=1e-9, start=start)
+        for name in "abc":
+            began = rest.force(f"spring {name}").deflection[0]
+            assert began == pytest.approx(turned[name], rel=1e-12)
+        assert speeds(rest, "abc") == pytest.approx(speeds(whole, "abc"), rel=1e-6)
+
+
+def test_an_event_at_the_start_is_that_of_its_body() -> None:
+    """The wheel b is thrown back at 60 degrees: whoever goes on from there does not meet that again."""
+
+    def back(t: float, state: lw.State) -> None:
+        state.body("b").omega = -state.body("b").omega
+
+    stop = lw.Event(lambda t, state: state.body("b").orientation[3] - 0.5, "stop", change=back)
+    model, other = wheels("ab", ""), wheels("ba", "")
+    v = np.zeros((2, 6))
+    v[:, 5] = -2.0, 3.0
+    hit = run(model.with_initial_state(model.compiled().q0, v), 0.5, rtol=1e-9, events=stop, record_every=1)
+    start = hit.snapshot(int(np.flatnonzero(hit.t == hit.events[0].t)[0]))
+    for again in (model, other):
+        rest = run(again, 0.5, rtol=1e-9, events=stop, start=start)
+        assert not rest.events
+        assert speeds(rest, "ab") == pytest.approx([-2.0, -3.0])
+
+
+def test_a_state_of_other_bodies_or_elements_is_refused_by_name() -> None:
+    start = run(wheels("ab", "ab"), 1.0, rtol=1e-6).snapshot()
+    with pytest.raises(lw.OptionError, match="nothing of the body 'c' of the model, and has the body 'b'"):
+        run(wheels("ac", "ac"), 2.0, rtol=1e-6, start=start)
+    with pytest.raises(lw.OptionError, match="'spring b' between 'ground' and 'a' of the model"):
+        run(wheels("ab", "ab", b="a"), 2.0, rtol=1e-6, start=start)
+    with pytest.raises(lw.OptionError, match="has the history variable of .*'spring b'.*, which"):
+        run(wheels("ab", "a"), 2.0, rtol=1e-6, start=start)
+    assert run(wheels("ab", "ab", b="a"), 2.0, rtol=1e-6, start=start._replace(names=None)).finished
+
+
+def test_a_state_is_linearized_with_the_turns_of_its_elements() -> None:
+    """Wound up to where they hold the motors, by 20 and 5 rad."""
+    start = run(wheels("ab", "ab"), 400.0, rtol=1e-9).snapshot()
+    start = start._replace(v=np.zeros((2, 6)))
+    for model in (wheels("ab", "ab"), wheels("ba", "ab"), wheels("ab", "ba")):
+        found = lw.linearize(model, start=start).eigenvalues
+        assert np.abs(found) == pytest.approx(np.sqrt(0.02 / 0.1), rel=1e-6)

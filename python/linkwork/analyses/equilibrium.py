@@ -25,6 +25,7 @@ from linkwork.errors import (
 from linkwork.modeling.handles import Named, place_of
 from linkwork.modeling.model import Model
 from linkwork.motion.records import Reaction, Snapshot
+from linkwork.motion.state_names import StateNames
 from linkwork.running.estimation import told_of_memory
 
 __all__ = ["Equilibrium", "equilibrium"]
@@ -426,7 +427,8 @@ class _Search:
         raise error
 
     def _snapshot(self, q: Floats) -> Snapshot:
-        return Snapshot(0.0, q.reshape(-1, 7), self.rest.reshape(-1, 6), self._turns(q))
+        names = StateNames.of(self.eq.model.compiled(), self.eq.dynamics)
+        return Snapshot(0.0, q.reshape(-1, 7), self.rest.reshape(-1, 6), self._turns(q), names=names)
 
     def _turns(self, q: Floats) -> Floats:
         """History variables of the pose; none where they are those of a motion that begins there."""

@@ -21,6 +21,7 @@ from linkwork.constraints.solver import strongest
 from linkwork.errors import OptionError, SingularSystemError, carry, warn
 from linkwork.modeling.model import Model, check_bodies
 from linkwork.motion.records import Snapshot
+from linkwork.motion.state_names import StateNames
 from linkwork.results.result import Result
 from linkwork.running import checks
 from linkwork.running.estimation import told_of_memory
@@ -97,7 +98,8 @@ def _motion(model: Model, t: Floats, on_singular: Literal["pass", "warn", "stop"
     except Exception as error:
         found = frames.result(continuation, began, failed=True) if frames.begun else None
         at = continuation.at
-        state = Snapshot(at.t, at.q.reshape(-1, 7), at.v.reshape(-1, 6), at.history)
+        names = StateNames.of(model.compiled(), continuation.equations.dynamics)
+        state = Snapshot(at.t, at.q.reshape(-1, 7), at.v.reshape(-1, 6), at.history, names=names)
         carry(error, result=found, state=state)
         if found is not None:
             warn_of_what_frames_show(found)

@@ -31,6 +31,7 @@ from linkwork.modeling.tables import Table
 from linkwork.motion.records import Snapshot
 from linkwork.running import checks
 from linkwork.running.estimation import told_of_memory
+from linkwork.running.own_order import in_own_order
 
 __all__ = ["Linearization", "linearize"]
 
@@ -198,7 +199,7 @@ def linearize(
 
 
 def _linearized(model: Model, start: Snapshot | None, modes: int | None, near: float) -> Linearization:
-    eq = _equations(model, start)
+    eq, start = _equations(model, start)
     at = _at_rest(eq, _begun(eq, start))
     now = _in_balance(eq, at)
     warn_of_time(eq, at, now.doubts)
@@ -269,16 +270,17 @@ def _warn_of_unsure(off: Floats) -> None:
         )
 
 
-def _equations(model: Model, start: Snapshot | None) -> Equations:
-    """OptionError: `start` is no state of this model."""
+def _equations(model: Model, start: Snapshot | None) -> tuple[Equations, Snapshot | None]:
+    """And the state in the order of the model. OptionError: it is none of this model."""
     eq = Equations(model)
     if start is None:
-        return eq
+        return eq, None
     checks.start_time(start)
+    start = in_own_order(eq.core, eq.dynamics, start)
     checks.check_state(model, start)
     if eq.rank.singular_rows:  # there it is not known which equations are redundant
         eq = Equations(model.with_initial_state(start.q, start.v))
-    return eq
+    return eq, start
 
 
 def _begun(eq: Equations, start: Snapshot | None) -> Snapshot:

@@ -86,7 +86,7 @@ def _last_state(path: str, model: Model, t_end: float) -> Snapshot:
     found = Result.load(path)
     core = model.compiled()
     own = [core.body_name(body) for body in range(core.body_count)]
-    if list(found.body_names) != own:
+    if sorted(found.body_names) != sorted(own):
         raise OptionError(
             f"start '{path}': its bodies ({len(found.body_names)}) are not those of this mechanism "
             f"({len(own)}): give a result of the same mechanism with the same parameters",

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cache
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
@@ -14,14 +13,15 @@ from linkwork.arrays import Floats, ReadOnly, by_value
 from linkwork.errors import counted
 from linkwork.modeling.shapes import Shapes
 from linkwork.motion.names import Names
+from linkwork.motion.state_names import StateNames, force_kind_names, history_names
 
 if TYPE_CHECKING:
     from linkwork import _core
 
 Indices = NDArray[np.integer]
 
-#: The texts of a header, one for each body, joint or force element.
-MODEL_NAMES = ("body_names", "joint_names", "joint_kinds", "force_names", "force_kinds")
+#: The texts of a header, one for each body, joint, force element or history variable.
+MODEL_NAMES = ("body_names", "joint_names", "joint_kinds", "force_names", "force_kinds", "history_names")
 
 #: reactions(t (k,), q (k, 7n), multipliers (k, m), history (k, h) where there is any) -> force [N] and
 #: torque [N m] (k, joints, 3).
@@ -76,6 +76,7 @@ class Header(ReadOnly):
     force_parameters: Floats = field(default_factory=_none(0))
     breaks: Sequence[float] | Floats = ()  # (b,) [s] beside which functions of time were evaluated
     history_count: int = 0  # history variables; none in files of version 0.1
+    history_names: Sequence[str] = ()  # their elements (h,), in words; none in files of earlier versions
     expected_frames: int | None = field(default=None, compare=False)  # of a run that begins
     shapes: Shapes = field(default_factory=Shapes, compare=False)  # of the bodies that have their own
     curves: Mapping[int, Floats] = field(default_factory=dict, compare=False)  # by joint: points (m, 3) in a
@@ -123,13 +124,14 @@ class Header(ReadOnly):
             redundant_rows=np.array(rank.redundant_rows if rank else [], dtype=np.int32),
             **_parameters("joint", joints),
             force_names=Names(model.force_name, len(forces["kind"])),
-            force_kinds=Names(lambda index: _kind_names()[forces["kind"][index]], len(forces["kind"])),
+            force_kinds=Names(lambda index: force_kind_names()[forces["kind"][index]], len(forces["kind"])),
             force_bodies=forces["bodies"],
             force_frame=forces["frame"],
             force_origin=forces["origin"],
             **_parameters("force", forces),
             breaks=breaks,
             history_count=0 if dynamics is None else len(dynamics.initial_history),
+            history_names=() if dynamics is None else history_names(model, dynamics),
             expected_frames=expected_frames,
             shapes=shapes or Shapes(),
             curves=curves or {},
@@ -162,6 +164,11 @@ class Header(ReadOnly):
     @property
     def row_count(self) -> int:
         return int(self.joint_rows[-1])
+
+    @property
+    def state_names(self) -> StateNames:
+        """Whose the numbers of a frame are."""
+        return StateNames(self.body_names, self.history_names)
 
     def frame_shapes(self) -> dict[str, tuple[int, ...]]:
         """Shape of one frame of every recorded field; `t` comes last, as in the file."""
@@ -205,13 +212,6 @@ def _parameters(role: str, arrays: Mapping[str, Any]) -> dict[str, Any]:
     values = np.where(arrays["signals"] < 0, arrays["parameters"], np.nan)
     first = np.append(arrays["first_parameter"], len(values))
     return {f"{role}_first_parameter": first, f"{role}_parameters": values}
-
-
-@cache
-def _kind_names() -> list[str]:
-    from linkwork import _core
-
-    return [kind.name for kind in _core.force_kinds()]
 
 
 def record_reactions(header: Header, frames: Mapping[str, ArrayLike]) -> dict[str, Floats]:

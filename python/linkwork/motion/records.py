@@ -12,6 +12,7 @@ import numpy as np
 from linkwork.arguments import array
 from linkwork.arrays import Floats, ReadOnly, by_value
 from linkwork.errors import OptionError
+from linkwork.motion.state_names import StateNames
 
 __all__ = [
     "BodyResult",
@@ -131,6 +132,8 @@ class Snapshot(NamedTuple):
     resume: Resume | None = None
     #: events that came at its time: the label, and y = (q, v) (13n,) before it
     happened: Sequence[tuple[str, Floats]] = ()
+    #: of a run: its bodies and elements, by which a model takes them in its own order; None: they are in it
+    names: StateNames | None = None
 
     @classmethod
     def of(cls, t: float, y: Floats, history: Sequence[float] | Floats = ()) -> Snapshot:

@@ -300,7 +300,8 @@ class Result:
             for it in self.events
             if it.t == t
         ]
-        found = Snapshot(t, *state, self.history[frame].copy(), self._error_at(frame), happened=came)
+        found = Snapshot(t, *state, self.history[frame].copy(), self._error_at(frame), happened=came,
+                         names=self._header.state_names)  # fmt: skip
         last = int(frame) % count == count - 1
         checkpoint = self._settled() if last else self._remembered
         return found.resumable(checkpoint, float(self._field("work", frame)))

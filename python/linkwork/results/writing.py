@@ -4,8 +4,8 @@
                `statistics` (JSON), empty before the end
     /frames/   q (k, n, 7), v and vdot (k, n, 6), lambda (k, m), kinetic, potential and work (k,),
                violation (k, 3), history (k, h), reaction_force and reaction_torque (k, joints, 3), t (k,)
-    /model/    the arrays of `Header`, the names, the shapes of bodies that have their own, and the curves
-               of joints, by their index
+    /model/    the arrays of `Header`, the names, those of history where there is any, the shapes of bodies
+               that have their own, and the curves of joints, by their index
     /finer/    of a run that was verified: the fields of /frames/ by a finer run, at their times, and the
                attribute `factor` by which the difference is an error
     /events/   where there were any: q (e, 2, n, 7) and v (e, 2, n, 6) before and after, name and t (e,)
@@ -390,6 +390,8 @@ class ResultWriter:
             _name_unit(model[name], name)
             self._pause()
         for name in MODEL_NAMES:
+            if name == "history_names" and not self._header.history_count:
+                continue  # as the field itself
             model[name] = _encoded(getattr(self._header, name), self._pause)
             self._pause()
         write_shapes(model, self._header.shapes)

@@ -23,6 +23,7 @@ from linkwork.integrators import Integrator
 from linkwork.modeling.model import Model
 from linkwork.motion.header import Header, frame_shapes, record_reactions
 from linkwork.motion.records import Checkpoint, Occurrence, Snapshot, Strike
+from linkwork.motion.state_names import StateNames
 from linkwork.results.result import Result
 from linkwork.running.interrupts import Interrupts
 from linkwork.running.laws_of_forces import LawsOfForces
@@ -255,17 +256,24 @@ def record(
 
 
 @contextmanager
-def kept(run: _core.Run, to: Recorder, labels: Sequence[str], checkpoints: Checkpoints) -> Iterator[None]:
+def kept(
+    run: _core.Run, to: Recorder, labels: Sequence[str], checkpoints: Checkpoints, names: StateNames
+) -> Iterator[None]:
     """Close the file where the run, or what is said about it at the end, does not come to its end."""
     try:
         yield
     except BaseException as error:
-        _abandon(run, to, labels, error, checkpoints)
+        _abandon(run, to, labels, error, checkpoints, names)
         raise
 
 
 def _abandon(
-    run: _core.Run, to: Recorder, labels: Sequence[str], error: BaseException, checkpoints: Checkpoints
+    run: _core.Run,
+    to: Recorder,
+    labels: Sequence[str],
+    error: BaseException,
+    checkpoints: Checkpoints,
+    names: StateNames,
 ) -> None:
     """Keep what there is, and say in the error how far the run came."""
     try:
@@ -276,7 +284,7 @@ def _abandon(
         statistics = {**run.statistics(), "failed": True} if isinstance(error, Exception) else {}
         result = to.abandon(error, statistics)
         if isinstance(error, Exception):
-            state = Snapshot.of(run.t, run.last_state, run.history)
+            state = Snapshot.of(run.t, run.last_state, run.history)._replace(names=names)
             carries = carry(error, result=result, state=state.resumable(checkpoints.of_state(), run.work))
             if not isinstance(error, LinkworkError):  # of the user's own function
                 there = f"; its `result` has {counted(len(result), 'frame')}" if carries and result else ""

@@ -41,6 +41,7 @@ from linkwork.running.kept import Kept
 from linkwork.running.laws_of_forces import LawsOfForces
 from linkwork.running.leaving_no_memory import called
 from linkwork.running.manifest import manifest
+from linkwork.running.own_order import in_own_order
 from linkwork.running.progress import ProgressOption, check_progress, preparing, reporting, sharing
 from linkwork.running.reach import telling_of_reach
 from linkwork.running.recording import PythonStep
@@ -105,9 +106,10 @@ def simulate(
                   `state` of an error. From the last frame of a result, in memory or in a file, and from the
                   state of an error, a run of the same model by the same method goes on to the last bit, as if
                   it had never ended (manifest["resumed"]; steps that the end had shortened are taken once
-                  more, unseen). Otherwise the work, multistep methods and step control begin anew. Where a
-                  state has no history variables (of a file of version 0.1), full turns and contacts under way
-                  begin anew: a LinkworkWarning names them
+                  more, unseen). Otherwise the work, multistep methods and step control begin anew. Bodies and
+                  history variables are taken by their names (`start.names`), in whatever order. Where a state
+                  has no history variables (of a file of version 0.1), full turns and contacts under way begin
+                  anew: a LinkworkWarning names them
     output        an HDF5 file that is written while the run goes on; the result then reads from it
     overwrite     whether `output` may replace a file that is there
     progress      None: on a terminal or in a notebook what a large run will take, before its first step, and
@@ -248,6 +250,7 @@ def _prepared(
     identity = resuming.Identity(model, model_hash, method, choices, watched, given, assembly, written)
     resume = resuming.of(start, identity, plan.t_end)
     if start is not None:
+        start = in_own_order(model.compiled(), system.compiled(), start) if resume is None else start
         checks.check_start(model, system.compiled(), start, known=resume is not None)
     if resume is None:
         known = breaks
@@ -377,7 +380,7 @@ def _carried_out(
     log.info("%s: %g to %g s by %s", model.describe(), t_start, plan.t_end, _listed(it.chosen))
     forecast.announce(it.forecast, progress)
     labels, warns = it.facts["events"], it.system.options["on_singular"] == "warn"
-    with telling_of_reach(model), recording.kept(run, recorder, labels, checkpoints):
+    with telling_of_reach(model), recording.kept(run, recorder, labels, checkpoints, header.state_names):
         with reporting(progress, plan.t_end, run.steps_total, t_start, spent["setup_seconds"]) as report:
             pieces = recording.pieces(run, interrupts, it.method, it.system)
             spent["driver_seconds"] = recording.record(
