@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from pathlib import Path
+
 import linkwork as lw
 import numpy as np
 import pytest
@@ -197,3 +200,69 @@ def test_the_error_counts_how_much_that_of_the_runs_changes_with_the_parameter(
     assert off <= error
     if run == {"rtol": 1e-6} and not own:
         assert error < 1e-5 * true
+
+
+def dropped(speed: float) -> lw.Model:
+    """Thrown up from 1 m above the floor, on a rail, with g = 10."""
+    model = lw.Model(gravity=(0, 0, -10.0))
+    model.body("stone", mass=1.0, inertia=(0.1,) * 3, velocity=(0, 0, speed))
+    model.translational("ground", "stone", at=(0, 0, 0), axis=(0, 0, 1))
+    return model
+
+
+FLOOR = lw.Event(lambda t, state: state.body("stone").position[2] + 1.0, terminal=True, name="floor")
+
+
+@pytest.mark.parametrize(
+    "of", [lambda it: it.events[0].t, lambda it: it.events[0].t if it.events else 0.0, lambda it: it.t[-1]]
+)
+@pytest.mark.parametrize("to_file", [False, True])
+def test_events_have_derivatives_and_errors_as_frames_have(
+    of: Callable[[lw.Result], float], to_file: bool, tmp_path: Path
+) -> None:
+    """t = (w + sqrt(w^2 + 2 g)) / g, with which the runs differ from finer ones, too."""
+    options = {"output": tmp_path / "run.h5", "overwrite": True} if to_file else {}
+    found = lw.sensitivity(
+        dropped, {"speed": 3.0}, {"t": of}, t_end=5.0, rtol=1e-8, events=FLOOR, **options
+    )  # fmt: skip
+    off = abs(found.derivatives["t"]["speed"] - (1 + 3 / np.sqrt(29)) / 10)
+    assert off <= found.errors["t"]["speed"] < 1e-6
+
+
+def test_the_error_of_a_time_of_an_event_counts_what_the_runs_are_off_by() -> None:
+    """A pendulum through its lowest place, with loose tolerances."""
+
+    def build(length: float) -> lw.Model:
+        model = lw.Model()
+        bob = model.body("bob", mass=1.0, inertia=(0.2, 0.2, 0.2), position=(length, 0, 0))
+        model.revolute("ground", bob, at=(0, 0, 0), axis=(0, 1, 0))
+        return model
+
+    lowest = lw.Event(lambda t, state: state.body("bob").position[0], terminal=True)
+
+    def found(rtol: float, of: Callable[[lw.Result], float]) -> lw.Sensitivity:
+        outputs = {"t": of}
+        return lw.sensitivity(build, {"length": 1.0}, outputs, t_end=5.0, rtol=rtol, events=lowest)
+
+    exact = found(1e-12, lambda it: it.events[0].t).derivatives["t"]["length"]
+    for of in (lambda it: it.events[0].t, lambda it: it.t[-1]):
+        coarse = found(1e-3, of)
+        off = abs(coarse.derivatives["t"]["length"] - exact)
+        assert 1e-7 < off <= coarse.errors["t"]["length"] < 0.1
+
+
+def test_an_event_that_the_finer_run_has_not_leaves_the_error_of_the_verdict() -> None:
+    """So it may be where a function looks at another event in each run."""
+    seen = []
+
+    def only_every_other(result: lw.Result) -> float:
+        seen.append(result)
+        if len(seen) > 1 and seen[-1].manifest["options"]["rtol"] < seen[0].manifest["options"]["rtol"]:
+            raise IndexError
+        return float(result.t[-1])
+
+    found = lw.sensitivity(
+        dropped, {"speed": 3.0}, {"t": only_every_other}, t_end=5.0, rtol=1e-8, events=FLOOR
+    )  # fmt: skip
+    off = abs(found.derivatives["t"]["speed"] - (1 + 3 / np.sqrt(29)) / 10)
+    assert off <= found.errors["t"]["speed"]

@@ -52,6 +52,8 @@ class Finer(NamedTuple):
 
     result: Result
     factor: float
+    #: these frames with all else that the run knows: its events, and when it ended; None: of a file
+    own: Result | None = None
 
     @classmethod
     def of(cls, first: Result, second: Result, factor: float) -> Finer:
@@ -59,10 +61,16 @@ class Finer(NamedTuple):
         where the first counts."""
         ours, its = _paired(first, second)
         frames = {name: second.recorded(name)[its] for name in second.header.frame_shapes()}
-        frames["t"] = first.t[ours]
         if first.manifest.get("resumed"):
             frames["work"] += float(first.recorded("work", 0)) - float(second.recorded("work", 0))
-        return cls(type(second)(frames, second.header, second.statistics), factor)
+        own = second._with_frames(frames)
+        return cls(own._with_frames({**frames, "t": first.t[ours]}), factor, own)
+
+    def in_file(self, stored: Finer | None) -> Finer | None:
+        """As it was stored a moment ago, with what its file does not know."""
+        if stored is None or self.own is None:
+            return stored
+        return stored._replace(own=self.own._with_frames({**stored.result._frames, "t": self.own.t}))
 
 
 def joined(first: Result, then: Result) -> Result:

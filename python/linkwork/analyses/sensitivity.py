@@ -93,10 +93,10 @@ def sensitivity(
     |d(h/2) - d(h)| / 3, which is that of d(h/2), of half the jump between the derivatives on both sides, and
     of what rounding makes of the differences; and beside, what the runs are off by: two of the four are made
     once more, finer, as by `verify` of simulate, which gives d(h) without the most of it. Where there is no
-    finer run, as with `run`, it is the outputs over h, times the error of the verdicts: much more than the
-    truth as a rule. Where it is large, the output is not smooth in the parameter (events, stops, another
-    branch, adaptive steps with loose tolerances), or steps are not suitable. Use a fixed step, or a tight
-    rtol.
+    finer run, as with `run`, or an output is not found in it, it is the outputs over h, times the error of
+    the verdicts: much more than the truth as a rule. Where it is large, the output is not smooth in the
+    parameter (events, stops, another branch, adaptive steps with loose tolerances), or steps are not
+    suitable. Use a fixed step, or a tight rtol.
 
     build       makes the model: build(length=1.0, mass=2.0)
     parameters  by name, at which derivatives are wanted
@@ -193,14 +193,20 @@ class _Runs:
         return {name: _output(name, f(result), changed, value) for name, f in self.outputs.items()}
 
     def _off(self, result: Any, found: dict[str, Floats], changed: str, value: float) -> dict[str, Floats]:
-        """Without those that a finer run has in another shape, as where it has not all frames."""
+        """Without those that a finer run has not, or in another shape, as where it has not all frames."""
         second = getattr(result, "_finer", None)
         if second is None:
             return {}
         self.count += 1
-        other = self._outputs_of(second.result, changed, value)
-        pairs = {name: (found[name], other[name]) for name in found if found[name].shape == other[name].shape}
-        return {name: second.factor * (a - b) for name, (a, b) in pairs.items()}
+        finer, off = second.result if second.own is None else second.own, {}
+        for name, f in self.outputs.items():
+            try:
+                other = _output(name, f(finer), changed, value)
+            except Exception:  # it may have no event at which the function looks
+                continue
+            if other.shape == found[name].shape:
+                off[name] = second.factor * (found[name] - other)
+        return off
 
 
 def _of_runs(ends: list[_Sample], name: str, h: float) -> Floats:

@@ -847,6 +847,12 @@ class Result:
 
     # --- how it works ---
 
+    def _with_frames(self, frames: Mapping[str, Any]) -> Result:
+        """The same run with other frames of it."""
+        found = Result(frames, self._header, self._statistics, events=self._events)
+        found._strikes, found._energies_around_events = self._strikes, self._energies_around_events
+        return found
+
     def _field(self, name: str, part: Any = np.s_[:]) -> Floats:
         values: Floats = read_only(self._frames[name][part])
         return values

@@ -203,7 +203,7 @@ class ErrorEstimator:
             from linkwork.results.writing import add_finer
 
             add_finer(output, finer, result.statistics)
-            result._finer = Result.load(output)._finer
+            result._finer = finer.in_file(Result.load(output)._finer)
 
     def _second_run(self, result: Result, run: Callable[[dict[str, Any]], Result]) -> Result:
         """With frames at the times of the result.
