@@ -174,12 +174,12 @@ py::dict run_statistics(const Run& run) {
   out["violations"] = run.violation_monitor().count();
   out["projections"] = run.projections();
   out["excesses"] = excesses(run);
-  if (const TurnCounter* turns = run.turns(); turns && !turns->found().empty())
-    out["turned"] = to_python(turns->found());
   if (const Contradiction& found = run.contradiction(); !std::isnan(found.t))
     out["contradiction"] = to_dict(run, found);
   return out;
 }
+
+py::list turned(const Run& run) { return run.turns() ? to_python(run.turns()->found()) : py::list(); }
 
 void bind_events(py::module_& module) {
   using Change = std::function<std::pair<VectorXd, bool>(double, const VectorXd&)>;
@@ -289,7 +289,10 @@ void bind_measures(py::class_<Run>& run) {
           "Largest violation of a position constraint now, relative to the size of the mechanism.")
       .def_property_readonly(
           "energies", exclusive(+[](const Run& run) { return to_python(run.sampling().energies()); }),
-          "Largest kinetic energy, least and largest potential, largest amount of work over the steps so far [J].");
+          "Largest kinetic energy, least and largest potential, largest amount of work over the steps so far [J].")
+      .def_property_readonly("turned", exclusive(&turned),
+                             "[joint, coordinate, before, t, angle] of how far joints turned from one frame to another "
+                             "[s], where these do not tell it; None: steps were too long to tell.");
 }
 
 void bind_runs(py::module_& module) {

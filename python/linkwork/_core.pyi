@@ -1210,6 +1210,11 @@ class Run:
     @property
     def t(self) -> float: ...
     @property
+    def turned(self) -> list:
+        """
+        [joint, coordinate, before, t, angle] of how far joints turned from one frame to another [s], where these do not tell it; None: steps were too long to tell.
+        """
+    @property
     def work(self) -> float:
         """
         Of last_state [J].

@@ -78,6 +78,23 @@ def test_a_driven_turn_between_two_frames_is_counted(direction: int) -> None:
         assert lw.kinematics(model, times).coordinate("joint").value == exact
 
 
+def test_a_rotor_that_is_pushed_after_a_long_rest_turns_by_what_the_push_does() -> None:
+    """50 rad/s^2 for 0.2 s, and back to rest: 2 rad."""
+    model = rotor()
+    torque = lw.functions.piecewise_polynomial([0, 5, 5.2, 5.4, 9], [[0.0], [20.0], [-20.0], [0.0]])
+    model.rotational_spring_damper("ground", "rotor", axis=(0, 0, 1), torque=torque)
+    result = run(model, t_end=6.0, record_every=6000, on_inaccurate="pass")
+    assert result.coordinate("joint").value == pytest.approx([0.0, 2.0], abs=1e-9)
+
+
+def test_turns_that_neither_frames_nor_steps_tell_are_a_warning() -> None:
+    result = run(spun_up(), t_end=1.0, record_every=1000)
+    assert result.coordinate("joint").value[-1] == pytest.approx(6 * np.pi, abs=1e-6)
+    result._statistics["turned"][0][-1] = None
+    with pytest.warns(lw.LinkworkWarning, match="angle of 'joint': frames are too far apart"):
+        result.coordinate("joint")
+
+
 def test_a_cylindrical_joint_has_two_coordinates() -> None:
     result = run(rotor("cylindrical", omega=(0, 0, 3.0), velocity=(0, 0, 0.2)))
     assert result.coordinate("joint", "angle").value == pytest.approx(3.0 * result.t, abs=1e-9)

@@ -10,9 +10,9 @@
 namespace linkwork {
 namespace {
 
-constexpr double doubtful = std::numbers::pi / 2;  // by which the rates at two frames may miss an angle
-constexpr double followed = 1.0;                   // by which an angle may turn from one look to the next
-constexpr std::size_t most = 10000;
+constexpr double pi = std::numbers::pi;
+constexpr double doubtful = pi / 2;  // by which the rates at two frames, or ends of a long step, may miss an angle
+constexpr double followed = 1.0;     // by which an angle may turn from one look to the next, but for a step
 
 BodyState<double> state_of(int body, const ConstVector& q, const ConstVector& v) {
   if (body == ground)
@@ -27,7 +27,7 @@ TurnCounter::TurnCounter(const System& system) : system_(system) {
   const std::vector<Element>& joints = system.model().joints();
   for (std::size_t joint = 0; joint < joints.size(); ++joint)
     for (const FreeCoordinate* it : joint_info(joints[joint].kind).coordinates)
-      if (it->angle()) angles_.push_back({static_cast<int>(joint), it, {}, {}});
+      if (it->angle()) angles_.push_back({static_cast<int>(joint), it});
 }
 
 double TurnCounter::fastest(const ConstVector& v) const {
@@ -38,13 +38,18 @@ double TurnCounter::fastest(const ConstVector& v) const {
 }
 
 /// Two bodies turn against each other by the rates of both at most.
-void TurnCounter::advance(double t, const ConstVector& v) {
+void TurnCounter::advance(double t, const ConstVector& q, const ConstVector& v) {
   const double now = fastest(v);
-  const double turned = std::isnan(t_) ? 0.0 : 2.0 * (t - t_) * std::max(now, fastest_);
+  const double turned = std::isnan(last_.t) ? 0.0 : 2.0 * (t - last_.t) * std::max(now, last_.fastest);
+  if (!is_first() && !looked_ && since_look_ + turned > followed) look();
+  last_.t = t;
+  last_.q = q;
+  last_.v = v;
+  last_.fastest = now;
+  looked_ = false;
   since_frame_ += turned;
   since_look_ += turned;
-  t_ = t;
-  fastest_ = now;
+  if (!is_first() && turned > followed) look();
 }
 
 TurnCounter::State TurnCounter::state(const Angle& angle, const ConstVector& q, const ConstVector& v) const {
@@ -55,49 +60,57 @@ TurnCounter::State TurnCounter::state(const Angle& angle, const ConstVector& q, 
   return {turn.Phi, turn.rate(i, j)};
 }
 
-/// The first time since a frame at that, too.
-void TurnCounter::look(double t, const ConstVector& q, const ConstVector& v) {
+/// At the last state; the first time since a frame at that, too.
+void TurnCounter::look() {
   if (std::isnan(looked_at_)) {
     for (Angle& it : angles_) it.at_frame = it.last = state(it, frame_.q, frame_.v);
     looked_at_ = frame_.t;
   }
   for (Angle& it : angles_) {
-    State now = state(it, q, v);
-    now.angle = continued(now.angle, it.last.angle + (t - looked_at_) * (it.last.rate + now.rate) / 2);
+    State now = state(it, last_.q, last_.v);
+    if (since_look_ < pi) now.angle = continued(now.angle, it.last.angle);
+    else follow_long_step(last_.t - looked_at_, it, now);
     it.last = now;
   }
-  looked_at_ = t;
+  looked_at_ = last_.t;
+  looked_ = true;
   since_look_ = 0.0;
 }
 
+/// What is so far from the last look is one step. Its turns are sure where any rate between those at its ends tells
+/// nearly the same, which the pose bears out.
+void TurnCounter::follow_long_step(double h, Angle& angle, State& now) {
+  const double expected = angle.last.angle + h * (angle.last.rate + now.rate) / 2;
+  now.angle = continued(now.angle, expected);
+  const bool told = h * std::abs(now.rate - angle.last.rate) <= pi && std::abs(now.angle - expected) <= doubtful;
+  angle.sure = angle.sure && told;
+}
+
 void TurnCounter::pass(double t, const ConstVector& q, const ConstVector& v) {
-  if (angles_.empty()) return;
-  advance(t, v);
-  if (since_look_ >= followed && !is_first()) look(t, q, v);
+  if (!angles_.empty()) advance(t, q, v);
 }
 
 void TurnCounter::record(double t, const ConstVector& q, const ConstVector& v) {
   if (angles_.empty()) return;
-  advance(t, v);
-  const double by_rates = (t - frame_.t) * (frame_.fastest + fastest_);
-  if (!is_first() && (since_frame_ > doubtful || by_rates > doubtful)) {
-    look(t, q, v);
-    compare(t);
+  advance(t, q, v);
+  const double by_rates = (t - frame_.t) * (frame_.fastest + last_.fastest);
+  if (!is_first() && since_frame_ + by_rates > doubtful) {
+    if (!looked_) look();
+    compare();
   }
-  frame_.t = t;
-  frame_.q = q;
-  frame_.v = v;
-  frame_.fastest = fastest_;
+  frame_ = last_;
   looked_at_ = NAN;
+  looked_ = true;
   since_frame_ = since_look_ = 0.0;
 }
 
-void TurnCounter::compare(double t) {
-  for (const Angle& it : angles_) {
+void TurnCounter::compare() {
+  for (Angle& it : angles_) {
     const double turned = it.last.angle - it.at_frame.angle;
-    const double expected = (t - frame_.t) * (it.at_frame.rate + it.last.rate) / 2;
-    const bool sure = std::abs(turned - expected) <= doubtful && std::abs(turned) <= std::numbers::pi;
-    if (!sure && found_.size() < most) found_.push_back({frame_.t, t, it.joint, it.coordinate->name, turned});
+    const double expected = (last_.t - frame_.t) * (it.at_frame.rate + it.last.rate) / 2;
+    const bool told = std::abs(turned - expected) <= doubtful && std::abs(turned) <= pi;
+    if (!it.sure || !told) found_.push_back({frame_.t, last_.t, it.joint, it.coordinate->name, it.sure ? turned : NAN});
+    it.sure = true;
   }
 }
 

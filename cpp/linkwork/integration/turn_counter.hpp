@@ -11,9 +11,9 @@
 namespace linkwork {
 
 /// How far the angles that joints leave free turn from one recorded frame to the next, where there are steps between:
-/// frames tell full turns by the rates at them alone. Between states that are looked at each angle is taken to turn by
-/// nearly the mean of its rates; these are no farther apart than the fastest body may have turned by a radian, and
-/// none is looked at between frames that are too near for any doubt.
+/// frames tell full turns by the rates at them alone. States are looked at before the fastest body may have turned by a
+/// radian since the last look, so that each angle goes on to the nearest one; in a longer step it turns by nearly the
+/// mean of its rates. None is looked at between frames that are too near for any doubt.
 class TurnCounter {
  public:
   explicit TurnCounter(const System& system);
@@ -23,7 +23,7 @@ class TurnCounter {
     double before, t;
     int joint;
     std::string_view coordinate;
-    double angle;  ///< [rad]
+    double angle;  ///< [rad]; NaN: there were steps too long to tell
   };
 
   /// The run goes on from this state.
@@ -31,7 +31,7 @@ class TurnCounter {
   /// It is recorded; not before the last one from which the run went on.
   void record(double t, const ConstVector& q, const ConstVector& v);
 
-  /// Where the rates at the frames would tell something else, or not for sure. No more than some ten thousand.
+  /// Where the rates at the frames would tell something else, or not for sure.
   const std::vector<Turned>& found() const { return found_; }
 
  private:
@@ -41,26 +41,28 @@ class TurnCounter {
   struct Angle {
     int joint;
     const FreeCoordinate* coordinate;
-    State at_frame, last;
+    State at_frame = {}, last = {};
+    bool sure = true;  ///< since the frame
   };
-  struct Frame {
+  struct Passed {
     double t = NAN;
     VectorXd q, v;
-    double fastest = 0.0;
+    double fastest = 0.0;  ///< rate of a body [rad/s]
   };
 
   bool is_first() const { return std::isnan(frame_.t); }  ///< there is no frame yet
-  void advance(double t, const ConstVector& v);
-  void look(double t, const ConstVector& q, const ConstVector& v);
+  void advance(double t, const ConstVector& q, const ConstVector& v);
+  void look();
+  static void follow_long_step(double h, Angle& angle, State& now);
   State state(const Angle& angle, const ConstVector& q, const ConstVector& v) const;
-  void compare(double t);
+  void compare();
   double fastest(const ConstVector& v) const;
 
   const System& system_;
   std::vector<Angle> angles_;
-  Frame frame_;                                  ///< the last one
-  double t_ = NAN, fastest_ = 0.0;               ///< of the last state [rad/s]
+  Passed frame_, last_;                          ///< the last frame, the last state
   double looked_at_ = NAN;                       ///< when, since the last frame [s]
+  bool looked_ = false;                          ///< whether at the last state
   double since_frame_ = 0.0, since_look_ = 0.0;  ///< by which any angle may have turned [rad]
   std::vector<Turned> found_;
 };

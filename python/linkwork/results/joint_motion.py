@@ -58,24 +58,25 @@ def _read_together(result: Result, chosen: Sequence[tuple[int, str]]) -> Iterato
         yield found
 
 
-def _counted(result: Result) -> dict[tuple[int, str], list[tuple[float, float, float]]]:
+def _counted(result: Result) -> dict[tuple[int, str], list[tuple[float, float, float | None]]]:
     """Of joints and coordinates: from one frame to another [s] they turned by an angle [rad], in steps amid
-    these, where the frames do not tell it."""
-    found: dict[tuple[int, str], list[tuple[float, float, float]]] = {}
+    these, where the frames do not tell it. None: neither do the steps, which were too long."""
+    found: dict[tuple[int, str], list[tuple[float, float, float | None]]] = {}
     for joint, which, before, t, angle in result._statistics.get("turned", ()):
         found.setdefault((joint, which), []).append((before, t, angle))
     return found
 
 
 def _turned(
-    t: Floats, angle: JointCoordinate, counted: Sequence[tuple[float, float, float]]
+    t: Floats, angle: JointCoordinate, counted: Sequence[tuple[float, float, float | None]]
 ) -> tuple[JointCoordinate, NDArray[np.bool_], NDArray[np.bool_]]:
-    """With the full turns that the run counted, between which frames (k - 1,) it did, and between which the
-    frames are not here that it counted for."""
+    """With the full turns that the run counted, between which frames (k - 1,) it did, and between which it
+    could not, or the frames are not here that it counted for."""
     value, (known, lost) = angle.value.copy(), np.zeros((2, max(len(t) - 1, 0)), dtype=bool)
     for before, after, turned in counted:
         first, last = int(np.searchsorted(t, before, "right")) - 1, int(np.searchsorted(t, after, "left"))
-        if first < 0 or last >= len(t) or (t[first], t[last]) != (before, after):
+        missing = first < 0 or last >= len(t) or (t[first], t[last]) != (before, after)
+        if turned is None or missing:
             lost[max(first, 0) : last] = True
             continue
         value[last:] += 2 * np.pi * np.round((turned - (value[last] - value[first])) / (2 * np.pi))

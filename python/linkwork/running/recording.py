@@ -44,6 +44,7 @@ __all__ = [
     "pieces",
     "record",
     "recorder",
+    "statistics_of",
 ]
 
 Frames = Mapping[str, Floats]
@@ -281,7 +282,7 @@ def _abandon(
         if to.takes_more(error):
             to.write(run.take_frames(at_the_end=True))
     finally:
-        statistics = {**run.statistics(), "failed": True} if isinstance(error, Exception) else {}
+        statistics = {**statistics_of(run), "failed": True} if isinstance(error, Exception) else {}
         result = to.abandon(error, statistics)
         if isinstance(error, Exception):
             state = Snapshot.of(run.t, run.last_state, run.history)._replace(names=names)
@@ -294,6 +295,12 @@ def _abandon(
                 warn_of_what_frames_show(result)
         else:
             carry(error, result=result)
+
+
+def statistics_of(run: _core.Run) -> dict[str, Any]:
+    """At its end: with how joints turned between frames, which may be as much as these."""
+    turned = run.turned
+    return {**run.statistics(), **({"turned": turned} if turned else {})}
 
 
 def warn_of_singular_poses(statistics: Mapping[str, Any], warned: int) -> int:

@@ -222,7 +222,7 @@ class Prepared:
 
     def statistics(self) -> dict[str, Any]:
         """Of the run so far, without the looks ahead of it."""
-        found = self.run.statistics()
+        found = recording.statistics_of(self.run)
         return {**found, **{name: found[name] - cost for name, cost in self.looking.items()}}
 
     def header(self) -> Header:
