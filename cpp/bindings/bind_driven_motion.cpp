@@ -50,22 +50,20 @@ void bind_driven_motion(py::module_& module) {
       .def_readonly("closed", &DrivenLimits::closed)
       .def_readonly("touch_part", &DrivenLimits::touch_part);
   py::class_<DrivenMotion>(module, "DrivenMotion", "The motion that drivers prescribe, away from singular poses.")
-      .def(py::init<Dynamics&, double, VectorXd, double, double>(), py::arg("dynamics"), py::arg("length"),
-           py::arg("row_lengths"), py::arg("rounding"), py::arg("unit"), py::keep_alive<1, 2>())
+      .def(py::init<Dynamics&, double, VectorXd, double, double, std::vector<double>>(), py::arg("dynamics"),
+           py::arg("length"), py::arg("row_lengths"), py::arg("rounding"), py::arg("unit"), py::arg("recorded"),
+           py::keep_alive<1, 2>())
       .def("start", &DrivenMotion::start, py::arg("q"), py::arg("history"),
            "From the pose at t = 0 to which q leads; False: none is found, or it is singular, or nearly so.")
       .def_property_readonly("state", &state, "(t, q, v, v_dot, history) where it has come.")
-      .def(
-          "pass_by", [](DrivenMotion& it, double t, const VectorXd& q, const VectorXd& v) { it.turns().pass(t, q, v); },
-          py::arg("t"), py::arg("q"), py::arg("v"), "Somebody else has taken a step to this state.")
-      .def(
-          "record",
-          [](DrivenMotion& it, double t, const VectorXd& q, const VectorXd& v) { it.turns().record(t, q, v); },
-          py::arg("t"), py::arg("q"), py::arg("v"), "And has made a frame of it.")
+      .def("pass_by", &DrivenMotion::pass, py::arg("t"), py::arg("q"), py::arg("v"),
+           "Somebody else has taken a step to this state.")
+      .def("record", &DrivenMotion::record_turns, py::arg("t"), py::arg("q"), py::arg("v"),
+           "And has made a frame of it.")
       .def_property_readonly(
           "turned", [](const DrivenMotion& it) { return to_python(it.turns().found()); },
-          "[joint, coordinate, before, t, angle] of how far joints turned from one frame to another [s], where these "
-          "do not tell it.")
+          "[joint, coordinate, before, t, angle] of how far joints turned from one of the times `recorded` to another "
+          "[s], where frames there do not tell it; None: steps were too long to tell.")
       .def("begin", &DrivenMotion::begin, py::arg("t"), py::arg("q"), py::arg("v"), py::arg("v_dot"),
            py::arg("history"), "From a state on the constraints; False: it is singular, or nearly so.")
       .def("follow", &follow, py::arg("times"), py::arg("seconds"),

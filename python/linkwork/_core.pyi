@@ -238,6 +238,7 @@ class DrivenMotion:
         row_lengths: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
         rounding: typing.SupportsFloat | typing.SupportsIndex,
         unit: typing.SupportsFloat | typing.SupportsIndex,
+        recorded: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex],
     ) -> None: ...
     def begin(
         self,
@@ -292,7 +293,7 @@ class DrivenMotion:
     @property
     def turned(self) -> list:
         """
-        [joint, coordinate, before, t, angle] of how far joints turned from one frame to another [s], where these do not tell it.
+        [joint, coordinate, before, t, angle] of how far joints turned from one of the times `recorded` to another [s], where frames there do not tell it; None: steps were too long to tell.
         """
 
 class Dynamics:

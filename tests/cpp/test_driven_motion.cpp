@@ -21,7 +21,7 @@ Model driven_rod() {
 
 struct Driven {
   Dynamics dynamics{driven_rod(), {}};
-  DrivenMotion motion{dynamics, arm, VectorXd::Ones(6), 1e-14, 0.1};
+  DrivenMotion motion{dynamics, arm, VectorXd::Ones(6), 1e-14, 0.1, {}};
 };
 
 }  // namespace

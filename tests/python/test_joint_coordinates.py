@@ -78,6 +78,22 @@ def test_a_driven_turn_between_two_frames_is_counted(direction: int) -> None:
         assert lw.kinematics(model, times).coordinate("joint").value == exact
 
 
+@pytest.mark.filterwarnings("ignore:kinematics. the work")
+@pytest.mark.parametrize("turns", [2, -3, 1.3])
+def test_rest_before_and_after_turns_counts_for_nothing(turns: float) -> None:
+    """Two frames 10 s apart, and a hinge that turns for one of these."""
+    model, total = rotor(), 2 * np.pi * turns
+    pieces = [[0.0] * 6, [0.0, 0.0, 0.0, 10 * total, -15 * total, 6 * total], [total] + 5 * [0.0]]
+    model.drive("joint", position=lw.functions.piecewise_polynomial([0, 4, 5, 10], pieces))
+    exact = pytest.approx([0.0, total], abs=1e-4)
+    assert run(model, t_end=10.0, record_every=10000).coordinate("joint").value == exact
+    assert lw.simulate(model, 10.0, rtol=1e-6, times=[0, 10]).coordinate("joint").value == exact
+    assert lw.kinematics(model, [0, 10]).coordinate("joint").value == exact
+    many = lw.simulate_many(model, {"rotor.mass": [1.0, 2.0]}, 10.0, step=2e-3, record_every=5000)
+    assert many.manifest["lanes"] == 2
+    assert many.member(0).coordinate("joint").value == exact
+
+
 def test_a_rotor_that_is_pushed_after_a_long_rest_turns_by_what_the_push_does() -> None:
     """50 rad/s^2 for 0.2 s, and back to rest: 2 rad."""
     model = rotor()
@@ -85,6 +101,29 @@ def test_a_rotor_that_is_pushed_after_a_long_rest_turns_by_what_the_push_does() 
     model.rotational_spring_damper("ground", "rotor", axis=(0, 0, 1), torque=torque)
     result = run(model, t_end=6.0, record_every=6000, on_inaccurate="pass")
     assert result.coordinate("joint").value == pytest.approx([0.0, 2.0], abs=1e-9)
+
+
+@pytest.mark.filterwarnings("ignore:kinematics. the work")
+@pytest.mark.parametrize("times", [[0, 2], [0, 0.5, 1.5], [0, 1, 2], [0, 0.5, 1]])
+def test_kinematics_counts_turns_past_breaks_of_drivers(times: list[float]) -> None:
+    """Between two of the times, too, where it has frames of its own."""
+    model = rotor()
+    model.drive("joint", position=lw.functions.cycloidal(6 * np.pi, 1.0))
+    exact = 6 * np.pi * np.minimum(times, 1.0)  # as at half and whole seconds
+    assert lw.kinematics(model, times).coordinate("joint").value == pytest.approx(exact, abs=1e-9)
+
+
+@pytest.mark.filterwarnings("ignore:kinematics. the work")
+def test_kinematics_takes_no_step_from_rest_to_a_whole_turn_on() -> None:
+    """Where nothing tells when a driver of the user's own begins: at 1.5 s it is once round, at speed."""
+    law = np.polynomial.Polynomial([0, 0, 0, 40 * np.pi, -60 * np.pi, 24 * np.pi])
+    laws = [law.deriv(k) if k else law for k in range(3)]
+    model = rotor()
+    model.rotational_spring_damper("ground", "rotor", axis=(0, 0, 1), stiffness=1.0, name="spring")
+    model.drive("joint", position=tuple(lambda t, f=f: f(min(max(t - 1.0, 0.0), 1.0)) for f in laws))
+    motion = lw.kinematics(model, [0, 3])
+    assert motion.coordinate("joint").value == pytest.approx([0.0, 4 * np.pi], abs=1e-9)
+    assert motion.force("spring").torque[-1, 2] == pytest.approx(-4 * np.pi, abs=1e-9)
 
 
 def test_turns_that_neither_frames_nor_steps_tell_are_a_warning() -> None:

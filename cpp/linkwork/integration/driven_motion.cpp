@@ -53,7 +53,8 @@ SparsePattern::SparsePattern(const System& system) : begin(system.v_size() + 1, 
       }
 }
 
-DrivenMotion::DrivenMotion(Dynamics& dynamics, double length, VectorXd row_lengths, double rounding, double unit)
+DrivenMotion::DrivenMotion(Dynamics& dynamics, double length, VectorXd row_lengths, double rounding, double unit,
+                           std::vector<double> recorded)
     : dynamics_(dynamics),
       system_(dynamics.system()),
       length_(length),
@@ -66,6 +67,7 @@ DrivenMotion::DrivenMotion(Dynamics& dynamics, double length, VectorXd row_lengt
       row_scale_(system_.row_count()),
       column_scale_(system_.v_size()),
       turns_(system_),
+      recorded_(std::move(recorded)),
       here_(system_.make_evaluation()),
       there_(system_.make_evaluation()),
       right_(system_.v_size()),
@@ -182,6 +184,7 @@ DrivenMotion::Step DrivenMotion::step(double t, double soon) {
   if (!factorize(there_) || !same_side(sign, pivots) || !regular(1, left)) return Step::refused;
   if (left.dot(left_) < 0.0) return Step::refused;  // two singular values at once keep the sign of the determinant
   complete(next);
+  if (reach(h * next.v) > limits_.fastest_end) return Step::refused;
   if (h > soon && system_.begins_contact(now_.history, next.history)) return Step::touches;
   left_ = left;
   now_ = std::move(next);
@@ -324,12 +327,17 @@ double DrivenMotion::reach(const VectorXd& x) const {
 
 // --- frames ------------------------------------------------------------------------------------------------------------
 
+void DrivenMotion::record_turns(double t, const ConstVector& q, const ConstVector& v) {
+  if (std::binary_search(recorded_.begin(), recorded_.end(), t)) turns_.record(t, q, v);
+  else turns_.pass(t, q, v);
+}
+
 bool DrivenMotion::add_frame(DrivenFrames& out) {
   VectorXd lambda(system_.row_count()), residual(system_.row_count());
   if (!find_multipliers(lambda)) return false;
   system_.multiply_D(here_, now_.v_dot, residual);
   residual -= here_.gamma;
-  turns_.record(now_.t, now_.q, now_.v);
+  record_turns(now_.t, now_.q, now_.v);
   out.count += 1;
   out.t.push_back(now_.t);
   append(out.q, now_.q);

@@ -13,6 +13,7 @@ namespace linkwork {
 struct DrivenLimits {
   double longest_step = 0.2;        ///< that the predictor may move a body [rad, sizes]
   double largest_correction = 0.1;  ///< of the predicted pose, as a part of the step
+  double fastest_end = 0.8;         ///< by its velocity at the end: a step that seems short may go once round
   double converged = 1e-14;         ///< corrections at which Newton's method ends
   double rounding = 1e-11;          ///< corrections that may be rounding
   int iterations = 30;
@@ -52,8 +53,10 @@ struct SparsePattern {
 class DrivenMotion {
  public:
   /// `length` is the size of the mechanism [m], `row_lengths` (m) what residuals are relative to, `rounding` that of
-  /// positions, `unit` what counts as a singular value of 1.
-  DrivenMotion(Dynamics& dynamics, double length, VectorXd row_lengths, double rounding, double unit);
+  /// positions, `unit` what counts as a singular value of 1. Turns are counted from one to another of the times
+  /// `recorded`, which increase: other frames serve whoever asks for them only.
+  DrivenMotion(Dynamics& dynamics, double length, VectorXd row_lengths, double rounding, double unit,
+               std::vector<double> recorded);
 
   /// From the pose on the constraints at t = 0 to which q leads. False: there is none, or it is singular, or nearly so.
   bool start(const ConstVector& q, const ConstVector& history);
@@ -65,9 +68,12 @@ class DrivenMotion {
   DrivenFrames follow(const std::vector<double>& times, double seconds);
   /// Where it has come.
   const DrivenState& state() const { return now_; }
-  /// How far joints turned between frames, with those of whoever takes steps in between.
+  /// How far joints turned between frames.
   const TurnCounter& turns() const { return turns_; }
-  TurnCounter& turns() { return turns_; }
+  /// Somebody else has taken a step to this state.
+  void pass(double t, const ConstVector& q, const ConstVector& v) { turns_.pass(t, q, v); }
+  /// And has made a frame of it.
+  void record_turns(double t, const ConstVector& q, const ConstVector& v);
 
  private:
   enum class Step { taken, refused, touches };  ///< `touches`: it is not taken, as a contact begins in it
@@ -107,6 +113,7 @@ class DrivenMotion {
   VectorXd row_scale_, column_scale_;
   DrivenState now_;
   TurnCounter turns_;
+  std::vector<double> recorded_;
   Evaluation here_, there_;  ///< where the mechanism is, and at what a step tries
   VectorXd right_, left_;    ///< singular vectors of the smallest singular value, D^T left = sigma right
   VectorXd rest_, b_, dx_;

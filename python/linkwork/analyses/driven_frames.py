@@ -34,6 +34,10 @@ TOLD = 1e-4
 BADLY = 1e-3
 
 
+#: Of the way that a driver makes between knots, relative to all of its way: it rests there.
+RESTS = 1e-6
+
+
 @dataclass(frozen=True)
 class Passed:
     """A singular pose on the way, with the multipliers (k, m) that the states beside it need."""
@@ -43,8 +47,8 @@ class Passed:
 
 
 class Frames:
-    """The frames of a Result, and those beside breaks of drivers, which may turn and rest in between, and
-    beside jumps of energy that is stored."""
+    """The frames of a Result, and those beside breaks of drivers, which may turn and rest in between, where
+    these begin or end to rest, and beside jumps of energy that is stored."""
 
     def __init__(self, model: Model, asked: Floats) -> None:
         self.model, self.asked = model, asked
@@ -59,6 +63,10 @@ class Frames:
         breaks.update(breakpoints.stored_energy_jumps(model, 0.0, float(asked[-1])))
         #: The last time before each of these, and the first after it.
         self.sides = [it for it in breakpoints.on_either_side(breaks) if it[1] < asked[-1]]
+        #: When drivers begin or end to rest: at rest nothing tells of a whole turn beyond.
+        self.ends_of_rest = [
+            t for _, signal in model.drivers for t in _ends_of_rest(signal.compiled(), float(asked[-1]))
+        ]
         #: Of all that acts, with the last frame where rounding puts it beside one.
         self.breaks = _breaks(model, float(asked[-1]))
         #: When frames are found: at a break, as those of a run.
@@ -66,7 +74,8 @@ class Frames:
 
     @property
     def times(self) -> Floats:
-        return np.union1d(self.taken, np.ravel(self.sides))
+        beside = {*np.ravel(self.sides).tolist(), *self.ends_of_rest}
+        return np.union1d(self.taken, sorted(beside))
 
     @property
     def begun(self) -> bool:
@@ -121,18 +130,10 @@ class Frames:
         return Result(fields, header, statistics)
 
     def _turned(self) -> dict[str, Any]:
-        """As the statistics of a run have it; frames beside a break are those at it."""
-        found = [
-            [*which, self._asked_at(before), self._asked_at(t), angle]
-            for *which, before, t, angle in self.turned
-        ]
+        """As the statistics of a run have it, at the times that were asked for."""
+        at = dict(zip(self.taken.tolist(), self.asked.tolist(), strict=True))
+        found = [[*which, at[before], at[t], angle] for *which, before, t, angle in self.turned]
         return {"turned": found} if found else {}
-
-    def _asked_at(self, t: float) -> float:
-        """The time that was asked for beside which t is, or t [s]."""
-        near = float(self.asked[np.abs(self.asked - t).argmin()])
-        known = _core.BreakPoints([*self.breaks, near])
-        return near if known.before(near) <= t <= known.after(near) else t
 
     def _values(self, it: MotionState, multipliers: Floats | None = None) -> dict[str, Any]:
         dynamics = self.system.compiled()
@@ -250,6 +251,19 @@ def _breaks(model: Model, last: float) -> list[float]:
     reach = _core.BreakPoints([last])
     breaks = breakpoints.of_run(model, (), 0.0, reach.after(last))
     return sorted({*breaks, last}) if breaks and breaks[-1] >= reach.before(last) else breaks
+
+
+def _ends_of_rest(function: _core.TimeFunction, end: float) -> list[float]:
+    """Knots before `end` [s] between a part in which the function rests and one in which it does not."""
+    knots = np.unique([0.0, *(t for t, _ in function.breaks if 0.0 < t < end), end])
+    if len(knots) < 3:
+        return []
+    length = np.diff(knots)
+    values, rates, accelerations = np.array([function.evaluate(t) for t in knots[:-1] + length / 2]).T
+    way = np.abs(rates) * length + np.abs(accelerations) * length**2
+    resting = way <= RESTS * np.ptp(values)
+    ends: list[float] = knots[1:-1][resting[1:] != resting[:-1]].tolist()
+    return ends
 
 
 def _multipliers(dynamics: _core.Dynamics, it: MotionState) -> Floats:

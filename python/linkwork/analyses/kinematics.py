@@ -147,7 +147,7 @@ class _CompiledContinuation:
         if eq.holonomic.all() and eq.core.row_count >= continuation.rank:
             dynamics = frames.system.compiled()
             self.motion = motion = _core.DrivenMotion(
-                dynamics, eq.length, eq.row_lengths, eq.rounding, continuation.unit
+                dynamics, eq.length, eq.row_lengths, eq.rounding, continuation.unit, list(frames.taken)
             )
             continuation.passed = lambda at: motion.pass_by(at.t, at.q, at.v)
 

@@ -251,6 +251,8 @@ class Continuation:
         if q is None:
             return None
         state = self._state(t, q, at)
+        if moved < HARDLY and reach(h * state.x_dot, length) > LONGEST_STEP:
+            return None  # once round, or more, where nothing seemed to move
         if state.constraints.rank < self.rank and at.constraints.rank < self.rank:
             return None  # singular poses one after the other: no step, however short, leaves them
         return state
