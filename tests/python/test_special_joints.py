@@ -490,6 +490,30 @@ def test_an_offset_that_is_not_met_where_joints_are_made_is_refused(offset: floa
         lw.simulate(model, t_end=0.1, step=1e-3)
 
 
+@pytest.mark.parametrize(
+    ("offset", "holds"), [(0.0, True), (4 * np.pi, True), (-2 * np.pi, True), (1.0, False)]
+)
+def test_joints_at_angles_may_have_made_whole_turns_before(offset: float, holds: bool) -> None:
+    """Which coordinates of the result are without: they begin within half a turn."""
+    model = lw.Model(gravity=(0, 0, 0))
+    for name, angle in (("first", 1.0), ("second", 0.5)):
+        turned = lw.rotation.about((0, 0, 1), angle)
+        model.body(name, mass=1.0, inertia=INERTIA, orientation=turned)
+        pin = {"at": 2 * [(0, 0, 0)], "axis": 2 * [(0, 0, 1)], "x_axis": 2 * [(1, 0, 0)], "frames": "body"}
+        model.revolute("ground", name, **pin, name=f"{name} pin")
+    model.coupler([("first pin", 1.0), ("second pin", -2.0)], offset=offset, name="coupler")
+    model.force("first", torque=(0, 0, 1.0))
+    if not holds:
+        with pytest.raises(lw.ModelError, match="do not satisfy 1 joint"):
+            lw.simulate(model, t_end=0.1, step=1e-3)
+        return
+    result = lw.simulate(model, t_end=0.1, step=1e-3)
+    first, second = (coordinate(result, f"{name} pin") for name in ("first", "second"))
+    assert (first[0], second[0]) == pytest.approx((1.0, 0.5), abs=1e-12)
+    assert first - 2.0 * second == pytest.approx(np.zeros(len(first)), abs=1e-9)
+    assert result.violation[:, 0].max() < 1e-9
+
+
 @pytest.mark.parametrize("kind", ["fixed", "revolute"])
 def test_frames_that_are_turned_by_half_a_turn_are_told(kind: str) -> None:
     """The equations of joints say that axes are perpendicular: they hold for opposite ones as well."""

@@ -138,9 +138,13 @@ class SpecialJointMethods:
         offset       a number or a function of time; in the unit of the sum
         breaks       times [s] at which a Python function is not smooth, see functions.with_breaks
 
-        Angles count over full turns from the initial pose on, where they are within half a turn of zero. The
-        multiplier is the generalized force of the sum; the reaction is what acts on the second body of the
-        first joint.
+        Angles count over full turns from the initial pose on, where they are within half a turn of zero. If
+        the relation does not hold so, joints may have turned before, as up to a frame of another run: it goes
+        on with the fewest whole turns of two joints (100 at most each) with which it holds, which
+        `Result.coordinate` is without. Where all angles are zero nothing has turned, and it has to hold.
+
+        The multiplier is the generalized force of the sum; the reaction is what acts on the second body of
+        the first joint.
 
         ModelError: no such joint or coordinate, a factor that is no number or zero, a taken name.
         """
