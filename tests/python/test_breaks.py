@@ -414,3 +414,19 @@ def test_breaks_change_nothing_with_fixed_steps() -> None:
     f = SIDES["half open"]
     runs = [lw.simulate(slider(f, breaks=b), 3.5, 1e-3, on_inaccurate="pass") for b in ((), (3.0, 3.001))]
     assert np.array_equal(runs[0].q, runs[1].q)
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+def test_the_end_of_a_stop_that_jumps_into_what_moves_takes_effect_at_once(pair: str) -> None:
+    """A rotor is 0.1 rad beyond it at 0.05 s then: vibration with k / J."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("rotor", mass=2.0, inertia=(0.3, 0.3, 0.4), omega=(0, 0, 3.0))
+    model.revolute("ground", "rotor", at=(0, 0, 0), axis=(0, 0, 1), name="hinge")
+    end = functions.piecewise_polynomial([-1.0, 0.05, 9.0], [[2.0], [0.05]])
+    place = {"at": (0, 0, 0), "axis": (0, 0, 1)}
+    model.rotational_stop("ground", "rotor", **place, lower=-1.0, upper=end, stiffness=30.0)
+    result = lw.simulate(model, 0.3, rtol=1e-8, integrator=pair, progress=False)
+    rate = math.sqrt(30.0 / 0.4)
+    exact = 0.05 + 0.1 * math.cos(rate * 0.25) + 3.0 / rate * math.sin(rate * 0.25)
+    assert result.coordinate("hinge").value[-1] == pytest.approx(exact, rel=1e-6)
+    assert np.abs(result.energy_error).max() < 1e-6

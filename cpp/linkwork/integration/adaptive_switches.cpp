@@ -27,7 +27,10 @@ bool AdaptiveSimulation::stages_went_astray() {
 bool AdaptiveSimulation::end_at_switch(double h) {
   const double* first = stepper_.first_stage().data() + dynamics_.system().q_size();
   const double* last = stepper_.last_stage().data() + dynamics_.system().q_size();
-  const bool touches = touches_.suspects({t_, h, y_, stepper_.y_new(), first, last}, dynamics_.evaluation().switches);
+  const StepSpan times = span(h);  // ends of stops may jump where it begins or ends
+  const double begin = times.earliest, inside = times.latest - begin;
+  const bool touches =
+      touches_.suspects({begin, inside, y_, stepper_.y_new(), first, last}, dynamics_.evaluation().switches);
   if (!dynamics_.switched() && !touches) return false;
   if (stages_went_astray()) {
     reject(h, half_a_step());
@@ -36,7 +39,7 @@ bool AdaptiveSimulation::end_at_switch(double h) {
   const bool apart = stays_apart_for_interpolation();
   const HermiteStep by_ends(dynamics_.system(), y_, stepper_.y_new(), h);
   const Interpolant& step = apart ? static_cast<const Interpolant&>(stepper_) : by_ends;
-  const auto found = switches_.first(step, t_, h, touches_.find(step));
+  const auto found = switches_.first(step, begin, inside, touches_.find(step));
   if (found) end_at(*found, h);
   else if (!apart) reject(h, half_a_step());
   return found || !apart;
