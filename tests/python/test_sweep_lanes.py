@@ -200,3 +200,18 @@ def test_tasks_are_of_whole_packs_where_cases_are_cheap() -> None:
     assert {len(it) for it in chunks.chunked(cases, 0.01, 2, 8)[:-1]} == {128}
     assert {len(it) for it in chunks.chunked(cases, 0.5, 2, 8)} == {8}
     assert {len(it) for it in chunks.chunked(cases, 2.0, 2, 8)} == {1}
+
+
+def test_cases_of_other_weights_are_each_told_what_their_own_run_is_told() -> None:
+    """Such as axes that point in opposite directions, which is the same for all of them."""
+    model, masses = lw.Model(gravity=(0, 0, 0), name="turned"), np.linspace(1.0, 3.0, 9).tolist()
+    model.body("rod", mass=1.0, inertia=(0.1, 0.1, 0.1), orientation=(0, 1, 0, 0), omega=(0, 0, 0.1))
+    place: dict[str, Any] = {"at": ((0, 0, 0), (0, 0, 0)), "frames": "body", "name": "pin"}
+    model.revolute("ground", "rod", axis=((0, 0, 1), (0, 0, 1)), **place)
+    with pytest.warns(lw.LinkworkWarning, match="axes of 'pin' point in opposite directions"):
+        found = lw.sweep(model, {"rod.mass": masses}, "final", **RUN, processes=1)
+    assert found.manifest["lanes"] is True
+    for k, mass in enumerate(masses):
+        with pytest.warns(lw.LinkworkWarning) as told:
+            lw.simulate(model.replaced("rod", mass=mass), **RUN)
+        assert found.remarks[k] == "; ".join(str(it.message) for it in told)

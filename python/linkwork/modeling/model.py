@@ -153,13 +153,8 @@ class Model(ModelBuilder):
         """The same names, functions and shapes with other numbers."""
         out = object.__new__(type(self))
         vars(out).update(self._added())
-        out._name, out._core = self._name, core
-        out._bodies = Bodies(out, out._core)
-        out._counts, out._signals = self._counts.copy(), self._signals.copy()
-        out._drivers, out._storing = self._drivers.copy(), self._storing.copy()
-        out._characteristics, out._user_forces = self._characteristics.copy(), self._user_forces.copy()
-        out._shapes = self._shapes.copy()
-        out._functions, out._special = self._functions.copy(), self._special.copy()
+        own = {name: vars(self)[name].copy() for name in _COLLECTIONS}
+        vars(out).update(own, _name=self._name, _core=core, _bodies=Bodies(out, core))
         return out
 
     # --- to read and to change ---
@@ -330,6 +325,7 @@ def model_of(
 
 #: Attributes of every model.
 ATTRIBUTES = frozenset(vars(Model()))
+_COLLECTIONS = sorted(ATTRIBUTES - {"_name", "_core", "_bodies"})
 
 
 def check_model(model: object) -> None:

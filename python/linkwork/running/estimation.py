@@ -231,6 +231,8 @@ class ErrorEstimator:
         report: Callable[[float], None] | None = None,
     ) -> Verdict:
         self._energies.reach(*self._run.energies)
+        if not self._functions and not self._watching:  # nobody could remember
+            return self._by_steps(system, statistics, steps=steps, report=report)
         with self._as_it_was() as kept:
             self._recall = self._called_again()
         if kept.lost:

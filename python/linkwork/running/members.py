@@ -39,6 +39,7 @@ from linkwork.running.simulation import (
     Stepped,
     concluded,
     estimator_of,
+    of_other_weights,
     prepared,
     simulate,
     what_steps,
@@ -92,6 +93,7 @@ class Method:
     last_state: bool = False  # in lanes the first and the last frame are enough
     state_alone: bool = False  # and of that q and v
     looked_at: bool = False  # by functions of the user's, which may look at what others remember, too
+    weights_alone: bool = False  # members differ in nothing but gravity, masses and inertias
     with_frames: Method | None = None  # where `last_state`: of models whose frames have something to say
 
     def of(self, model: Model) -> Method:
@@ -141,6 +143,7 @@ class _Ready:
     method: Method
     stepped: Stepped
     remarks: list[str]
+    plain: bool = False  # there was nothing to be said or corrected
     run: _core.LaneRun | None = None  # with its estimator, where there is to be a verdict
     estimator: estimation.ErrorEstimator | None = None
 
@@ -156,9 +159,10 @@ class _Ready:
 def method_of(
     example: Model, t_end: float, arguments: Mapping[str, Any], threads: int, *,
     judged: bool = False, last_state: bool = False, state_alone: bool = False, looked_at: bool = False,
+    weights_alone: bool = False,
 ) -> Method:  # fmt: skip
     """`last_state`: the frames before are for the verdict alone, `state_alone`: so is all but q and v of it.
-    `looked_at`: by functions of the user's.
+    `looked_at`: by functions of the user's. `weights_alone`: in which members differ.
 
     OptionError: a plan that makes no sense.
     """
@@ -175,7 +179,9 @@ def method_of(
         alone = "lanes have explicit Runge-Kutta methods only"
     if isinstance(plan, schedule.Fixed) and events_of(given.get("events")):
         alone = "events need steps that follow tolerances"
-    whole = Method(t_end, given, threads, alone, plan, judged, looked_at=looked_at)
+    whole = Method(
+        t_end, given, threads, alone, plan, judged, looked_at=looked_at, weights_alone=weights_alone
+    )
     if not (last_state and judged and isinstance(plan, schedule.Fixed)):
         return replace(whole, last_state=last_state)
     if every is None:
@@ -260,7 +266,7 @@ def _at_fixed_steps(models: Mapping[int, Model], method: Method) -> dict[int, Me
     found: dict[int, Member | _Left] = {}
     ready: list[_Ready] = []
     for place, model in models.items():
-        it = _prepared(place, model, method.of(model), ready[0].system if ready else None)
+        it = _prepared(place, model, method, ready[0] if ready else None)
         if isinstance(it, Member):
             found[place] = it
         else:
@@ -316,16 +322,29 @@ def _concluded(
     return Member(result, remarks=list(dict.fromkeys([*remarks, *more])))
 
 
-def _prepared(place: int, model: Model, method: Method, like: System | None) -> _Ready | Member:
+def _prepared(place: int, model: Model, method: Method, first: _Ready | None) -> _Ready | Member:
+    """`first`: one that was prepared before: what does not depend on weights is not looked at again."""
+    known = first is not None and method.weights_alone and first.plain
     with remarked() as remarks:
         try:
-            it = _Ready(place, method, _stepped(model, method, like), remarks)
-            forecast.look_ahead(it.system, method.plan, it.stepped.method, None, None, None)
+            if first is not None and known:
+                it = _Ready(place, first.method, _of_other_weights(first.stepped, model, method), remarks)
+            else:
+                own, like = method.of(model), None if first is None else first.system
+                it = _Ready(place, own, _stepped(model, own, like), remarks)
+                forecast.look_ahead(it.system, own.plan, it.stepped.method, None, None, None)
+            it.plain = it.stepped.assembly is None and not remarks
             if method.judged:
-                _follow(it, method)
+                _follow(it, it.method)
         except Exception as error:
             return Member(None, error=facts_of(error))
     return it
+
+
+def _of_other_weights(known: Stepped, model: Model, method: Method) -> Stepped:
+    with _core.OnePath(method.options.get("deterministic") is True):
+        check_bodies(model)
+        return of_other_weights(known, model, method.plan, assemble=method.given["assemble"])
 
 
 def _stepped(model: Model, method: Method, like: System | None = None) -> Stepped:

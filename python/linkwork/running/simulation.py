@@ -318,6 +318,17 @@ def what_steps(
     return Stepped(method, options, system, assembly, breaks, breakpoints.noted(struck))
 
 
+def of_other_weights(
+    known: Stepped, model: Model, plan: schedule.Fixed | schedule.Adaptive, *, assemble: bool
+) -> Stepped:
+    """What steps a model that differs in gravity, masses and inertias alone.
+
+    OptionError, ModelError: what cannot be run.
+    """
+    system, assembly = _system(model, known.method, known.options, plan, assemble, None, known.system)
+    return known._replace(system=system, assembly=assembly)
+
+
 def _looked_ahead(it: Prepared, output: str | os.PathLike[str] | None) -> Prepared:
     """With a forecast where it is large. OptionError: it would take months."""
     before = it.run.statistics()

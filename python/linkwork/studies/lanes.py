@@ -106,5 +106,5 @@ def _method(runner: Runner, example: Model) -> Method:
     return method_of(
         example, runner.t_end, {**runner.options, "threads": 1}, 1, judged=True, last_state=last_state,
         state_alone=all(it.of_state_alone for it in runner.outputs),
-        looked_at=any(it.by_user for it in runner.outputs),
+        looked_at=any(it.by_user for it in runner.outputs), weights_alone=runner.source.weights_alone,
     )  # fmt: skip

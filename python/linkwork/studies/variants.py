@@ -64,6 +64,10 @@ class Source(Protocol):
     def model(self, case: Mapping[str, Any]) -> Model:
         """Of the values of one case. ModelError and others: there is none."""
 
+    @property
+    def weights_alone(self) -> bool:
+        """Whether nothing but gravity, masses and inertias differs between them, as far as is known."""
+
     def units(self, names: Sequence[str]) -> dict[str, str]:
         """Of parameters; empty: not known."""
 
@@ -104,6 +108,11 @@ class Built:
         if not isinstance(made, Model):
             raise ModelError(f"function {self.name}: gives {made!r:.80}, no model", code="not_a_model")
         return made
+
+    @property
+    def weights_alone(self) -> bool:
+        """Nobody knows what its models have in common."""
+        return False
 
     def units(self, names: Sequence[str]) -> dict[str, str]:
         return {}
@@ -160,7 +169,7 @@ class Changed:
         record = self._copy()
         for name in self._order:
             _put(record, self.addresses[name], plain(case[name]))
-        if self._weights_alone:
+        if self.weights_alone:
             try:
                 return _with_weights(self._base, record, self._bodies)
             except (LinkworkError, TypeError, ValueError):  # which is told below by the name of the object
@@ -188,7 +197,7 @@ class Changed:
         return sorted(self.addresses, key=lambda name: self.addresses[name].where[:1] != ("bodies",))
 
     @cached_property
-    def _weights_alone(self) -> bool:
+    def weights_alone(self) -> bool:
         """Nothing but gravity, masses and inertias changes, which takes no new model."""
         return all(
             not it.where or (it.where[0] == "bodies" and it.field in ("mass", "inertia"))
