@@ -101,3 +101,19 @@ TEST_CASE("solutions do not depend on what was ordered before them") {
   };
   CHECK(solution(fresh) == solution(used));
 }
+
+TEST_CASE("an analysis of a small system is found once for the same blocks and rows that are left out") {
+  const System one(parallelogram(0.3)), with_other_masses(parallelogram(0.3));
+  share_orders(one, with_other_masses);
+  const std::vector<int> dropped = examine_rank(one).redundant_rows;
+  const auto analysis = [&](const System& system, const std::vector<int>& rows, bool grounded) {
+    return kept_orders(system).analysis(system, rows, system.row_count(), grounded);
+  };
+  const auto found = analysis(one, dropped, true);
+  CHECK(analysis(with_other_masses, dropped, true) == found);
+  CHECK(analysis(one, {}, true) != found);
+  CHECK(analysis(one, dropped, false) != found);
+  CHECK(analysis(one, dropped, true) == found);
+  kept_orders(one).forget();
+  CHECK(analysis(one, dropped, true) != found);
+}

@@ -12,6 +12,8 @@ struct ConstraintBlock {
   int row;   ///< first row
   int rows;  ///< number of rows
   std::ptrdiff_t offset;
+
+  bool operator==(const ConstraintBlock&) const = default;
 };
 
 }  // namespace linkwork

@@ -40,12 +40,6 @@ std::vector<ConstraintBlock> blocks_of(const System& system) {
   return out;
 }
 
-bool same_blocks(const std::vector<ConstraintBlock>& a, const std::vector<ConstraintBlock>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const ConstraintBlock& x, const ConstraintBlock& y) {
-    return x.joint == y.joint && x.body == y.body && x.row == y.row && x.offset == y.offset;
-  });
-}
-
 /// As the block solver does, which is given inerters as joints with compliance.
 block::SymbolicFactorization factorize_symbolically(const Dynamics& dynamics) {
   const System& system = dynamics.system();
@@ -163,7 +157,7 @@ bool LaneStructure::same(const Dynamics& dynamics) const {
   const System& system = dynamics.system();
   if (system.body_count() != bodies || !same_elements(system.model().joints(), elements_)) return false;
   if (system.time_dependent_constraints() != time_dependent || dynamics.dropped().rows() != dropped) return false;
-  if (static_cast<int>(system.inerters().count()) != inerters || !same_blocks(blocks_of(system), blocks)) return false;
+  if (static_cast<int>(system.inerters().count()) != inerters || blocks_of(system) != blocks) return false;
   return coordinates_of(system) == coordinate_rows && same_forces(system);
 }
 

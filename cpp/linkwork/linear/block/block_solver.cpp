@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "linkwork/linear/block/kept_orders.hpp"
 #include "linkwork/linear/block/symbolic_factorization.hpp"
 #include "linkwork/math/aligned.hpp"
 #include "linkwork/math/error.hpp"
@@ -201,8 +202,11 @@ class BlockSolver final : public SaddleSolver {
   }
 
   void factorize_symbolically() {
-    symbolic_ =
-        std::make_unique<SymbolicFactorization>(*system_, dropped_, compliant_from_, delayed_, split_, grounded_);
+    if (delayed_.empty() && !split_)
+      symbolic_ = kept_orders(*system_).analysis(*system_, dropped_, compliant_from_, grounded_);
+    else
+      symbolic_ =
+          std::make_shared<SymbolicFactorization>(*system_, dropped_, compliant_from_, delayed_, split_, grounded_);
     look_for_interruption();
     factors_.assign(symbolic_->factor_size + slack, 0.0);
     articulated_inertias_.assign(
@@ -335,7 +339,7 @@ class BlockSolver final : public SaddleSolver {
   const System* system_ = nullptr;
   const Evaluation* at_ = nullptr;
   const Kernels* kernels_;
-  std::unique_ptr<SymbolicFactorization> symbolic_;
+  std::shared_ptr<const SymbolicFactorization> symbolic_;
   std::vector<SymbolicFactorization::DelayedPivot> delayed_;
   std::size_t delays_ = 0;
   AlignedDoubles factors_, articulated_inertias_, panels_, contributions_, scratch_, pivots_;

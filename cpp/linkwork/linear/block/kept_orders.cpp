@@ -20,9 +20,36 @@ std::shared_ptr<const Elimination> KeptOrders::order(const JointGraph& graph) {
   return elimination;
 }
 
+std::shared_ptr<const SymbolicFactorization> KeptOrders::analysis(const System& system, const std::vector<int>& dropped,
+                                                                  int compliant_from, bool grounded) {
+  const auto make = [&] {
+    return std::make_shared<const SymbolicFactorization>(system, dropped, compliant_from,
+                                                         std::vector<SymbolicFactorization::DelayedPivot>(), false,
+                                                         grounded);
+  };
+  if (system.body_count() > small) return make();
+  const auto same = [&](const Analysis& it) {
+    return it.grounded == grounded && it.compliant_from == compliant_from && it.dropped == dropped &&
+           it.row_of_zeros == system.row_of_zeros() && it.blocks == system.blocks();
+  };
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto it = std::find_if(analyses_.begin(), analyses_.end(), same); it != analyses_.end()) {
+      analyses_.splice(analyses_.begin(), analyses_, it);
+      return it->symbolic;
+    }
+  }
+  auto symbolic = make();  // which asks for orders
+  const std::lock_guard lock(mutex_);
+  analyses_.push_front({system.blocks(), system.row_of_zeros(), dropped, compliant_from, grounded, symbolic});
+  if (analyses_.size() > most_analyses) analyses_.pop_back();
+  return symbolic;
+}
+
 void KeptOrders::forget() {
   const std::lock_guard lock(mutex_);
   found_.clear();
+  analyses_.clear();
 }
 
 namespace {
