@@ -103,13 +103,13 @@ double relative_violation(const Run& run) {
 }
 
 py::dict judged(const Dynamics& run, double end_violation, Dynamics& dynamics, bool steps,
-                const std::function<RunErrors()>& errors) {
+                const std::function<AccumulatedError()>& find) {
   std::optional<Busy> busy;
   if (&dynamics != &run) busy.emplace(dynamics);
   AccumulatedError found;
   {
     const py::gil_scoped_release release;
-    found = accumulate(errors());
+    found = find();
     found.violation = std::max(found.violation, end_violation);
   }
   return to_dict(found, dynamics.system(), steps);
@@ -121,8 +121,9 @@ py::dict judge(const Run& run, Dynamics& dynamics, const py::object& method, boo
   Dynamics* own = recorded.is_none() ? nullptr : recorded.cast<Dynamics*>();
   if (own && own != &run.dynamics()) busy.emplace(*own);
   SecondTake take = second_take(method, other, run.records_inside());
-  return judged(run.dynamics(), relative_violation(run), dynamics, true,
-                [&] { return judge_run(run.sampling(), dynamics, std::move(take), progress.value_or(nullptr), own); });
+  return judged(run.dynamics(), relative_violation(run), dynamics, true, [&] {
+    return accumulate(judge_run(run.sampling(), dynamics, std::move(take), progress.value_or(nullptr), own));
+  });
 }
 
 double relative_violation_of_lane(const LaneRun& run) {
@@ -130,11 +131,12 @@ double relative_violation_of_lane(const LaneRun& run) {
 }
 
 py::dict judge_lane(const LaneRun& run, Dynamics& dynamics, const py::object& method, bool other, bool steps) {
+  const double violation = relative_violation_of_lane(run);
+  if (run.errors && &dynamics == &run.dynamics && !other)
+    return judged(run.dynamics, violation, dynamics, steps, [&] { return accumulate(*run.errors); });
   SecondTake take = second_take(method, other, false);
-  return judged(run.dynamics, relative_violation_of_lane(run), dynamics, steps, [&] {
-    if (run.errors && &dynamics == &run.dynamics && !other) return *run.errors;
-    return judge_run(run.sampling, dynamics, std::move(take));
-  });
+  return judged(run.dynamics, violation, dynamics, steps,
+                [&] { return accumulate(judge_run(run.sampling, dynamics, std::move(take))); });
 }
 
 void advance(Run& run, std::int64_t max_frames, double max_seconds) {

@@ -160,34 +160,33 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside, co
 /// With the rows that the run left out in this step; with others, where parts came near a pose in which these are bad.
 void StepJudge::find_end(const KeptStep& step, const RetakenStep& retaken) {
   rows_ = step.left_out;
-  const bool rows_change = dynamics_.dropped().rows() != rows_;
-  double pivot = retaken.smallest_pivot;
-  if (retaken.end.size() == 0 || retaken.rows_change != rows_change) {
-    pivot = take_again(step);
-  } else {
-    y_ = retaken.end;
-    if (rows_change) leave_out_as_in(step);
+  const bool known = retaken.end.size() > 0, rows_change = dynamics_.dropped().rows() != rows_;
+  const double pivot = known ? retaken.smallest_pivot : take_again(step);
+  const bool suspicious = std::sqrt(pivot) < well_chosen * dynamics_.watch().root_of_level();
+  if (choices_.size() > 1 && suspicious) choose_rows(step);
+  if (rows_ != step.left_out || (known && retaken.rows_change != rows_change)) {
+    take_again(step);
+    return;
   }
-  if (choices_.size() < 2 || std::sqrt(pivot) >= well_chosen * dynamics_.watch().root_of_level()) return;
-  choose_rows(step);
-  if (rows_ != step.left_out) take_again(step);
-  else if (dynamics_.dropped().rows() != rows_) leave_out_as_in(step);
+  if (known) y_ = retaken.end;
+  if (dynamics_.dropped().rows() != rows_) leave_out_as_in(step);
 }
 
 /// Others that are as many, where the run had such, and these are better all over the step.
 void StepJudge::choose_rows(const KeptStep& step) {
-  double most = least_with(step.left_out, step);
+  double most = -1.0;
   for (const std::vector<int>& rows : choices_) {
     if (rows.size() != step.left_out.size() || rows == step.left_out) continue;
-    const double least = least_with(rows, step);
+    if (most < 0.0) most = least_with(step.left_out, step, 0.0);
+    const double least = least_with(rows, step, most);
     if (least <= most) continue;
     most = least;
     rows_ = rows;
   }
 }
 
-/// The least singular value at the begin, in the middle and at the end.
-double StepJudge::least_with(const std::vector<int>& rows, const KeptStep& step) {
+/// The least singular value at the begin, in the middle and at the end; up to where it is no more than `most`.
+double StepJudge::least_with(const std::vector<int>& rows, const KeptStep& step, double most) {
   double least = INFINITY;
   dynamics_.set_history(step.history);
   for (const double theta : {0.0, 0.5, 1.0}) {
@@ -200,6 +199,7 @@ double StepJudge::least_with(const std::vector<int>& rows, const KeptStep& step)
     } catch (const SingularSystemError&) {
       return 0.0;
     }
+    if (least <= most) break;
   }
   return least;
 }

@@ -131,7 +131,7 @@ class StepJudge {
   void find_end(const KeptStep& step, const RetakenStep& retaken);
   double take_again(const KeptStep& step);
   void choose_rows(const KeptStep& step);
-  double least_with(const std::vector<int>& rows, const KeptStep& step);
+  double least_with(const std::vector<int>& rows, const KeptStep& step, double most);
   void leave_out_as_in(const KeptStep& step);
   void leave_out(const std::vector<int>& rows) { leave_out(dynamics_, rows); }
   static void leave_out(Dynamics& dynamics, const std::vector<int>& rows);
