@@ -110,7 +110,10 @@ void Lane::finish_record(double t) {
 }
 
 void Lane::balance(std::int64_t step, const VectorXd& y, double potential) {
-  if (!run_ || !run_->balanced || !run_->fixed_steps.records(step)) return;
+  if (step < next_balance_ || !run_ || !run_->balanced) return;
+  next_balance_ = run_->fixed_steps.next_record(step);
+  if (step < next_balance_) return;
+  next_balance_ += 1;
   const double t = run_->fixed_steps.frame_time(step);
   const System& system = dynamics_.system();
   guarded(t, [&] {
@@ -255,8 +258,9 @@ void Lane::note(double t, double pivot, bool first_stage) {
 }
 
 SingularWatch::Range Lane::usual_pivots() const {
+  static const double least = std::nextafter(singular_pivot, 1.0);
   SingularWatch::Range out = dynamics_.watch().usual_pivots();
-  out.least = std::max(out.least, std::nextafter(singular_pivot, 1.0));
+  out.least = std::max(out.least, least);
   return out;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -39,6 +40,10 @@ class FixedSteps {
   /// See Dynamics::correct_over.
   double correction_length(std::int64_t step) const { return whole_ || step + 1 < count_ ? 0.0 : step_; }
   bool records(std::int64_t step) const { return step == count_ || step % record_every_ == 0; }
+  /// The first step from this one on that does.
+  std::int64_t next_record(std::int64_t step) const {
+    return std::min((step + record_every_ - 1) / record_every_ * record_every_, count_);
+  }
   /// Where frames are not at every step, turns of joints between them are counted.
   void count_turns() { counts_turns_ = record_every_ > 1; }
   bool counts_turns() const { return counts_turns_; }
@@ -192,7 +197,7 @@ class Lane {
   bool recording_ = false;                ///< evaluated, with a frame that waits
   bool changed_ = false;
   bool moves_ = false, waits_ = false;  ///< between two packs; in the next one
-  std::int64_t joins_at_ = -1;
+  std::int64_t joins_at_ = -1, next_balance_ = 0;  ///< steps
   VectorXd joining_state_;
   double left_at_ = NAN;
   std::string reason_;

@@ -282,7 +282,8 @@ void eliminate_body(const CoreBody& body, const FrontPlace& at, const LaneData& 
 
 /// D^T lambda of the rows of a body: those in odd places apart.
 LINKWORK_INLINE void sum_reactions(const CoreBody& body, const LaneData& data, const double* lambda, Native* sum) {
-  Native odd[6]{};
+  Native odd[6];
+  clear_numbers(odd);
   const auto add = [&](int row, Native* to) {
     const block::BodyRow& it = data.rows[body.first_row + row];
     const Native l = get(lambda, it.row);
@@ -303,7 +304,8 @@ LINKWORK_INLINE void sum_reactions(const CoreBody& body, const LaneData& data, c
 
 /// x = M^-1 (a + D^T lambda), and the multipliers of a grounded body's joint.
 void backward_body(const CoreBody& body, const LaneData& data, const double* a, double* x, double* lambda) {
-  Native sum[6]{};
+  Native sum[6];
+  clear_numbers(sum);
   sum_reactions(body, data, lambda, sum);
   if (body.grounded()) {
     constexpr std::ptrdiff_t stride = width;

@@ -48,6 +48,13 @@ struct SmallestPivots {
   }
 };
 
+/// One by one: of an initializer compilers make string instructions, which are slow to begin.
+template <int count>
+LINKWORK_INLINE void clear_numbers(Native (&x)[count]) {
+  LINKWORK_UNROLL for (int k = 0; k < count; ++k)
+    x[k] = Native{};
+}
+
 /// The sum over the 8 lanes of a vector as block/kernels.cpp takes it on every processor: even and odd ones apart.
 LINKWORK_INLINE Native sum_of_eight(const Native* x) {
   return ((x[0] + x[2]) + x[4]) + x[6] + (((x[1] + x[3]) + x[5]) + x[7]);

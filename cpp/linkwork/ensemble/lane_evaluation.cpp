@@ -86,6 +86,7 @@ void LaneEvaluation::load(int l, const Dynamics& mechanism) {
   apart_ = apart_ || needs_lane_by_lane(system);
   driven_[l].clear();
   signals_[l].resize(system.model().signals().size());
+  driven_at_all_ = driven_at_all_ || !signals_[l].empty();
   layout_.give(system.model().gravity().data(), 3, l, gravity_, 0);
   for (int body = 0; body < structure_.bodies; ++body)
     layout_.give(&system.mass_blocks()[body].m, 10, l, mass_, 10l * body);
@@ -183,6 +184,7 @@ void LaneEvaluation::evaluate_constraints(const Numbers& t, const Numbers& y, La
 }
 
 void LaneEvaluation::evaluate_signals(const Numbers& t, LaneGuard& guard) {
+  if (!driven_at_all_) return;
   each_lane(guard, [&](int l) {
     if (signals_[l].empty()) return;
     do_apart([&] { mechanisms_[l]->system().evaluate_signals(t[l], signals_[l]); },

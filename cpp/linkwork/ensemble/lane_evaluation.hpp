@@ -109,6 +109,7 @@ class LaneEvaluation {
   // Of each lane.
   std::vector<std::vector<Driven>> driven_;
   std::vector<std::vector<Signal<double>>> signals_;
+  bool driven_at_all_ = false;  ///< there are any
 };
 
 }  // namespace linkwork

@@ -114,12 +114,30 @@ void normalize(int bodies, double* y) {
   }
 }
 
-void combine(int count, const double* y, int terms, const double* factors, const double* const* x, double* out) {
+template <int terms>
+LINKWORK_INLINE void combine_some(int count, const double* y, const double* factors, const double* const* x,
+                                  double* out) {
+  Native f[terms];
+  const double* from[terms];
+  LINKWORK_UNROLL for (int term = 0; term < terms; ++term) {
+    f[term] = get(factors, term);
+    from[term] = x[term];
+  }
   for (int k = 0; k < count; ++k) {
     Native sum = get(y, k);
-    for (int term = 0; term < terms; ++term) sum += get(factors, term) * get(x[term], k);
+    LINKWORK_UNROLL for (int term = 0; term < terms; ++term)
+      sum += f[term] * get(from[term], k);
     put(out, k, sum);
   }
+}
+
+/// Some terms at a time, whose factors stay in registers.
+void combine(int count, const double* y, int terms, const double* factors, const double* const* x, double* out) {
+  constexpr int most = 4;
+  if (terms == 0)
+    for (int k = 0; k < count; ++k) put(out, k, get(y, k));
+  for (; terms > 0; terms -= most, factors += most * width, x += most, y = out)
+    with_count<most>(terms < most ? terms : most, [&](auto some) { combine_some<some>(count, y, factors, x, out); });
 }
 
 void weigh(int count, const double* f, const double* x, const double* g, const double* z, double* out) {

@@ -325,7 +325,8 @@ void backward_joints(const FrontPlace& at, const LaneData& data, double* x, doub
     const int count = front.width - k0 < at_once ? front.width - k0 : at_once;
     for (int k = k0; k < k0 + count; ++k) {
       const double* L = at.panel + k * stride * width;
-      Native products[at_once]{};
+      Native products[at_once];
+      clear_numbers(products);
       add_products(L, right, k0 + at_once, front.width, products);
       add_products(L, right, front.top, at.last(), products);
       put(right, k, get(right, k) - sum_of_eight(products));

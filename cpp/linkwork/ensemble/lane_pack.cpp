@@ -135,8 +135,9 @@ void LanePack::begin_step(std::int64_t step) {
   stepper_.evaluate(spans_, *this);
   if (h > 0.0) hold(step);
   watches_.begin_step();
+  records_ = steps_.records(step);
   const bool needs_state =
-      steps_.records(step) || watches_.watched() || watches_.judged() || limited_ || !structure_.dropped.empty();
+      records_ || watches_.watched() || watches_.judged() || limited_ || !structure_.dropped.empty();
   each_lane([&](int l, Lane& lane) {
     if (lane.waits() || lane.joins_at() == step) return;
     lane.accept(t, step > 0 ? steps_.size(step - 1) : 0.0);
@@ -206,7 +207,7 @@ void LanePack::begin_lane(int l, std::int64_t step) {
     stepper_.violations(l, Phi_, Phi_dot_);
     lane.watch_limits(t, Phi_, Phi_dot_);
   }
-  if (lane.alive() && steps_.records(step)) lane.record(t, steps_.frame_time(step), y, last);
+  if (lane.alive() && records_) lane.record(t, steps_.frame_time(step), y, last);
   if (lane.judged() && step == 0) lane.look_for_touches(t, 0.0, y, y, stepper_.switches(l));
   else if (lane.judged()) look_for_touches(l, step);
   const double potential = stepper_.potential(l);

@@ -69,7 +69,7 @@ class LanePack final : private LaneGuard {
     std::vector<std::pair<double, double>> unheard;  ///< with their times
   };
   std::vector<Pivots> pivots_;
-  bool limited_ = false;
+  bool limited_ = false, records_ = false;
   VectorXd state_, Phi_, Phi_dot_;
 };
 

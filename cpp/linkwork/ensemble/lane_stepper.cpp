@@ -91,6 +91,11 @@ void LaneStepper::hold(const LaneSpans& spans, const double* share) {
   const Options& options = mechanism(0).options();
   const double lag = tableau_.b.dot(tableau_.c);
   for (int l = 0; l < width(); ++l) {
+    if (l > 0 && spans.h[l] == spans.h[l - 1] && share[l] == share[l - 1]) {  // as in most lanes
+      velocity_gains_[l] = velocity_gains_[l - 1];
+      position_gains_[l] = position_gains_[l - 1];
+      continue;
+    }
     Gains gains{};
     if (sampled()) gains = deadbeat_gains(lag, spans.h[l]);
     if (sampled() && share[l] < 1.0) gains = {gains.alpha * share[l], gains.beta * share[l]};

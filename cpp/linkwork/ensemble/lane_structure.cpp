@@ -99,8 +99,8 @@ void LaneStructure::list_joints(const System& system) {
     }
     Joints& all = joints[place[element.kind]];
     all.joint.push_back(joint);
-    all.body_i.push_back(element.i == ground ? bodies : element.i);
-    all.body_j.push_back(element.j == ground ? bodies : element.j);
+    all.body_i.push_back(element.i == ground ? ~bodies : element.i);
+    all.body_j.push_back(element.j == ground ? ~bodies : element.j);
     all.row.push_back(system.model().joint_rows()[joint]);
     all.D.push_back(place_of_D(system, joint, element));
   }

@@ -29,7 +29,7 @@ class LaneStructure {
   /// The joints of one kind.
   struct Joints {
     int kind;
-    std::vector<int> joint, body_i, body_j, row;  ///< bodies as places of states: the ground is the last
+    std::vector<int> joint, body_i, body_j, row;  ///< bodies as in JointLanes: the ground is the last
     std::vector<std::ptrdiff_t> D;
   };
   /// Coordinates of force elements of one kind, as in ElementCoordinates; the first rows are those of inerters.

@@ -77,7 +77,7 @@ struct ForceElements : ElementArrays {
 /// joint or body holds for `width` numbers, one of each mechanism.
 struct JointLanes {
   int count;
-  const int *body_i, *body_j;  ///< places in the states
+  const int *body_i, *body_j;  ///< places in the states; ~ of that of one whose D nobody reads, as of the ground
   const double* attachment;    ///< numbers of Attachment of each joint (24 x width)
   const double* parameters;    ///< value, rate, acceleration of `parameter_count` parameters of each joint
   int parameter_count;

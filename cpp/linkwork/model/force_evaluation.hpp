@@ -171,12 +171,11 @@ LINKWORK_INLINE void evaluate_force_lanes(const ForceLanes& elements, const Forc
   for (int element = 0; element < elements.count; ++element) {
     load_parameters(elements.parameters, elements.parameter_count, element, parameters);
     const int body_i = elements.body_i[element], body_j = elements.body_j[element];
-    Pack velocity[6];
-    const BodyState<Pack> i = load_state(elements.states, body_i, velocity);
-    const BodyState<Pack> j = load_state(elements.states, body_j, velocity);
+    const BodyState<Pack>& i = state_of(elements.states, body_i);
+    const BodyState<Pack>& j = state_of(elements.states, body_j);
     HistoryVariable<Pack> history = load_lane_history<Force>(elements, element, out);
     Wrenches<Pack> wrenches;
-    Force::template evaluate<Pack>(load_attachment_of(elements.attachment, element), ForceParameters<Pack>(parameters),
+    Force::template evaluate<Pack>(attachment_in(elements.attachment, element), ForceParameters<Pack>(parameters),
                                    i, j, history, wrenches);
     store_lane_history<Force>(elements, element, history, wrenches.switches, out);
     add_to(out.g + 6l * width * body_i, wrenches.force_i, wrenches.torque_i);

@@ -51,18 +51,18 @@ LINKWORK_INLINE void scatter_D(const Pack* D, bool streamed, double** place) {
 }
 
 /// Phi_dot = D v + Phi_t.
-template <class Joint>
+template <class Joint, bool i_moves = true, bool j_moves = true>
 LINKWORK_INLINE void multiply(const Pack* D_i, const Pack* D_j, const Pack* v_i, const Pack* v_j, const Pack* Phi_t,
                               Pack* Phi_dot) {
   constexpr int first = holds_point<Joint> || turns<Joint> ? 3 : 0;
   LINKWORK_UNROLL for (int r = 0; r < Joint::rows; ++r) {
     const bool along_axis = holds_point<Joint> && r < 3;
     Pack sum = Phi_t[r];
-    if (along_axis) sum += v_i[r];
-    LINKWORK_UNROLL for (int c = first; c < 6; ++c)
+    if (i_moves && along_axis) sum += v_i[r];
+    LINKWORK_UNROLL for (int c = first; i_moves && c < 6; ++c)
       sum += D_i[6 * r + c] * v_i[c];
-    if (along_axis) sum -= v_j[r];
-    LINKWORK_UNROLL for (int c = first; c < 6; ++c)
+    if (j_moves && along_axis) sum -= v_j[r];
+    LINKWORK_UNROLL for (int c = first; j_moves && c < 6; ++c)
       sum += D_j[6 * r + c] * v_j[c];
     Phi_dot[r] = sum;
   }
@@ -127,22 +127,37 @@ LINKWORK_INLINE void evaluate_joints(const JointArrays& joints, const double* q,
   if (joints.streamed) end_stream();
 }
 
-/// One joint of all lanes after the other.
+LINKWORK_INLINE const BodyState<Pack>& state_of_joint(const JointLanes& joints, int body) {
+  return state_of(joints.states, body < 0 ? ~body : body);
+}
+
+/// Without D of a body that does not move, which nobody reads.
+template <class Joint, bool i_moves, bool j_moves>
+LINKWORK_INLINE void evaluate_joint_of_lanes(const JointLanes& joints, int joint, const Signal<Pack>* parameters,
+                                             const ConstraintArrays& out) {
+  constexpr int rows = Joint::rows;
+  const BodyState<Pack>& i = state_of_joint(joints, joints.body_i[joint]);
+  const BodyState<Pack>& j = state_of_joint(joints, joints.body_j[joint]);
+  const long row = static_cast<long>(joints.row[joint]) * width;
+  Pack nowhere[6 * rows];
+  Pack *D = packs(out.D + joints.D[joint] * width), *Phi_t = packs(out.Phi_t + row);
+  Pack *D_i = i_moves ? D : nowhere, *D_j = j_moves ? D + 6 * rows : nowhere;
+  Joint::template evaluate<Pack>(attachment_in(joints.attachment, joint), parameters, i, j,
+                                 Rows<Pack, rows>{packs(out.Phi + row), Phi_t, packs(out.gamma + row), D_i, D_j});
+  multiply<Joint, i_moves, j_moves>(D_i, D_j, i.r_dot.data(), j.r_dot.data(), Phi_t, packs(out.Phi_dot + row));
+}
+
+/// One joint of all lanes after the other. Those that hold a point have no Phi_t: the sum that is Phi_dot begins at zero,
+/// which not even has another sign where zeros are left out.
 template <class Joint>
 LINKWORK_INLINE void evaluate_joint_lanes(const JointLanes& joints, const ConstraintArrays& out) {
-  constexpr int rows = Joint::rows;
+  constexpr bool all = !holds_point<Joint>;
   Signal<Pack> parameters[max_joint_parameters];
   for (int joint = 0; joint < joints.count; ++joint) {
     load_parameters(joints.parameters, joints.parameter_count, joint, parameters);
-    Pack v_i[6], v_j[6];
-    const BodyState<Pack> i = load_state(joints.states, joints.body_i[joint], v_i);
-    const BodyState<Pack> j = load_state(joints.states, joints.body_j[joint], v_j);
-    const long row = static_cast<long>(joints.row[joint]) * width;
-    Pack *D = packs(out.D + joints.D[joint] * width), *Phi_t = packs(out.Phi_t + row);
-    Joint::template evaluate<Pack>(
-        load_attachment_of(joints.attachment, joint), parameters, i, j,
-        Rows<Pack, rows>{packs(out.Phi + row), Phi_t, packs(out.gamma + row), D, D + 6 * rows});
-    multiply<Joint>(D, D + 6 * rows, v_i, v_j, Phi_t, packs(out.Phi_dot + row));
+    if (!all && joints.body_i[joint] < 0) evaluate_joint_of_lanes<Joint, all, true>(joints, joint, parameters, out);
+    else if (!all && joints.body_j[joint] < 0) evaluate_joint_of_lanes<Joint, true, all>(joints, joint, parameters, out);
+    else evaluate_joint_of_lanes<Joint, true, true>(joints, joint, parameters, out);
   }
 }
 

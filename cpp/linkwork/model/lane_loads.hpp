@@ -6,23 +6,17 @@
 /// What stands in memory `width` numbers side by side, one of each mechanism in a lane. Compiled once per instruction set.
 namespace linkwork::simd::LINKWORK_ISA {
 
-template <int count>
-LINKWORK_INLINE void load_lanes_of(const double* from, Pack* out) {
-  LINKWORK_UNROLL for (int k = 0; k < count; ++k)
-    out[k].v = load_native(from + k * width);
-}
 /// In place, of memory that is aligned to lines.
 LINKWORK_INLINE Pack* packs(double* from) { return reinterpret_cast<Pack*>(from); }
 
-LINKWORK_INLINE BodyState<Pack> load_state(const double* states, int body, Pack* velocity) {
-  const double* from = states + 18l * width * body;
-  BodyState<Pack> state;
-  load_lanes_of<3>(from, state.r.data());
-  load_lanes_of<9>(from + 3 * width, state.A.data());
-  load_lanes_of<6>(from + 12 * width, velocity);
-  state.r_dot = Vec3<Pack>(velocity[0], velocity[1], velocity[2]);
-  state.omega = Vec3<Pack>(velocity[3], velocity[4], velocity[5]);
-  return state;
+// In place: copies, for which there are not registers enough, would be stored once more.
+static_assert(sizeof(BodyState<Pack>) == 18 * sizeof(Pack));
+static_assert(sizeof(Attachment<Pack>) == attachment_size * sizeof(Pack));
+LINKWORK_INLINE const BodyState<Pack>& state_of(const double* states, int body) {
+  return *reinterpret_cast<const BodyState<Pack>*>(states + 18l * width * body);
+}
+LINKWORK_INLINE const Attachment<Pack>& attachment_in(const double* attachments, int element) {
+  return *reinterpret_cast<const Attachment<Pack>*>(attachments + static_cast<long>(attachment_size) * width * element);
 }
 
 /// From the places of its parts.
@@ -32,12 +26,6 @@ LINKWORK_INLINE Attachment<Pack> load_attachment(const double* const* parts) {
   LINKWORK_UNROLL for (int part = 0; part < 4; ++part)
     for (int k = 0; k < attachment_parts[part]; ++k) to[part][k].v = load_native(parts[part] + k * width);
   return at;
-}
-
-LINKWORK_INLINE Attachment<Pack> load_attachment_of(const double* attachments, int element) {
-  const double* s_i = attachments + static_cast<long>(attachment_size) * width * element;
-  const double* parts[4] = {s_i, s_i + 3 * width, s_i + 6 * width, s_i + 15 * width};
-  return load_attachment(parts);
 }
 
 /// Of one element, of which each has `count`.
