@@ -12,6 +12,7 @@ namespace linkwork {
 namespace {
 
 constexpr double same_time = 1e-9;  // as in Simulation
+constexpr const char* small_pivot = "a small pivot: the pose may be singular";
 
 }  // namespace
 
@@ -193,11 +194,11 @@ void Lane::look_ahead(std::int64_t at, const FixedSteps& steps, const Speeds& sp
   const double t = steps.time(at), h = steps.size(at);
   const bool changed = std::exchange(changed_, false);
   StepStart start(dynamics_, t, y, recording_, changed ? nullptr : factors);
-  const double end = dynamics_.system().model().autonomous() ? INFINITY : steps.t_end() - t;
-  const double most = std::min(end, breaks_.room(t, steps.step()));
   const std::int64_t changes = dynamics_.watch().row_changes(), poses = dynamics_.watch().singular_poses();
   guarded(t, [&] {
     if (crossing_.due(t, h, speeds, false, start)) {
+      const double end = dynamics_.system().model().autonomous() ? INFINITY : steps.t_end() - t;
+      const double most = std::min(end, breaks_.room(t, steps.step()));
       leaping_ = crossing_.leap(t, h, steps.step(), most, y);
       if (leaping_) begin_leap(at, steps, y);
       else dynamics_.evaluate(t, y);
@@ -254,7 +255,16 @@ void Lane::note(double t, double pivot, bool first_stage) {
   SingularWatch& watch = dynamics_.formulation().watch();
   watch.note(t, pivot);
   if (watch.doubts_first(pivot)) dynamics_.formulation().examine_first(pivot);
-  if (!watch.usual(pivot)) leave(t, "a small pivot: the pose may be singular");
+  if (!watch.usual(pivot)) leave(t, small_pivot);
+}
+
+/// One may be no longer usual beside larger ones before it.
+void Lane::hear(const std::vector<std::pair<double, double>>& pivots) {
+  SingularWatch& watch = dynamics_.formulation().watch();
+  for (const auto& [t, pivot] : pivots) {
+    watch.note(t, pivot);
+    if (!watch.usual(pivot)) leave(t, small_pivot);
+  }
 }
 
 SingularWatch::Range Lane::usual_pivots() const {

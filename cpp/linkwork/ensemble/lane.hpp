@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "linkwork/constraints/redundancy_watch.hpp"
@@ -162,9 +163,10 @@ class Lane {
 
   /// The smallest pivot of a stage at t.
   void note(double t, double pivot, bool first_stage);
-  /// Of those in this range `hear` is enough, if anything: not of a first stage that was looked at.
+  /// Of those from the least of this range on `hear` is enough where there is one, if anything: not of a first stage
+  /// that was looked at.
   SingularWatch::Range usual_pivots() const;
-  void hear(double t, double pivot) { dynamics_.formulation().watch().note(t, pivot); }
+  void hear(const std::vector<std::pair<double, double>>& pivots);  ///< with their times
   /// What breaks in a step from (t, y) to (t_new, y_new) do, see StoredEnergyJumps [J].
   double work_at_breaks(double t, double t_new, const VectorXd& y, const VectorXd& y_new);
   /// Whether they may do anything.

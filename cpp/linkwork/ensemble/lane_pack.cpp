@@ -97,10 +97,11 @@ void LanePack::evaluate_start(int times) {
   }
 }
 
+/// Larger ones than ever are usual once there have been some.
 void LanePack::note_all(int count, const double* t, const double* pivots, bool first) {
   for (int l = 0; l < count; ++l) {
     Pivots& its = pivots_[l];
-    if (!(pivots[l] >= its.usual.least && pivots[l] <= its.usual.most)) {
+    if (!(pivots[l] >= its.usual.least && pivots[l] < INFINITY && its.usual.most > 0.0)) {
       if (steps(l)) note(l, t[l], pivots[l], first);
     } else if (!first || !looked(l)) its.unheard.emplace_back(t[l], pivots[l]);
   }
@@ -115,7 +116,7 @@ void LanePack::note(int l, double t, double pivot, bool first) {
 }
 
 void LanePack::hear(int l) {
-  for (const auto& [t, pivot] : pivots_[l].unheard) lanes_[l]->hear(t, pivot);
+  lanes_[l]->hear(pivots_[l].unheard);
   pivots_[l].unheard.clear();
 }
 

@@ -147,8 +147,8 @@ LINKWORK_INLINE void evaluate_joint_of_lanes(const JointLanes& joints, int joint
   multiply<Joint, i_moves, j_moves>(D_i, D_j, i.r_dot.data(), j.r_dot.data(), Phi_t, packs(out.Phi_dot + row));
 }
 
-/// One joint of all lanes after the other. Those that hold a point have no Phi_t: the sum that is Phi_dot begins at zero,
-/// which not even has another sign where zeros are left out.
+/// One joint of all lanes after the other. Those that hold a point have no Phi_t: the sum that is Phi_dot begins at
+/// zero, and has the same bits where zeros are left out.
 template <class Joint>
 LINKWORK_INLINE void evaluate_joint_lanes(const JointLanes& joints, const ConstraintArrays& out) {
   constexpr bool all = !holds_point<Joint>;
@@ -156,7 +156,8 @@ LINKWORK_INLINE void evaluate_joint_lanes(const JointLanes& joints, const Constr
   for (int joint = 0; joint < joints.count; ++joint) {
     load_parameters(joints.parameters, joints.parameter_count, joint, parameters);
     if (!all && joints.body_i[joint] < 0) evaluate_joint_of_lanes<Joint, all, true>(joints, joint, parameters, out);
-    else if (!all && joints.body_j[joint] < 0) evaluate_joint_of_lanes<Joint, true, all>(joints, joint, parameters, out);
+    else if (!all && joints.body_j[joint] < 0)
+      evaluate_joint_of_lanes<Joint, true, all>(joints, joint, parameters, out);
     else evaluate_joint_of_lanes<Joint, true, true>(joints, joint, parameters, out);
   }
 }

@@ -15,8 +15,8 @@ namespace linkwork::block {
 /// the order of much the same joints, which takes longer than the rest of their analysis: it is found once. An order is
 /// taken again for a graph with the same neighbors, weights and hubs alone, on which it depends and on nothing else.
 ///
-/// Of small systems, of which factorizations take no longer than their analysis, all of it is kept: choices of redundant
-/// rows are compared with each other in turn.
+/// Of small systems, of which factorizations take no longer than their analysis, all of it is kept: choices of
+/// redundant rows are compared with each other in turn.
 class KeptOrders {
  public:
   static constexpr std::size_t most = 3;  ///< graphs: with all rows, with redundant ones left out, and one for changes
