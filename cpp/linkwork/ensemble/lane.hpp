@@ -198,7 +198,7 @@ class Lane {
   bool leaping_ = false, leapt_ = false;  ///< as in Simulation
   bool recording_ = false;                ///< evaluated, with a frame that waits
   bool changed_ = false;
-  bool moves_ = false, waits_ = false;  ///< between two packs; in the next one
+  bool moves_ = false, waits_ = false;             ///< between two packs; in the next one
   std::int64_t joins_at_ = -1, next_balance_ = 0;  ///< steps
   VectorXd joining_state_;
   double left_at_ = NAN;

@@ -175,8 +175,8 @@ LINKWORK_INLINE void evaluate_force_lanes(const ForceLanes& elements, const Forc
     const BodyState<Pack>& j = state_of(elements.states, body_j);
     HistoryVariable<Pack> history = load_lane_history<Force>(elements, element, out);
     Wrenches<Pack> wrenches;
-    Force::template evaluate<Pack>(attachment_in(elements.attachment, element), ForceParameters<Pack>(parameters),
-                                   i, j, history, wrenches);
+    Force::template evaluate<Pack>(attachment_in(elements.attachment, element), ForceParameters<Pack>(parameters), i, j,
+                                   history, wrenches);
     store_lane_history<Force>(elements, element, history, wrenches.switches, out);
     add_to(out.g + 6l * width * body_i, wrenches.force_i, wrenches.torque_i);
     add_to(out.g + 6l * width * body_j, wrenches.force_j, wrenches.torque_j);

@@ -23,9 +23,8 @@ std::shared_ptr<const Elimination> KeptOrders::order(const JointGraph& graph) {
 std::shared_ptr<const SymbolicFactorization> KeptOrders::analysis(const System& system, const std::vector<int>& dropped,
                                                                   int compliant_from, bool grounded) {
   const auto make = [&] {
-    return std::make_shared<const SymbolicFactorization>(system, dropped, compliant_from,
-                                                         std::vector<SymbolicFactorization::DelayedPivot>(), false,
-                                                         grounded);
+    return std::make_shared<const SymbolicFactorization>(
+        system, dropped, compliant_from, std::vector<SymbolicFactorization::DelayedPivot>(), false, grounded);
   };
   if (system.body_count() > small) return make();
   const auto same = [&](const Analysis& it) {
