@@ -184,6 +184,41 @@ def test_thin_rods_are_refined_as_by_themselves(name: str, moment: float) -> Non
         assert bits(found.member(k)) == bits(alone(models[k], 0.05, 1e-3, record_every=7))
 
 
+def robot(rotors: float) -> lw.Model:
+    """A torso on slides and a hinge, a leg on three hinges, another on a Cardan joint; massless links."""
+    model = lw.Model(gravity=(0, 0, -9.81), name="robot")
+
+    def link(name: str) -> lw.Body:
+        return model.body(name, mass=0.0, inertia=(0, 0, 0))
+
+    def solid(name: str, position: tuple[float, float, float]) -> lw.Body:
+        return model.body(name, mass=2.0, inertia=(0.3, 0.2, 0.1), position=position)
+
+    x, y, torso = link("x"), link("y"), solid("torso", (0, 0, 0.1))
+    model.translational(model.ground, x, at=(0, 0, 0), axis=(1, 0, 0))
+    model.translational(x, y, at=(0, 0, 0), axis=(0, 1, 0.2))
+    model.revolute(y, torso, at=(0, 0, 0), axis=(0, 0, 1))
+    hip, knee, leg = link("hip"), link("knee"), solid("leg", (0.2, 0.1, -0.4))
+    for a, b, axis in ((torso, hip, (1, 0, 0)), (hip, knee, (0, 0, 1)), (knee, leg, (0, 1, 0))):
+        model.revolute(a, b, at=(0.2, 0.1, 0), axis=axis)
+        if rotors:
+            model.rotational_inerter(a, b, at=(0.2, 0.1, 0), axis=axis, inertance=rotors)
+    other, foot = link("other"), solid("foot", (-0.2, 0.1, -0.4))
+    model.universal(torso, other, at=(-0.2, 0.1, 0), axes=((1, 0, 0), (0, 1, 0)))
+    model.cylindrical(other, foot, at=(-0.2, 0.1, 0), axis=(0.2, 0, 1))
+    model.fixed(foot, link("tip"), at=(-0.2, 0.1, -0.8))
+    return model
+
+
+@pytest.mark.parametrize("rotors", [0.0, 0.2])
+def test_massless_links_are_eliminated_as_by_themselves(rotors: float) -> None:
+    models = variants(robot(rotors), 4, seed=3)
+    found = many(models, 0.05, 1e-3, threads=1, record_every=7)
+    assert found.alone == {}
+    for k in (0, 3):
+        assert bits(found.member(k)) == bits(alone(models[k], 0.05, 1e-3, record_every=7))
+
+
 def test_hubs_with_branches_inerters_and_masses_far_apart_are_those_by_themselves() -> None:
     models = [with_inerters(mechanisms.hub(24, loops=True), 5, 0.3 * k) for k in (1, 2, 3)]
     for k, model in enumerate(models):

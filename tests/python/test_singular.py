@@ -391,6 +391,58 @@ def test_a_massless_motion_that_nothing_holds_is_refused_naming_the_body(held: s
     assert caught.value.bodies == ["feather"]
 
 
+def on_three_hinges(turned: float, inertance: float) -> lw.Model:
+    """A body on hinges with massless links between; the third axis is the first one, turned by an angle."""
+    model = lw.Model()
+    links = [model.body(name, mass=0.0, inertia=(0, 0, 0)) for name in ("first link", "second link")]
+    links.append(body(model, "arm", (0.3, 0.4, 0.5)))
+    axes = ((1, 0, 0), (0, 1, 0), (np.cos(turned), 0, np.sin(turned)))
+    for before, link, axis in zip([model.ground, *links], links, axes, strict=False):
+        model.revolute(before, link, at=(0, 0, 0), axis=axis)
+        if inertance:
+            model.rotational_inerter(before, link, at=(0, 0, 0), axis=axis, inertance=inertance)
+    return model
+
+
+@pytest.mark.parametrize("deterministic", [False, True])
+@pytest.mark.parametrize("turned", [1e-2, 1e-4, 1e-6, 0.0])
+def test_hinges_with_rotors_pass_the_pose_in_which_two_are_one(turned: float, deterministic: bool) -> None:
+    """Where massless links alone would move without inertia."""
+    model = on_three_hinges(turned, 0.1)
+    state = model.compiled()
+    found = lw.System(model, deterministic=deterministic).accelerations(0.0, state.q0, state.v0)
+    expected = lw.System(model, formulation="augmented_lagrangian").accelerations(0.0, state.q0, state.v0)
+    for x, exact in zip(found, expected, strict=True):
+        assert np.abs(x - exact).max() <= 1e-8 * np.abs(exact).max()
+
+
+def gimbal(middle: float, torque: float) -> tuple[lw.Model, NDArray[np.float64]]:
+    """Three hinges across each other, and a pose with the middle one turned: at pi/2 the others are one."""
+    model = lw.Model()
+    links = [model.body(name, mass=0.0, inertia=(0, 0, 0)) for name in ("first link", "second link")]
+    links.append(body(model, "arm", (0, 0, 0)))
+    for before, link, axis in zip([model.ground, *links], links, np.eye(3), strict=False):
+        model.revolute(before, link, at=(0, 0, 0), axis=axis)
+    model.force(links[0], torque=(torque, 0, 0))
+    q = model.compiled().q0.reshape(-1, 7).copy()
+    q[1:, 3:] = np.cos(middle / 2), 0, np.sin(middle / 2), 0
+    return model, q.ravel()
+
+
+@pytest.mark.parametrize("deterministic", [False, True])
+def test_massless_links_move_by_what_inertia_a_pose_leaves_them(deterministic: bool) -> None:
+    """A torque n about the first axis turns its link by n / (J_x cos^2) of the middle angle, down to none."""
+    model, locked = gimbal(np.pi / 2, torque=0.3)
+    system, rest = lw.System(model, deterministic=deterministic), np.zeros(18)
+    for away in (0.5, 1e-1, 1e-3, 1e-5, 1e-3):
+        _, q = gimbal(np.pi / 2 - away, torque=0.3)
+        found = system.accelerations(0.0, q, rest)[0].reshape(3, 6)
+        assert found[0, 3] == pytest.approx(3.0 / np.sin(away) ** 2, rel=1e-8)
+        assert found[2, 3] == pytest.approx(3.0 / np.sin(away), rel=1e-8)
+    free = lw.System(gimbal(1.0, torque=0.0)[0], deterministic=deterministic)
+    assert np.abs(free.accelerations(0.0, locked, rest)[0]).max() <= 1e-12
+
+
 @pytest.mark.parametrize(("system", "solver"), STANDARD)
 def test_a_massless_body_is_moved_by_every_solver_of_standard(system: str, solver: str) -> None:
     model = two_arms(massless_rod)

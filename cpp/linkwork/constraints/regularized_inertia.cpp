@@ -148,6 +148,7 @@ RegularizedInertia::RegularizedInertia(const System& system, const Evaluation& t
     const AddedInertia added = added_inertia(system, typical, body, natural.inertia(body));
     smallest_ = no_mass ? 0.0 : std::min(smallest_, added.smallest);
     if (!no_mass && added.inertia.isZero(0.0)) continue;
+    changed_.push_back(body);
     if (bodies.empty()) bodies = system.model().bodies();
     Body& own = bodies[body];
     own.inertia += added.inertia;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "linkwork/assembly/system.hpp"
 
@@ -23,6 +24,7 @@ class RegularizedInertia {
   /// With M^ for M; the given one where there is nothing to be regularized.
   const System& system() const { return regularized_ ? *regularized_ : *given_; }
   bool regularized() const { return regularized_ != nullptr; }
+  const std::vector<int>& regularized_bodies() const { return changed_; }
 
   /// The smallest moment that joints feel, of any body, relative to the inertia of the body's other motions; 1 at most.
   double smallest_moment() const { return smallest_; }
@@ -37,6 +39,7 @@ class RegularizedInertia {
  private:
   const System* given_;
   std::unique_ptr<System> regularized_;
+  std::vector<int> changed_;
   double smallest_ = 1.0;
   VectorXd lengths_;
 };

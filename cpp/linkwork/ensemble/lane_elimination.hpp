@@ -40,9 +40,9 @@ struct SmallestPivots {
   }
   /// Where `fails`, nothing that was eliminated counts.
   LINKWORK_INLINE void note_failure(NativeIndex fails) { ratio = fails ? Native{} : ratio; }
-  /// Of a mass matrix.
-  LINKWORK_INLINE void note_mass(Native pivot) {
-    const NativeIndex bad = ~(pivot > Native{});
+  /// Of a mass matrix, where so much is needed.
+  LINKWORK_INLINE void note_mass(Native pivot, Native least = Native{}) {
+    const NativeIndex bad = ~(pivot > least);
     if (!any(bad)) return;
     ratio = bad ? (pivot == pivot ? Native{} : splat_native(not_a_number)) : ratio;
   }
@@ -105,9 +105,10 @@ LINKWORK_INLINE auto with_ground_joint(bool slides, const block::GroundPlaces& p
 
 /// Begins at a joint; lanes where it is violated by far fail.
 template <class Elimination>
-LINKWORK_INLINE void eliminate_joint(Elimination& joint, int row, const double* b, SmallestPivots& smallest) {
+LINKWORK_INLINE void eliminate_joint(Elimination& joint, int row, const double* b, SmallestPivots& smallest,
+                                     Native least = Native{}) {
   const Native size = joint.read(b + std::ptrdiff_t{row} * width), pivot = joint.release();
-  smallest.note_mass(pivot);
+  smallest.note_mass(pivot, least);
   smallest.note_failure(~(size > splat_native(block::least_size)));
 }
 

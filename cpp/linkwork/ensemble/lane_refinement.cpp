@@ -52,7 +52,7 @@ void LaneRefinement::refine(const Inertia& inertia, const LaneSolver::Problem& p
   kernels_.free_motion(equations, problem.a, size_.data());
   std::vector<Corrections> corrections;
   for (std::size_t l = 0; l < mechanisms_.size(); ++l) {
-    const bool other = mechanisms_[l]->formulation().inertia().regularized();
+    const bool other = mechanisms_[l]->formulation().regularized();
     corrections.emplace_back(other ? Inexactness::inertia : Inexactness::roundoff, size_[l]);
     going_on_[l] = guard.steps(static_cast<int>(l)) && refined_[l];
   }
@@ -75,7 +75,7 @@ void LaneRefinement::judge(const double* t, std::vector<Corrections>& correction
     if (progress == Progress::going_on) continue;
     going_on_[l] = 0.0;
     const int lane = static_cast<int>(l);
-    const bool other = mechanisms_[l]->formulation().inertia().regularized();
+    const bool other = mechanisms_[l]->formulation().regularized();
     if (progress == Progress::slow) guard.leave(lane, t[l], "very small inertias, which take conjugate gradients");
     if (progress == Progress::diverged)
       guard.leave(lane, t[l], other ? "a motion without inertia" : "corrections that do not converge");

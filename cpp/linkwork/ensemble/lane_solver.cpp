@@ -4,6 +4,7 @@
 
 #include "linkwork/ensemble/lane_structure.hpp"
 #include "linkwork/formulation/watched_formulation.hpp"
+#include "linkwork/linear/block/ballast.hpp"
 #include "linkwork/linear/block/block_solver.hpp"
 
 namespace linkwork {
@@ -20,6 +21,7 @@ LaneSolver::LaneSolver(const LaneStructure& structure, const InstructionSet& ins
   const block::SymbolicFactorization& symbolic = structure_.symbolic;
   size(mass_, 10l * structure_.bodies);
   size(mass_factors_, 9l * symbolic.mass_factor_count);
+  size(ballast_, structure_.with_ballast ? 4l * structure_.bodies : 0);
   size(compliance_, structure_.multipliers());
   for (const int row : structure_.dropped)
     std::fill_n(compliance_.begin() + std::ptrdiff_t{row} * kernels_.width, kernels_.width, 1.0);
@@ -39,7 +41,7 @@ void LaneSolver::size(AlignedDoubles& numbers, std::ptrdiff_t count) const {
 
 void LaneSolver::load(int l, const Dynamics& mechanism) {
   if (!factorizes()) return load_inverse_mass(l, mechanism.system());
-  const System& system = mechanism.formulation().inertia().system();
+  const System& system = mechanism.formulation().factorized_system();
   const auto give = [&](const double* from, std::ptrdiff_t count, AlignedDoubles& to, std::ptrdiff_t first) {
     for (std::ptrdiff_t k = 0; k < count; ++k) to[(first + k) * kernels_.width + l] = from[k];
   };
@@ -52,6 +54,11 @@ void LaneSolver::load(int l, const Dynamics& mechanism) {
   for (int k = 0; k < structure_.inerters; ++k) {
     const double yields = 1.0 / system.inerters().inertance(static_cast<std::size_t>(k));
     give(&yields, 1, compliance_, structure_.rows + k);
+  }
+  if (structure_.with_ballast) {
+    const std::vector<block::Ballast> ballasts =
+        block::ballasts(system.model(), structure_.symbolic.steps, structure_.rows);
+    for (int body = 0; body < structure_.bodies; ++body) give(&ballasts[body].inverse_mass, 4, ballast_, 4l * body);
   }
   far_apart_[l] = block::masses_far_apart(system);
   if (!far_apart_[l] || !r_1_.empty()) return;
@@ -89,6 +96,7 @@ LaneData LaneSolver::data(const double* D) {
           .breakdown = s.breakdown(),
           .mass = mass_.data(),
           .mass_factors = mass_factors_.data(),
+          .ballast = structure_.with_ballast ? ballast_.data() : nullptr,
           .D = D,
           .factors = factors_.data(),
           .articulated_inertias = articulated_inertias_.data(),

@@ -41,7 +41,7 @@ class LaneSolver {
   const LaneKernels& kernels_;
   const LaneElimination& elimination_;
   AlignedDoubles inverse_mass_;  ///< where bodies are not connected
-  AlignedDoubles mass_, mass_factors_, compliance_, smallest_;
+  AlignedDoubles mass_, mass_factors_, ballast_, compliance_, smallest_;
   AlignedDoubles factors_, articulated_inertias_, panels_, contributions_, scratch_;
   std::vector<char> far_apart_;
   AlignedDoubles going_on_, largest_, correction_, r_1_, r_2_, dx_, dlambda_;

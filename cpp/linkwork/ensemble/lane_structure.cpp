@@ -58,6 +58,7 @@ LaneStructure::LaneStructure(const Dynamics& dynamics)
       inerter_D_size(dynamics.system().inerters().D_size()),
       D_size(dynamics.system().row_of_zeros() + velocity_size + dynamics.system().element_coordinates().D_size()),
       time_dependent(dynamics.system().time_dependent_constraints()),
+      with_ballast(dynamics.formulation().takes_small_inertias()),
       symbolic(factorize_symbolically(dynamics)),
       blocks(blocks_of(dynamics.system())),
       joint_blocks(std::ssize(dynamics.system().blocks())),
@@ -157,6 +158,7 @@ bool LaneStructure::same(const Dynamics& dynamics) const {
   const System& system = dynamics.system();
   if (system.body_count() != bodies || !same_elements(system.model().joints(), elements_)) return false;
   if (system.time_dependent_constraints() != time_dependent || dynamics.dropped().rows() != dropped) return false;
+  if (dynamics.formulation().takes_small_inertias() != with_ballast) return false;
   if (static_cast<int>(system.inerters().count()) != inerters || blocks_of(system) != blocks) return false;
   return coordinates_of(system) == coordinate_rows && same_forces(system);
 }

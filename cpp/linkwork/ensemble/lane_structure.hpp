@@ -56,6 +56,7 @@ class LaneStructure {
   std::ptrdiff_t inerter_D_size;
   std::ptrdiff_t D_size;
   bool time_dependent;  ///< constraints, of any
+  bool with_ballast;    ///< small inertias are eliminated as they are
   block::SymbolicFactorization symbolic;
   std::vector<int> row_positions;       ///< of symbolic.rows in their fronts
   std::vector<RowForm> row_forms;       ///< of symbolic.rows

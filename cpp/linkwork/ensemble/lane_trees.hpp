@@ -1,6 +1,7 @@
 #pragma once
 
 #include "linkwork/ensemble/lane_elimination.hpp"
+#include "linkwork/linear/block/ballast_kernels.hpp"
 #include "linkwork/linear/block/hinge_elimination.hpp"
 
 /// Open branches of all lanes, leaf to root and back: the equations of block/tree_kernels.hpp, and their order of
@@ -144,6 +145,61 @@ LINKWORK_INLINE block::GroundPlaces ground_places(const block::TreeStep& step, c
   return ground_places(step, step.D_body, step.storage, data, a);
 }
 
+LINKWORK_INLINE const double* ballast_at(int body, const LaneData& data) { return data.ballast + 4l * width * body; }
+
+/// The smallest mass or moment that counts as a pivot.
+LINKWORK_INLINE Native least_pivot(bool mass, const block::TreeStep& step, const LaneData& data) {
+  return data.ballast ? get(ballast_at(step.body, data), mass ? 2 : 3) : Native{};
+}
+
+/// M_b += D_b^T S D_b; leaves S.
+template <int rows, bool scattered>
+LINKWORK_INLINE void add_ballast(const RowsOfStep<scattered>& of, const LaneData& data, Native (*M)[6], Native* S) {
+  LINKWORK_UNROLL for (int k = 0; k < rows; ++k) {
+    const double* d = data.D + of.D_body(k) * width;
+    S[k] = block::ballast_of_row<Lanes>(d, ballast_at(of.step.body, data), get(data.compliance, of.row(k)));
+    LINKWORK_UNROLL for (int c = 0; c < 6; ++c) LINKWORK_UNROLL
+      for (int r = c; r < 6; ++r) M[c][r] += (get(d, r) * S[k]) * get(d, c);
+  }
+}
+
+/// M_b = L D L^T of a body, with its ballast where there is one.
+template <int rows, bool scattered>
+LINKWORK_INLINE void factor_body(const RowsOfStep<scattered>& of, const LaneData& data, const double* a, Native (*M)[6],
+                                 Native* inverse, Native* right, Native* S, SmallestPivots& smallest) {
+  load_body(of.step, data, a, M, right);
+  if (data.ballast) add_ballast<rows>(of, data, M, S);
+  factor_square<6>(M, inverse,
+                   [&](int k, Native pivot) { smallest.note_mass(pivot, least_pivot(k < 3, of.step, data)); });
+}
+
+/// [M_p; a_p] -= [D_p, b]^T S D_p.
+template <int rows, bool scattered>
+LINKWORK_INLINE void take_ballast_again(const RowsOfStep<scattered>& of, const LaneData& data, const double* b,
+                                        const Native* S) {
+  double* to = data.articulated_inertias + of.step.parent_slot * articulated * std::ptrdiff_t{width};
+  LINKWORK_UNROLL for (int c = 0; c < 6; ++c) LINKWORK_UNROLL
+    for (int r = c; r < 7; ++r) {
+      Native sum = get(to, 8 * c + r);
+      LINKWORK_UNROLL for (int k = 0; k < rows; ++k) {
+        const Native d = r == right_hand_side ? get(b, of.row(k)) : get(data.D, of.D_parent(k) + r);
+        sum -= (d * S[k]) * get(data.D, of.D_parent(k) + c);
+      }
+      put(to, 8 * c + r, sum);
+    }
+}
+
+/// lambda -= S D_b x_b.
+template <int rows, bool scattered>
+LINKWORK_INLINE void take_its_forces(const RowsOfStep<scattered>& of, const LaneData& data, const double* x,
+                                     double* lambda) {
+  LINKWORK_UNROLL for (int k = 0; k < rows; ++k) {
+    const Native force = block::force_of_ballast<Lanes>(data.D + of.D_body(k) * width, ballast_at(of.step.body, data),
+                                                        get(data.compliance, of.row(k)), x + 6l * width * of.step.body);
+    put(lambda, of.row(k), get(lambda, of.row(k)) - force);
+  }
+}
+
 /// Whether a step is of a hinge, or of a slider on the ground, that does not yield.
 template <int rows, bool scattered>
 LINKWORK_INLINE bool goes_by_numbers(const block::TreeStep& step, const LaneData& data) {
@@ -156,7 +212,7 @@ LINKWORK_INLINE bool goes_by_numbers(const block::TreeStep& step, const LaneData
 void factor_on_ground(const block::TreeStep& step, const LaneData& data, const double* a, const double* b,
                       SmallestPivots& smallest) {
   with_ground_joint(step.slides, ground_places(step, data, a), [&](auto joint) {
-    eliminate_joint(joint, step.row, b, smallest);
+    eliminate_joint(joint, step.row, b, smallest, least_pivot(step.slides, step, data));
     joint.store_way_back();
   });
 }
@@ -164,7 +220,7 @@ void factor_on_ground(const block::TreeStep& step, const LaneData& data, const d
 void factor_on_body(const block::TreeStep& step, const LaneData& data, const double* a, const double* b,
                     SmallestPivots& smallest) {
   auto hinge = hinge_of(step, data, a);
-  eliminate_joint(hinge, step.row, b, smallest);
+  eliminate_joint(hinge, step.row, b, smallest, least_pivot(false, step, data));
   double* to = data.articulated_inertias + step.parent_slot * articulated * std::ptrdiff_t{width};
   LINKWORK_UNROLL for (int c = 0; c < 6; ++c) LINKWORK_UNROLL
     for (int r = c; r < 7; ++r) {
@@ -185,9 +241,8 @@ void factor_step(const block::TreeStep& step, const LaneData& data, const double
     return;
   }
   const RowsOfStep<scattered> of{step, data};
-  Native M[6][6], inverse[6], W[rows + 1][6], S[rows + 1][rows > 0 ? rows : 1], right[rows + 1];
-  load_body(step, data, a, M, W[rows]);
-  factor_square<6>(M, inverse, [&](int, Native pivot) { smallest.note_mass(pivot); });
+  Native M[6][6], inverse[6], W[rows + 1][6], S[rows + 1][rows > 0 ? rows : 1], right[rows + 1], ballast[rows + 1];
+  factor_body<rows>(of, data, a, M, inverse, W[rows], ballast, smallest);
   LINKWORK_UNROLL for (int r = 0; r <= rows; ++r) {
     if (r < rows) LINKWORK_UNROLL
       for (int c = 0; c < 6; ++c) W[r][c] = get(data.D, of.D_body(r) + c);
@@ -214,6 +269,7 @@ void factor_step(const block::TreeStep& step, const LaneData& data, const double
     if (step.parent < 0) eliminate_joint<rows, 6, false>(of, a, S, right, smallest);
     else if (step.parent_begins) eliminate_joint<rows, 0, true>(of, a, S, right, smallest);
     else eliminate_joint<rows, 0, false>(of, a, S, right, smallest);
+    if (step.parent >= 0 && data.ballast) take_ballast_again<rows>(of, data, b, ballast);
   }
 }
 
@@ -246,6 +302,7 @@ void backward_step(const block::TreeStep& step, const LaneData& data, double* x,
     products[right_hand_side] = get(factors, (rows + 1) * k + rows);
     put(x, 6l * step.body + k, sum_of_eight(products));
   }
+  if (data.ballast) take_its_forces<rows>(of, data, x, lambda);
 }
 
 /// Calls f with the number of rows of a joint, 0 to 6, and whether they are scattered, as constants.

@@ -36,6 +36,7 @@ struct LaneData {
   double breakdown;            ///< as in block::Data
   const double* mass;          ///< 10 a body: m, J row by row
   const double* mass_factors;  ///< 9 a body that has one: L43, L53, L54, six inverse pivots
+  const double* ballast;       ///< 4 a body, see block::Ballast; or none
   const double* D;
   double* factors;
   double* articulated_inertias;

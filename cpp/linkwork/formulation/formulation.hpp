@@ -38,6 +38,8 @@ class Formulation : public ConstrainedSolver {
   virtual void require_accuracy(double) {}
   /// Whether solutions are refined where they stand, see Refinement.
   virtual bool refines() const { return false; }
+  /// Whether small inertias are eliminated as they are: else, what is factorized is the system of RegularizedInertia.
+  virtual bool takes_small_inertias() const { return false; }
   virtual void factorize(const Evaluation& at) = 0;
   /// After factorize, for any number of right-hand sides.
   void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override = 0;
@@ -48,7 +50,9 @@ class Formulation : public ConstrainedSolver {
     solve(a, b, v_dot, lambda);
   }
 
-  virtual SaddleSolver& saddle() const = 0;
+  virtual SaddleSolver& saddle() const = 0;  ///< that of the last factorization
+  /// What a factorization depends on beside its evaluation; after `analyze`.
+  virtual void keep(Archive& archive) { saddle().keep(archive); }
   const IterationStatistics& iterations() const { return iterations_; }
 
  protected:

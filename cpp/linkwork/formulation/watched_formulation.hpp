@@ -40,6 +40,7 @@ class WatchedFormulation final : public Formulation {
   void analyze(const System& system, const Evaluation& typical, const ConstraintRows& rows) override;
   void require_accuracy(double relative) override { formulation_->require_accuracy(relative); }
   bool refines() const override { return formulation_->refines(); }
+  bool takes_small_inertias() const override { return formulation_->takes_small_inertias(); }
   void factorize(const Evaluation& at) override;
   /// Whatever b has in rows that are left out.
   void solve(const ConstVector& a, const ConstVector& b, MutableVector v_dot, MutableVector lambda) override;
@@ -76,6 +77,9 @@ class WatchedFormulation final : public Formulation {
 
   /// Where there are joints.
   const RegularizedInertia& inertia() const { return *inertia_; }
+  /// What is factorized, and whether with other inertias than those of the system.
+  const System& factorized_system() const { return regularized() ? inertia_->system() : system_; }
+  bool regularized() const { return inertia_->regularized() && !takes_small_inertias(); }
   const DroppedRows& dropped() const { return dropped_; }
   DroppedRows& dropped() { return dropped_; }
   /// Multipliers of redundant constraints as those of MinimumNorm.
@@ -107,9 +111,9 @@ class WatchedFormulation final : public Formulation {
   const RowChoice& row_choice() const { return choice_; }
   /// The present state is that where these rows were left out.
   void repeat_choice(const std::vector<int>& rows);
-  void keep(Archive& archive) {
+  void keep(Archive& archive) override {
     archive(watch_, least_singular_value_, usual_least_, usual_of_all_, usual_of_parts_, pivot_);
-    saddle().keep(archive);
+    formulation_->keep(archive);
   }
 
  private:

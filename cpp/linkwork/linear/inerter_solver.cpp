@@ -12,16 +12,13 @@ class InerterSolver final : public SaddleSolver {
   explicit InerterSolver(std::unique_ptr<SaddleSolver> solver) : solver_(std::move(solver)) {}
 
   void analyze(const System& system, const Evaluation& typical) override {
-    rows_ = system.row_count();
-    system_ = std::make_unique<System>(Inerters::as_joints(system.model()));
-    system_->use(system.shared_threads());
-    const auto count = static_cast<Eigen::Index>(system.inerters().count());
-    for (VectorXd* all : {&e_, &b_, &lambda_}) all->setZero(rows_ + count);
-    for (Eigen::Index k = 0; k < count; ++k) e_[rows_ + k] = 1.0 / system.inerters().inertance(k);
-    yields_ = false;
-    solver_->drop(dropped_);
-    solver_->expect_compliance(rows_);
+    begin(system);
     solver_->analyze(*system_, typical);
+  }
+
+  bool analyze_as_it_is(const System& system, const Evaluation& typical, const std::vector<int>& light) override {
+    begin(system);
+    return solver_->analyze_as_it_is(*system_, typical, light);
   }
 
   void factorize(const Evaluation& at, const VectorXd& e) override {
@@ -64,6 +61,18 @@ class InerterSolver final : public SaddleSolver {
   std::optional<std::int64_t> matrix_nonzeros() const override { return solver_->matrix_nonzeros(); }
 
  private:
+  void begin(const System& system) {
+    rows_ = system.row_count();
+    system_ = std::make_unique<System>(Inerters::as_joints(system.model()));
+    system_->use(system.shared_threads());
+    const auto count = static_cast<Eigen::Index>(system.inerters().count());
+    for (VectorXd* all : {&e_, &b_, &lambda_}) all->setZero(rows_ + count);
+    for (Eigen::Index k = 0; k < count; ++k) e_[rows_ + k] = 1.0 / system.inerters().inertance(k);
+    yields_ = false;
+    solver_->drop(dropped_);
+    solver_->expect_compliance(rows_);
+  }
+
   void take_compliance(const VectorXd& e) {
     if (e.size() > 0) e_.head(rows_) = e;
     else if (yields_) e_.head(rows_).setZero();

@@ -28,6 +28,10 @@ class SaddleSolver {
   void expect_compliance(int first_row) { compliant_from_ = first_row; }
   /// Symbolic work, once; `typical` scales rows.
   virtual void analyze(const System& system, const Evaluation& typical) = 0;
+  /// The same of a system whose M is singular, or nearly so, by these bodies. False where they are not where the solver
+  /// eliminates them with what holds them: then nothing is analyzed. Else a factorization is singular where they have a
+  /// motion with hardly any inertia, too.
+  virtual bool analyze_as_it_is(const System&, const Evaluation&, const std::vector<int>&) { return false; }
   /// Assembles and factorizes at an evaluation; an empty e is zero. Throws SingularSystemError naming joints where the matrix is singular.
   virtual void factorize(const Evaluation& at, const VectorXd& e) = 0;
   virtual void solve(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) = 0;

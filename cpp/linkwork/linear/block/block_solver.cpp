@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "linkwork/linear/block/ballast.hpp"
 #include "linkwork/linear/block/kept_orders.hpp"
 #include "linkwork/linear/block/symbolic_factorization.hpp"
 #include "linkwork/math/aligned.hpp"
@@ -23,19 +24,15 @@ class BlockSolver final : public SaddleSolver {
   explicit BlockSolver(const InstructionSet& instructions) : kernels_(&kernels(instructions)) {}
 
   void analyze(const System& system, const Evaluation&) override {
-    system_ = &system;
-    refuse_massless();
-    e_.resize(0);
-    delayed_.clear();
-    delays_ = 0;
-    grounded_ = true;
-    split_ = system.threads().threads() > 1;
-    factorize_symbolically();
-    no_a_.resize(0);
-    refined_ = masses_far_apart(system);
-    if (!refined_) return;
-    for (VectorXd* velocities : {&rest_a_, &change_x_}) velocities->setZero(system.v_size());
-    for (VectorXd* rows : {&rest_b_, &change_lambda_}) rows->setZero(system.row_count());
+    refuse_massless(system);
+    begin(system, false);
+  }
+
+  bool analyze_as_it_is(const System& system, const Evaluation&, const std::vector<int>& light) override {
+    begin(system, true);
+    std::vector<char> in_branches(static_cast<std::size_t>(system.body_count()), 0);
+    for (const TreeStep& step : symbolic_->steps) in_branches[step.body] = 1;
+    return std::all_of(light.begin(), light.end(), [&](int body) { return in_branches[body] != 0; });
   }
 
   void factorize(const Evaluation& at, const VectorXd& e) override {
@@ -78,6 +75,22 @@ class BlockSolver final : public SaddleSolver {
   }
 
  private:
+  void begin(const System& system, bool with_ballast) {
+    system_ = &system;
+    with_ballast_ = with_ballast;
+    e_.resize(0);
+    delayed_.clear();
+    delays_ = 0;
+    grounded_ = true;
+    split_ = system.threads().threads() > 1;
+    factorize_symbolically();
+    no_a_.resize(0);
+    refined_ = masses_far_apart(system);
+    if (!refined_) return;
+    for (VectorXd* velocities : {&rest_a_, &change_x_}) velocities->setZero(system.v_size());
+    for (VectorXd* rows : {&rest_b_, &change_lambda_}) rows->setZero(system.row_count());
+  }
+
   void refine(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) {
     for (int step = 0; step < most_refinements; ++step) {
       system_->multiply_mass(*at_, x, change_x_);
@@ -189,9 +202,9 @@ class BlockSolver final : public SaddleSolver {
     found_.reserve(most);
   }
 
-  void refuse_massless() const {
-    if (system_->massless_bodies().empty()) return;
-    const std::string name = system_->model().body_name(system_->massless_bodies().front());
+  static void refuse_massless(const System& system) {
+    if (system.massless_bodies().empty()) return;
+    const std::string name = system.model().body_name(system.massless_bodies().front());
     ErrorDetails details;
     details.bodies = {name};
     throw OptionError("massless_body",
@@ -217,6 +230,8 @@ class BlockSolver final : public SaddleSolver {
     look_for_interruption();
     place_scratch();
     factorize_masses();
+    if (with_ballast_) ballast_ = ballasts(system_->model(), symbolic_->steps, compliant_from_);
+    else ballast_.clear();
     collect_data();
   }
 
@@ -314,6 +329,7 @@ class BlockSolver final : public SaddleSolver {
              .unknowns = s.unknowns.data(),
              .mass = system_->mass_blocks().data(),
              .mass_factors = mass_factors_.data(),
+             .ballast = with_ballast_ ? ballast_.data() : nullptr,
              .D = data_.D,
              .e = e_.size() > 0 ? e_.data() : nullptr,
              .compliant = data_.compliant,
@@ -346,8 +362,9 @@ class BlockSolver final : public SaddleSolver {
   std::vector<double*> scratch_places_, pivots_places_;  ///< of each thread
   std::vector<SmallestPivot> found_;                     ///< by the tasks of a stage
   std::vector<MassFactor> mass_factors_;
+  std::vector<Ballast> ballast_;
   VectorXd e_, no_a_, no_b_;
-  bool refined_ = false, split_ = false;
+  bool refined_ = false, split_ = false, with_ballast_ = false;
   bool grounded_ = true;  ///< see SymbolicFactorization
   VectorXd rest_a_, rest_b_, change_x_, change_lambda_;
   Data data_{};
@@ -361,6 +378,7 @@ bool masses_far_apart(const System& system) {
   for (int body = 0; body < system.body_count(); ++body) {
     const double size[2] = {system.mass(body), system.inertia(body).diagonal().maxCoeff()};
     for (int k = 0; k < 2; ++k) {
+      if (size[k] == 0.0) continue;
       least[k] = std::min(least[k], size[k]);
       most[k] = std::max(most[k], size[k]);
     }

@@ -7,10 +7,11 @@
 
 namespace linkwork::block {
 
-/// Factorizes [M D^T; D -E] by dense blocks in a static order; see SymbolicFactorization. M must be regular.
+/// Factorizes [M D^T; D -E] by dense blocks in a static order; see SymbolicFactorization. M must be regular, or
+/// regular with ballast, see SaddleSolver::analyze_as_it_is.
 std::unique_ptr<SaddleSolver> make_block_solver(const InstructionSet& instructions = best_instruction_set());
 
-/// Light bodies between heavy ones cost digits, which the residual brings back.
+/// Light bodies between heavy ones cost digits, which the residual brings back. Massless ones do not count.
 bool masses_far_apart(const System& system);
 constexpr int most_refinements = 5;
 /// Whether after a correction of this size, in amount, comes another one.

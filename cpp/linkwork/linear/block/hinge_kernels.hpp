@@ -65,20 +65,30 @@ LINKWORK_INLINE void add_to_parent(const TreeStep& step, const Data& data, const
     }
 }
 
+/// The smallest mass or moment that counts as a pivot.
+LINKWORK_INLINE double least_pivot(bool mass, const TreeStep& step, const Data& data) {
+  if (!data.ballast) return 0.0;
+  return mass ? data.ballast[step.body].least_mass : data.ballast[step.body].least_moment;
+}
+
+/// Keeps in mind that there is no such inertia.
+LINKWORK_INLINE void note_inertia(SmallestPivot& smallest, double pivot, double least, int row) {
+  if (!(pivot > least)) smallest = {pivot == pivot ? 0.0 : not_a_number, row};
+}
+
 /// False where the joint is violated by far; then nothing is done.
 template <class Elimination>
-LINKWORK_INLINE bool eliminate_joint(Elimination& joint, const TreeStep& step, const double* b,
+LINKWORK_INLINE bool eliminate_joint(Elimination& joint, const TreeStep& step, const Data& data, const double* b,
                                      SmallestPivot& smallest) {
   if (!(joint.read(b + step.row) > least_size)) return false;
-  const double pivot = joint.release();
-  if (!(pivot > 0.0)) smallest = {pivot == pivot ? 0.0 : not_a_number, step.row};
+  note_inertia(smallest, joint.release(), least_pivot(step.slides, step, data), step.row);
   return true;
 }
 
 LINKWORK_INLINE bool factor_on_body(const TreeStep& step, const Data& data, const double* a, const double* b,
                                     SmallestPivot& smallest) {
   auto hinge = hinge_of(step, data, a);
-  if (!eliminate_joint(hinge, step, b, smallest)) return false;
+  if (!eliminate_joint(hinge, step, data, b, smallest)) return false;
   add_to_parent(step, data, a, hinge);
   hinge.store_way_back();
   return true;
@@ -87,7 +97,7 @@ LINKWORK_INLINE bool factor_on_body(const TreeStep& step, const Data& data, cons
 bool factor_on_ground(const TreeStep& step, const Data& data, const double* a, const double* b,
                       SmallestPivot& smallest) {
   return with_ground_joint(step.slides, ground_places(step, step.D_body, step.storage, data, a), [&](auto joint) {
-    if (!eliminate_joint(joint, step, b, smallest)) return false;
+    if (!eliminate_joint(joint, step, data, b, smallest)) return false;
     joint.store_way_back();
     return true;
   });

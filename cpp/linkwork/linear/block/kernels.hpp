@@ -137,6 +137,13 @@ struct MassFactor {
   bool diagonal;
 };
 
+/// What a body of an open branch may lack in inertia, see ballast_kernels.hpp: inverse mass and moment, and the smallest
+/// ones that count as pivots.
+struct Ballast {
+  double inverse_mass, inverse_moment;
+  double least_mass, least_moment;
+};
+
 /// What is done with what an elimination contributes to its parent.
 enum class Handing {
   over,   ///< it is added at once
@@ -177,6 +184,7 @@ struct Data {
   const int* unknowns;
   const MassBlock* mass;
   const MassFactor* mass_factors;  ///< of the bodies that name one
+  const Ballast* ballast;          ///< of each body; none where all have inertia
   const double* D;
   const double* e;  ///< compliance of each row; none where it is zero in all
   bool compliant;   ///< e is not zero in all rows that are not dropped

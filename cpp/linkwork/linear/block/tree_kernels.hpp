@@ -1,5 +1,6 @@
 #pragma once
 
+#include "linkwork/linear/block/ballast_kernels.hpp"
 #include "linkwork/linear/block/hinge_kernels.hpp"
 #include "linkwork/linear/block/turning_kernels.hpp"
 
@@ -85,7 +86,7 @@ LINKWORK_INLINE void prefetch_step(const TreeStep& step, const Data& data) {
 /// M_b = L D L^T with W = D_b L^-T on its way, and G = W D^-1; the right-hand sides ride along. L and G are left with
 /// unit L and scaled columns.
 template <int rows>
-LINKWORK_INLINE void factor_body_of(const TreeStep& step, Vector* M, Vector* W, Vector* L, Vector* G,
+LINKWORK_INLINE void factor_body_of(const TreeStep& step, const Data& data, Vector* M, Vector* W, Vector* L, Vector* G,
                                     SmallestPivot& smallest) {
   LINKWORK_UNROLL for (int k = 0; k < 6; ++k) {
     const Vector pivot = lane(M[k], k), inverse = inverse_of_lane(M[k], k);
@@ -97,7 +98,7 @@ LINKWORK_INLINE void factor_body_of(const TreeStep& step, Vector* M, Vector* W, 
       else M[c] -= M[k] * lane(L[k], c);
       W[c] -= W[k] * lane(L[k], c);
     }
-    if (!(pivot[0] > 0.0)) smallest = {pivot[0] == pivot[0] ? 0.0 : not_a_number, rows > 0 ? step.row : -1};
+    note_inertia(smallest, pivot[0], least_pivot(k < 3, step, data), rows > 0 ? step.row : -1);
   }
 }
 
@@ -137,18 +138,49 @@ LINKWORK_INLINE void add_to_parent(const TreeStep& step, const Data& data, const
   }
 }
 
+LINKWORK_INLINE const double* ballast_at(int body, const Data& data) { return &data.ballast[body].inverse_mass; }
+
+/// M_b += D_b^T S D_b; leaves S.
+template <int rows, class Rows>
+LINKWORK_INLINE void add_ballast(const Rows& of, const Data& data, Vector* M, double* S) {
+  LINKWORK_UNROLL for (int k = 0; k < rows; ++k) {
+    const double* d = of.D_body(k);
+    S[k] = ballast_of_row<Doubles>(d, ballast_at(of.step.body, data), data.e ? data.e[of.row(k)] : 0.0);
+    const Vector scaled = load_first<6>(d) * splat(S[k]);
+    LINKWORK_UNROLL for (int c = 0; c < 6; ++c)
+      M[c] += scaled * splat(d[c]);
+  }
+}
+
+/// [M_p; a_p] -= [D_p, b]^T S D_p.
+template <int rows, class Rows>
+LINKWORK_INLINE void take_ballast_again(const Rows& of, const Data& data, const double* b, const double* S) {
+  double* articulated = data.articulated_inertias + of.step.parent_slot * articulated_inertia_size;
+  Vector scaled[rows];
+  LINKWORK_UNROLL for (int k = 0; k < rows; ++k)
+    scaled[k] = (load_first<6>(of.D_parent(k)) + unit(right_hand_side) * splat(b[of.row(k)])) * splat(S[k]);
+  LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
+    Vector sum = load(articulated + c * lanes);
+    LINKWORK_UNROLL for (int k = 0; k < rows; ++k)
+      sum -= scaled[k] * splat(of.D_parent(k)[c]);
+    store(articulated + c * lanes, sum);
+  }
+}
+
 template <int rows, bool scattered>
 LINKWORK_INLINE void factor_row_by_row(const TreeStep& step, const Data& data, const double* a, const double* b,
                                        SmallestPivot& smallest) {
   const RowsOfStep<scattered> of{step, data};
   Vector M[6], W[6], L[6], G[6];
+  [[maybe_unused]] double ballast[rows + 1];
   load_columns<rows>([&](int k) { return of.D_body(k); }, W);
   LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
     if (step.slot >= 0) M[c] = load(data.articulated_inertias + step.slot * articulated_inertia_size + c * lanes);
     else M[c] = mass_column(data.mass[step.body], c, a[6 * step.body + c]);
     W[c] += M[c] * unit(right_hand_side);
   }
-  factor_body_of<rows>(step, M, W, L, G, smallest);
+  if (data.ballast) add_ballast<rows>(of, data, M, ballast);
+  factor_body_of<rows>(step, data, M, W, L, G, smallest);
   double* factors = data.factors + step.storage;
   if constexpr (rows > 0) {
     Vector S[rows], V[rows], T[rows];
@@ -161,6 +193,7 @@ LINKWORK_INLINE void factor_row_by_row(const TreeStep& step, const Data& data, c
     }
     factor_joint_of<rows>(of, data, S, V, T, smallest);
     if (step.parent >= 0) add_to_parent<rows>(step, data, a, V, T);
+    if (step.parent >= 0 && data.ballast) take_ballast_again<rows>(of, data, b, ballast);
     LINKWORK_UNROLL for (int k = rows - 1; k >= 0; --k) {
       LINKWORK_UNROLL for (int c = k + 1; c < rows; ++c)
         T[k] -= T[c] * lane(S[k], c);
@@ -184,6 +217,14 @@ LINKWORK_INLINE void factor_step(const TreeStep& step, const Data& data, const d
   if constexpr (by_numbers<rows, scattered>)
     if (factor_by_numbers(step, data, a, b, smallest)) return;
   factor_row_by_row<rows, scattered>(step, data, a, b, smallest);
+}
+
+/// lambda -= S D_b x_b.
+template <int rows, class Rows>
+LINKWORK_INLINE void take_its_forces(const Rows& of, const Data& data, const double* x, double* lambda) {
+  LINKWORK_UNROLL for (int k = 0; k < rows; ++k)
+    lambda[of.row(k)] -= force_of_ballast<Doubles>(of.D_body(k), ballast_at(of.step.body, data),
+                                                   data.e ? data.e[of.row(k)] : 0.0, x + 6 * of.step.body);
 }
 
 template <int rows, bool scattered>
@@ -210,6 +251,7 @@ LINKWORK_INLINE void backward_step(const TreeStep& step, const Data& data, doubl
   const Vector x_body = sums<6>(products);
   store_first<6>(x + 6 * step.body, x_body);
   if (step.slot >= 0) leave_for_children(x_body, step.slot, data);
+  if (data.ballast) take_its_forces<rows>(RowsOfStep<scattered>{step, data}, data, x, lambda);
 }
 
 /// Calls f with the number of rows of a joint, 0 to 6, and whether they are scattered, as constants.

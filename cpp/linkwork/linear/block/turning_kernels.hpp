@@ -289,7 +289,7 @@ LINKWORK_INLINE void factor_turning_step(const TreeStep& step, const Data& data,
   Vector W[6];
   multiply_by_mass(joint, M, W);
   const Release free = release<Kind>(joint, W);
-  if (!(free.d > 0.0)) smallest = {free.d == free.d ? 0.0 : not_a_number, step.row};
+  note_inertia(smallest, free.d, Kind::free ? least_pivot(false, step, data) : not_a_number, step.row);
   if (step.parent >= 0) add_to_parent_of<Kind>(step, data, a, joint, W, free);
   store_way_back<Kind>(joint, data.D + step.D_body, W, free, data.factors + step.storage);
 }
