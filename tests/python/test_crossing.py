@@ -545,3 +545,99 @@ def test_slow_velocities_of_a_branch_decide_as_fast_ones_do(
     result = lw.simulate(folded_parallelogram(masses, omega), 0.2, progress=False, **options)
     assert result.omega[-1, [0, 2], 1] == pytest.approx(fall(masses, omega, 0.2), rel=1e-5)
     assert result.omega[-1, 1, 1] == pytest.approx(0.0, abs=1e-5)
+
+
+#: Masses [kg] and inertias about the axes of the pins [kg m^2] of a crank of 1 m, a rod of 1 m and a slider.
+CRANK, ROD, SLIDER, OF_CRANK, OF_ROD = 1.3, 0.8, 0.6, 0.11, 0.07
+
+
+def equal_slider_crank(turn: float, omega: float, slides: bool, gravity: tuple[float, float]) -> lw.Model:
+    """At `turn` [rad] from the pose with the slider over the pivot: it slides, or crank and rod are one."""
+    c, s = -np.sin(turn), np.cos(turn)
+    pin, speed = np.array([c, 0, s]), omega * np.array([-s, 0, c])
+    end, of_end = slides * np.array([2 * c, 0, 0]), slides * omega * np.array([-2 * s, 0, 0])
+    model = lw.Model(gravity=(gravity[0], 0, gravity[1]))
+
+    def bar(name: str, mass: float, inertia: float, ends: Any, speeds: Any, rate: float) -> None:
+        model.body(
+            name,
+            mass=mass,
+            inertia=(0.01, inertia, inertia),
+            position=sum(ends) / 2,
+            orientation=lw.rotation.from_axes(ends[0] - ends[1], (0, 1, 0)),
+            velocity=sum(speeds) / 2,
+            omega=(0, -rate, 0),
+        )
+
+    bar("crank", CRANK, OF_CRANK, (pin, 0 * pin), (speed, 0 * speed), omega)
+    bar("rod", ROD, OF_ROD, (pin, end), (speed, of_end), -omega if slides else omega)
+    model.body("slider", mass=SLIDER, inertia=(0.01, 0.01, 0.01), position=end, velocity=of_end)
+    for a, b, at in (("ground", "crank", 0 * pin), ("crank", "rod", pin), ("rod", "slider", end)):
+        model.revolute(a, b, at=at, axis=(0, 1, 0))
+    model.translational("ground", "slider", at=end, axis=(1, 0, 0))
+    return model
+
+
+def rate_of_crank(
+    turn: float, omega: float, slides: bool, gravity: tuple[float, float], t_end: float
+) -> float:
+    """[rad/s], of the branch as a mechanism of its own."""
+
+    def rates(_: float, y: Any) -> tuple[float, float]:
+        c, s = -np.sin(y[0]), np.cos(y[0])
+        if not slides:
+            inertia, slope = OF_CRANK + CRANK / 4 + OF_ROD + ROD / 4, 0.0
+            load = (CRANK + ROD) / 2 * (gravity[1] * c - gravity[0] * s)
+        else:
+            inertia = OF_CRANK + CRANK / 4 + OF_ROD + ROD * (2.25 * s * s + 0.25 * c * c) + 4 * SLIDER * s * s
+            slope = (4 * ROD + 8 * SLIDER) * s * c
+            load = (CRANK + ROD) / 2 * gravity[1] * c - (CRANK / 2 + 1.5 * ROD + 2 * SLIDER) * gravity[0] * s
+        return y[1], (load - slope * y[1] ** 2 / 2) / inertia
+
+    return float(solve_ivp(rates, (0, t_end), (turn, omega), rtol=1e-11, atol=1e-13).y[1, -1])
+
+
+@pytest.mark.parametrize("options", [{"rtol": 1e-4}, {"rtol": 1e-6}, {"rtol": 1e-9}, {"step": 1e-3}], ids=str)
+@pytest.mark.parametrize(
+    ("turn", "omega", "slides", "gravity"),
+    [
+        (-3e-5, 0.03, False, (9.81, 0)),
+        (-1e-5, 0.01, False, (3, -5)),
+        (-1e-5, 0.01, True, (3, -5)),
+        (-1e-4, 0.1, False, (9.81, 0)),
+        (0, 1e-3, False, (3, -5)),
+    ],
+)
+def test_a_motion_that_loads_turn_back_beside_a_pose_keeps_its_branch(
+    turn: float, omega: float, slides: bool, gravity: tuple[float, float], options: dict[str, Any]
+) -> None:
+    """It comes through the pose slowly, and back through it at once."""
+    model = equal_slider_crank(turn, omega, slides, gravity)
+    result = lw.simulate(model, 0.25, progress=False, **options)
+    assert -result.omega[-1, 0, 1] == pytest.approx(
+        rate_of_crank(turn, omega, slides, gravity, 0.25), rel=1e-3
+    )
+    if not slides:
+        assert result.body("slider").position[-1, 0] == pytest.approx(0, abs=1e-6)
+
+
+@pytest.mark.parametrize("options", [{"step": 1e-3}, {"rtol": 1e-8}], ids=str)
+@pytest.mark.parametrize("omega", [1e-3, -1e-3, 2e-3])
+@pytest.mark.parametrize("slides", [True, False])
+def test_slow_velocities_decide_where_weights_balance_in_the_pose(
+    slides: bool, omega: float, options: dict[str, Any]
+) -> None:
+    """It is left like an upright pendulum, at a rate that the accelerations of the pose do not tell."""
+    model = equal_slider_crank(0, omega, slides, (0, -9.81))
+    result = lw.simulate(model, 1.0, progress=False, **options)
+    assert -result.omega[-1, 0, 1] == pytest.approx(
+        rate_of_crank(0, omega, slides, (0, -9.81), 1.0), rel=1e-4
+    )
+
+
+@pytest.mark.parametrize("options", [{"step": 1e-3}, {"rtol": 1e-5}], ids=str)
+def test_a_slow_driver_leaves_a_pose_by_the_branch_of_its_velocities(options: dict[str, Any]) -> None:
+    model = folded_parallelogram((3.0, 0.2, 0.7), 0.01)
+    model.drive("ground-crank", velocity=0.01)
+    result = lw.simulate(model, 0.2, progress=False, **options)
+    assert result.omega[-1, :, 1] == pytest.approx([0.01, 0, 0.01], abs=1e-6)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "linkwork/constraints/displacement.hpp"
 #include "linkwork/constraints/length_scale.hpp"
@@ -16,12 +17,13 @@ namespace {
 constexpr int most_sweeps = 40;
 constexpr double converged = 1e-13, roundoff = 1e-7, shrinking = 0.5;
 // From a pose that is left slowly the first nodes are near to it; what is made of it has to be fair.
-constexpr double roundoff_departing = 1e-6;
+constexpr double roundoff_departing = 1e-5;
 constexpr int slow_from = 10, looked_back = 5;  // sweeps
 constexpr double tolerance = 1e-10;             // of the energy over a step
 constexpr double resolved = 1e-10;              // of velocities inside; at the end about the square of it counts
 constexpr double end_part = 1e-2;               // of that, at most
 constexpr double fair_tolerance = 1e-7;         // of all three, where nothing better is found
+constexpr double fair_departing = 1e-5;         // the same where usual steps are worse
 constexpr double of_projection = 4.0;           // energy of velocities that constraints correct, relative to these
 constexpr double foreseen = 1e-9;               // of velocities that forces between the nodes give
 constexpr double consistent = 1e-8;             // correction of the nodes: more, and the branches do not quite meet
@@ -58,10 +60,10 @@ bool CollocationStep::Quality::good() const {
 
 bool CollocationStep::Quality::fair() const {
   const double projected = off > 0.0 ? of_projection * jump : 0.0;
-  const double blurred = not_resolved * of_accelerations(blur);
+  const double blurred = not_resolved * of_accelerations(blur), tolerated = departs ? fair_departing : fair_tolerance;
   return converged && correction <= std::max({consistent, 2.0 * off, of_positions(blur)}) &&
-         resolution <= std::max(fair_tolerance, blurred) &&
-         std::max(energy, unseen) <= std::max({fair_tolerance, projected, of_velocities(blur)});
+         resolution <= std::max(tolerated, blurred) &&
+         std::max(energy, unseen) <= std::max({tolerated, projected, of_velocities(blur)});
 }
 
 double CollocationStep::Quality::error() const { return std::max({end_part * resolution, energy, unseen, roundoff}); }
@@ -84,8 +86,8 @@ void CollocationStep::begin_in_pose(double t, const VectorXd& y, double off, con
   off_ = off;
   note_energy(y);
   dynamics_.rates(rates_before_);
-  departs_ = v_dot.size() > 0;
-  if (departs_) rates_before_.segment(dynamics_.system().q_size(), v_dot.size()) = v_dot;
+  departs_ = off == 0.0;
+  if (v_dot.size() > 0) rates_before_.segment(dynamics_.system().q_size(), v_dot.size()) = v_dot;
   step_.axes.see_rates(0.0, step_.y, rates_before_);
   v_dot_before_ = rates_before_.segment(dynamics_.system().q_size(), v_dot_.size());
 }
@@ -159,7 +161,7 @@ CollocationStep::Quality CollocationStep::attempt(double h, int left_out) {
 /// velocities in the pose are slow, accelerations tell where the nodes are.
 void CollocationStep::guess() {
   step_.k = rates_before_.replicate(1, stages);
-  least_speed_ = 0.0;
+  least_speed_ = fastest_ = 0.0;
   if (!departs_ || !step_.axes.Omega.isZero(0.0)) return;
   const System& system = dynamics_.system();
   const VectorXd v = step_.y.segment(system.q_size(), system.v_size());
@@ -172,6 +174,26 @@ void CollocationStep::guess() {
   }
 }
 
+double CollocationStep::way(double from, double to) const {
+  const System& system = dynamics_.system();
+  return std::abs(to - from) *
+         size(step_.y.segment(system.q_size(), system.v_size()) + 0.5 * (from + to) * v_dot_before_);
+}
+
+double CollocationStep::growth_to(double time) {
+  if (!step_.axes.Omega.isZero(0.0)) return 0.0;
+  const System& system = dynamics_.system();
+  const VectorXd way = time * step_.y.segment(system.q_size(), system.v_size()) + 0.5 * time * time * v_dot_before_;
+  y_ = step_.y;
+  displace(system, way, y_);
+  y_.segment(system.q_size(), system.v_size()) += time * v_dot_before_;
+  if (!can_project(step_.t + time, y_)) return 0.0;
+  dynamics_.evaluate(step_.t + time, y_);
+  VectorXd lambda(system.row_count());
+  dynamics_.refined_accelerations(v_dot_, lambda);
+  return std::sqrt(size(v_dot_ - v_dot_before_) / size(way));
+}
+
 /// Fixed-point iteration, node after node: it converges like (h L)^k / k!.
 bool CollocationStep::iterate() {
   const double noise = std::max(departs_ ? roundoff_departing : roundoff, of_accelerations(blur_));
@@ -181,6 +203,7 @@ bool CollocationStep::iterate() {
     correction_ = jump_ = 0.0;
     for (int i = 0; i < stages; ++i) change = std::max(change, i == left_out_ ? extrapolated_node(i) : node(i));
     if (!std::isfinite(change)) return false;
+    if (departs_) least_speed_ = std::exchange(fastest_, 0.0);
     if (change <= converged || (change <= noise && change > shrinking * last)) return true;
     if (sweep > 3 && change > 2.0 * last) return change <= noise;
     changes[sweep] = last = change;
@@ -214,6 +237,7 @@ double CollocationStep::node(int i) {
   correction_ = std::max(correction_, displacement(rates_, y_));
   const double speed = size(y_.segment(nq, nv)), before = size(rates_.segment(nq, nv));
   if (before > 0.0) jump_ = std::max(jump_, size(y_.segment(nq, nv) - rates_.segment(nq, nv)) / before);
+  fastest_ = std::max(fastest_, speed);
   dynamics_.evaluate(t, y_);
   g_.col(i) = dynamics_.evaluation().g.head(nv);
   step_.axes.see_forces(time, g_.col(i));
@@ -262,6 +286,7 @@ void CollocationStep::finish(Quality& quality) {
   const VectorXd rest = step_.k * (left_out_ == none ? gauss_.last_coefficient() : gauss_.last_but_one());
   state_at(step_.h, step_.y_new);
   const auto v = step_.y.segment(nq, nv), v_new = step_.y_new.segment(nq, nv);
+  quality.departs = departs_;
   quality.correction = correction_;
   quality.off = off_;
   quality.blur = blur_;

@@ -33,6 +33,7 @@ class CollocationStep {
 
   struct Quality {
     bool converged = false;
+    bool departs = false;     ///< from a pose, which nothing else does better
     double correction = 0.0;  ///< of the nodes by the constraints [rad, or relative to the length]
     double off = 0.0;         ///< the same of the start, where it is not taken to the constraints
     double jump = 0.0;        ///< the same of their velocities, relative to them
@@ -75,6 +76,10 @@ class CollocationStep {
   const auto& nodes() const { return gauss_.c; }
   /// As they are seen.
   const VectorXd& start_accelerations() const { return v_dot_before_; }
+  /// How far the motion would go from one time to another, in s from the start, with the accelerations there [rad].
+  double way(double from, double to) const;
+  /// How fast accelerations grow on the way to there, as the rate of growth of the motion [1/s]; 0: nobody knows.
+  double growth_to(double time);
   /// Where it is taken to the constraints: as they are there.
   struct Forces {
     VectorXd v_dot, lambda;
@@ -122,6 +127,7 @@ class CollocationStep {
   Leap step_;
   bool departs_ = false;                  ///< from a pose in which accelerations are those of a branch
   double least_speed_ = 0.0;              ///< that changes of velocities are relative to
+  double fastest_ = 0.0;                  ///< node of a sweep
   double correction_ = 0.0, jump_ = 0.0;  ///< of the last sweep, see Quality
   MatrixXd g_;                            ///< at the nodes
   std::optional<Forces> start_;

@@ -250,6 +250,7 @@ bool Crossing::is_due_by(double t, double h, const Speeds& speeds, bool adaptive
   fastest_ = largest_rate(speeds);
   turned_ += fastest_ * (t - std::exchange(turned_until_, t));
   keep_rows_good(state);
+  check_passage(t, state);
   const bool falls = (falls_to_ < INFINITY || speeds.none()) &&  // else no distance is near enough
                      falls_to_ - t <= near_enough(usual_length(speeds), h, adaptive);
   if (turned_ + 0.5 * fastest_ * h >= next_look_ || fastest_ * h > coarse || falls) look(t, state);
@@ -273,6 +274,35 @@ bool Crossing::is_due_by(double t, double h, const Speeds& speeds, bool adaptive
     beside_ = up_to;
   }
   return beside_ > 0.0;
+}
+
+/// Velocities of bodies in loops, relative to the length; a rotor's own rotation is none.
+VectorXd Crossing::of_loops(const ConstVector& v) const {
+  VectorXd out = VectorXd::Zero(v.size());
+  for (int body = 0; body < dynamics_.system().body_count(); ++body) {
+    if (!in_loops_[static_cast<std::size_t>(body)]) continue;
+    const Vec3<double> axis = step_.rotors().col(body), omega = v.segment<3>(6 * body + 3);
+    out.segment<3>(6 * body) = v.segment<3>(6 * body) / step_.length();
+    out.segment<3>(6 * body + 3) = omega - axis * axis.dot(omega);
+  }
+  return out;
+}
+
+void Crossing::begin_passage(double t, const VectorXd& y, double ahead) {
+  const VectorXd v = of_loops(y.segment(dynamics_.system().q_size(), dynamics_.system().v_size()));
+  passage_.begin(t, y, v, std::isfinite(ahead) ? std::abs(ahead) * fastest_ : 0.0);
+}
+
+/// Where usual steps have come away from a pose.
+void Crossing::check_passage(double t, Arrival& state) {
+  passage_.go_on(t, fastest_);
+  if (!passage_.over()) return;
+  const System& system = dynamics_.system();
+  const VectorXd v = of_loops(state.arrive().segment(system.q_size(), system.v_size()));
+  VectorXd v_dot(system.v_size()), lambda(system.row_count());
+  dynamics_.accelerations(v_dot, lambda);
+  if (passage_.left_branch(v, of_loops(v_dot))) throw_left_branch(t);
+  passage_.forget();
 }
 
 /// Where the pose is by the least singular value, which goes linearly to zero toward it, and when to look again. It
@@ -348,7 +378,7 @@ void Crossing::forget_looks() {
 void Crossing::keep(Archive& archive, bool leaping) {
   archive(in_loops_, prepared_, starting_, in_pose_, fresh_, least_.at, least_.value, most_step_, fastest_);
   archive(falls_to_, next_look_, turned_, turned_until_, highest_, highest_root_, declined_least_, declined_root_);
-  archive(known_, known_rate_, approached_, leaves_, ended_.at, ended_.value, poses_);
+  archive(known_, known_rate_, approached_, leaves_, ended_.at, ended_.value, poses_, passage_);
   if (leaping) archive(leap_);
 }
 

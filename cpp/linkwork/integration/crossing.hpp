@@ -8,6 +8,7 @@
 #include "linkwork/integration/collocation_step.hpp"
 #include "linkwork/integration/departure.hpp"
 #include "linkwork/integration/interpolant.hpp"
+#include "linkwork/integration/passage.hpp"
 #include "linkwork/integration/recorder.hpp"
 #include "linkwork/integration/singular_pose_search.hpp"
 #include "linkwork/integration/touch_search.hpp"
@@ -73,6 +74,7 @@ class Crossing final : public Interpolant {
     fresh_ = true;
     known_ = -INFINITY;
     forget_looks();
+    passage_.forget();
     poses_.restart();
   }
 
@@ -136,7 +138,7 @@ class Crossing final : public Interpolant {
     double too_far = INFINITY;                       ///< a pose
     double smooth = INFINITY;                        ///< up to where a contact or a stop begins or ends, at most
     int failures = 0;                                ///< since the last that converged
-    bool any_converged = false, ahead = false, done = false;
+    bool ahead = false, done = false;
   };
 
   bool is_due_by(double t, double h, const Speeds& speeds, bool adaptive, Arrival& state);
@@ -185,6 +187,11 @@ class Crossing final : public Interpolant {
   bool weaker_than_usual() const;
   double nearest_node(const std::vector<double>& poses, double h, int left_out = CollocationStep::none) const;
   int node_in_pose(const Search& search, double h) const;
+  bool starts_with_node_in_pose(const Search& search, double h) const;
+  VectorXd of_loops(const ConstVector& v) const;
+  void check_passage(double t, Arrival& state);
+  void begin_passage(double t, const VectorXd& y, double ahead);
+  [[noreturn]] void throw_left_branch(double t);
   double best_length(const Search& search);
   double limit(const Search& search, double h);
   double allowed_length(const Search& search, double h);
@@ -202,6 +209,7 @@ class Crossing final : public Interpolant {
   bool in_pose_ = false;     ///< or in it
   std::vector<int> joints_;  ///< whose equations depend on each other there
   VectorXd departing_;       ///< accelerations there
+  Passage passage_;          ///< of usual steps
   bool decided_ = false;     ///< by velocities
   bool stepped_in_ = false;  ///< it begins in one that a step of the run ends in
   bool fresh_ = true;        ///< no step was looked at yet

@@ -15,6 +15,8 @@ constexpr double least_part = 0.1;      // of a usual leap, for those over a mot
 constexpr double drifted = 1e-3;        // farthest that a run that steps into a pose is off the constraints [rad]
 constexpr double least_margin = 0.006;  // of nodes from the pose, relative to the leap, where nothing better is found
 constexpr double in_pose_from = 0.03;   // the same: where such a node is left out if it must be there
+constexpr double few_digits = 1e-3;     // [rad] from a pose: where a run begins, nodes so near to it are left out
+constexpr double most_growth = 1.6;     // of a motion in a leap from its start: log of the factor
 constexpr double same_pose = 1e-2;      // relative to a leap
 constexpr double farther = 1e-3;        // the same, of nodes from poses: what makes a length the better one
 constexpr int most_attempts = 12;
@@ -27,6 +29,7 @@ constexpr double beside_pose = 0.05;        // of a leap: so near nothing is pro
 constexpr double too_far = 1.5;             // of the usual distance to the pose: steps go on before the leap
 constexpr double part_of_way = 0.8;         // to a foreseen pose
 constexpr std::size_t named = 8;            // joints in an error
+constexpr double near_pose_passed = 0.1;    // rows that near each other, where usual steps pass a pose
 constexpr double before_switch = 0.9;       // of the way to where a contact or a stop begins or ends
 
 }  // namespace
@@ -40,13 +43,20 @@ double Crossing::nearest_node(const std::vector<double>& poses, double h, int le
   return nearest;
 }
 
-/// The one that is left out, where the length cannot be chosen: the run ends beside a pose.
+/// The one that is left out: the first of a slow start, or where the length cannot be chosen, as the run ends there.
 int Crossing::node_in_pose(const Search& search, double h) const {
+  if (starting_ && starts_with_node_in_pose(search, h)) return 0;
   if (h < std::min(search.most, search.smooth)) return CollocationStep::none;
   for (int i = 0; i < CollocationStep::stages; ++i)
     for (const double pose : search.poses)
       if (std::abs(step_.nodes()[i] - pose / h) < in_pose_from) return i;
   return CollocationStep::none;
+}
+
+/// A slow start leaves a pose by little up to the first node.
+bool Crossing::starts_with_node_in_pose(const Search& search, double h) const {
+  return std::any_of(search.poses.begin(), search.poses.end(),
+                     [&](double pose) { return step_.way(pose, step_.nodes()[0] * h) < few_digits; });
 }
 
 /// The length among the allowed ones with which the nodes stay farthest from the poses, in time where it is shorter
@@ -98,7 +108,8 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   if (!in_it && !step_.begin(t, y, !beside)) return false;
   if (beside_ > 0.0) return leap_beside(most, usual_length(v));
   const VectorXd& v_dot = step_.start_accelerations();
-  const double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot.size()), v_dot);
+  double usual = usual_length(leap_.y.segment(dynamics_.system().q_size(), v_dot.size()), v_dot);
+  if (starting_ && std::isfinite(usual)) usual = std::min(usual, most_growth / step_.growth_to(std::min(usual, most)));
   const double pose = starting_ ? 0.0 : foreseen;
   Search search{t, grid, most, usual, {pose}, std::max({usual, 2.0 * pose, grid > 0.0 ? h : 0.0})};
   search.base = search.least;
@@ -106,12 +117,14 @@ bool Crossing::leap(double t, double h, double grid, double most, const VectorXd
   known_ = -INFINITY;
   if (!try_lengths(search)) {
     if (known_ > t && !(grid > 0.0)) most_step_ = known_ - t - before_pose * usual;
+    else if (!search.done && std::isinf(search.smooth)) begin_passage(t, y, foreseen);
     return false;
   }
   leap_ = std::move(search.best);
   leap_.followed = leap_.h;
   dynamics_.formulation().watch().forget_trend();
   forget_looks();
+  passage_.forget();
   if (!leap_.poses.empty() && leap_.poses.back() > leap_.h) {  // something ends it before
     known_ = leap_.t + leap_.poses.back();
     known_rate_ = fastest_;
@@ -169,13 +182,13 @@ bool Crossing::try_lengths(Search& search) {
     if (!search.ahead) search.failures = 2;
   }
   if (search.error < INFINITY) return true;
-  if (starting_ && in_pose_ && decided_ && !search.any_converged) throw_not_left(search.t);
+  if (starting_ && in_pose_ && decided_ && std::isinf(search.smooth)) throw_not_left(search.t);
   return false;
 }
 
 /// A leap that converged: the best so far, or what the next one should be.
 void Crossing::weigh(Search& search, CollocationStep::Quality quality) {
-  search.any_converged = search.ahead = true;
+  search.ahead = true;
   search.failures = 1;
   search.poses = leap_.poses = poses_in_leap(0.5);
   search.done = search.poses.empty();
@@ -240,6 +253,14 @@ void Crossing::throw_not_left(double t) const {
   throw_in_this_pose(t, "singular_pose", "is",
                      "and its motion along the branch of its velocities could not be followed; begin before or behind "
                      "that pose");
+}
+
+void Crossing::throw_left_branch(double t) {
+  const System& system = dynamics_.system();
+  const TimedPose before{t, passage_.y().head(system.q_size()), dynamics_.history()};
+  joints_ = examine_pose(system, before, dynamics_.dropped().rows(), near_pose_passed).joints;
+  throw_in_this_pose(t, "singular_pose", "went over to another branch",
+                     "which no leap led over; begin elsewhere, or give another step or other tolerances");
 }
 
 void Crossing::throw_several_motions(double t) const {
