@@ -427,6 +427,7 @@ def folded_parallelogram(
     masses: tuple[float, float, float],
     omega: float = 0.0,
     gravity: tuple[float, float, float] = (0, 0, -9.81),
+    away: float = 0.0,
 ) -> lw.Model:
     """Bars of 1 m on one line, crank and rocker 2 m apart at `omega` [rad/s] as those of a parallelogram."""
     model = lw.Model(gravity=gravity)
@@ -437,7 +438,7 @@ def folded_parallelogram(
             name,
             mass=mass,
             inertia=(0.001, 0.08, 0.081),
-            position=(x, 0, 0),
+            position=(away + x, -away, 0.3 * away),
             omega=(0, turn, 0),
             velocity=(0, 0, rise * omega),
         )
@@ -447,7 +448,7 @@ def folded_parallelogram(
         ("rod", "rocker", 0),
         ("ground", "rocker", 1),
     ):
-        model.revolute(a, b, at=(x, 0, 0), axis=(0, 1, 0), name=f"{a}-{b}")
+        model.revolute(a, b, at=(away + x, -away, 0.3 * away), axis=(0, 1, 0), name=f"{a}-{b}")
     return model
 
 
@@ -635,9 +636,59 @@ def test_slow_velocities_decide_where_weights_balance_in_the_pose(
     )
 
 
+@pytest.mark.parametrize(
+    "options", [*ANY_METHOD, {"rtol": 1e-5}, {"step": 1e-3, "stabilization": "projection"}], ids=str
+)
+@pytest.mark.parametrize("gravity", [(0, 0, 0), (0, 0, -9.81)], ids=["none", "down"])
+def test_a_driver_that_accelerates_from_rest_decides_nothing(
+    gravity: tuple[float, float, float], options: dict[str, Any]
+) -> None:
+    """The rocker may turn like the crank, or rest."""
+    model = folded_parallelogram((1.0, 1.0, 1.0), gravity=gravity)
+    model.drive("ground-crank", velocity=lw.functions.harmonic(1.0, 3.0))
+    with pytest.raises(lw.SingularSystemError, match="several motions are possible from rest") as caught:
+        lw.simulate(model, 0.2, progress=False, **options)
+    assert caught.value.time == 0.0
+
+
+@pytest.mark.parametrize("power", [2, 3])
+def test_nor_does_one_that_begins_without_an_acceleration(power: int) -> None:
+    model = folded_parallelogram((1.0, 1.0, 1.0), gravity=(0, 0, 0))
+    model.drive("ground-crank", velocity=lw.functions.polynomial(*power * [0.0], 3.0))
+    with pytest.raises(lw.SingularSystemError, match="several motions are possible from rest"):
+        lw.simulate(model, 0.2, 1e-3, progress=False)
+
+
+def test_a_driver_at_rest_holds_a_mechanism_in_a_pose() -> None:
+    model = folded_parallelogram((1.0, 1.0, 1.0), gravity=(9.81, 0, 0))
+    model.drive("ground-crank", velocity=0.0)
+    result = lw.simulate(model, 0.2, 1e-2, progress=False)
+    assert np.abs(result.v).max() <= 1e-12
+
+
+@pytest.mark.parametrize("acceleration", [0.0, 0.1, 100.0])
+def test_a_driver_of_another_mechanism_decides_nothing(acceleration: float) -> None:
+    """Reactions are finite on the branch that is taken."""
+    masses = (1.0, 1.0, 1.0)
+    model = folded_parallelogram(masses)
+    model.body("wheel", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0, 3, 0))
+    model.revolute("ground", "wheel", at=(0, 3, 0), axis=(0, 1, 0), name="shaft")
+    model.drive("shaft", velocity=lw.functions.polynomial(0.0, acceleration))
+    result = lw.simulate(model, 0.2, 1e-3, progress=False)
+    assert result.omega[-1, [0, 2], 1] == pytest.approx(fall(masses, 0.0, 0.2), rel=1e-5)
+
+
 @pytest.mark.parametrize("options", [{"step": 1e-3}, {"rtol": 1e-5}], ids=str)
 def test_a_slow_driver_leaves_a_pose_by_the_branch_of_its_velocities(options: dict[str, Any]) -> None:
     model = folded_parallelogram((3.0, 0.2, 0.7), 0.01)
     model.drive("ground-crank", velocity=0.01)
     result = lw.simulate(model, 0.2, progress=False, **options)
     assert result.omega[-1, :, 1] == pytest.approx([0.01, 0, 0.01], abs=1e-6)
+
+
+def test_rest_far_from_the_origin_is_left_by_the_branch_on_which_reactions_are_finite() -> None:
+    """Roundoff of the positions does not hide it."""
+    masses = (1.0, 1.0, 1.0)
+    model = folded_parallelogram(masses, away=1e6)
+    result = lw.simulate(model, 0.2, 1e-3, progress=False)
+    assert result.omega[-1, [0, 2], 1] == pytest.approx(fall(masses, 0.0, 0.2), rel=1e-5)

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "linkwork/assembly/connected_components.hpp"
 #include "linkwork/constraints/displacement.hpp"
+#include "linkwork/constraints/length_scale.hpp"
 #include "linkwork/constraints/rank.hpp"
 #include "linkwork/formulation/singular_watch.hpp"
 
@@ -21,6 +23,7 @@ constexpr double astray = 3.0;                        // of the way: and those t
 constexpr double back_in_pose = 1e-2;                 // of the way
 constexpr double off_branch = 1e-2;                   // of the way: a branch bends less
 constexpr double off_tangent = 1e-5;                  // the same, less what it bends
+constexpr double roundoff_of_places = 3.0;            // of positions, relative to the square of the way
 constexpr double beside = 0.03;                       // of the way along velocities: others from there
 constexpr double slow = 1e-9;                         // of the speed of a fall: velocities that mean rest
 constexpr double balanced = 1e-8;                     // of what forces would do without joints
@@ -29,6 +32,12 @@ constexpr double undecided = 1e-9, not_known = 1e-6;  // the same beside it
 constexpr double different = 0.1;                     // of what joints do to accelerations: of another branch
 constexpr double same = 1e-2;                         // of accelerations
 constexpr std::uint64_t places = 12;                  // that are looked at
+
+// [s] in which drivers move the mechanism so far, from rest.
+constexpr double shortest_start = 1e-9, longest_start = 1e3;
+constexpr double at_once = 1e-7;        // of that way in an eighth of the time: they move it from the start
+constexpr double close = 1e-3;          // to that time, relative
+constexpr double driven_at_all = 1e-6;  // of the start of the fastest component
 
 }  // namespace
 
@@ -40,7 +49,9 @@ DepartureSearch::DepartureSearch(const System& system, const std::vector<int>& r
       size_(system),
       dropped_(system, redundant),
       at_(system_.make_evaluation()),
-      lambda_(system.row_count()) {}
+      lambda_(system.row_count()),
+      way_(way),
+      blur_(std::numeric_limits<double>::epsilon() * farthest_position(system, pose.q)) {}
 
 Departure DepartureSearch::find(const VectorXd& v, const VectorXd& g) {
   v_ = v;
@@ -52,8 +63,40 @@ Departure DepartureSearch::find(const VectorXd& v, const VectorXd& g) {
   Departure out{Departure::Kind::one_motion, accelerations(ahead)};
   out.decided = !singular(ahead, size_.of(v_) > 0.0 ? undecided : in_pose);
   if (out.decided) return out;
-  out.kind = kind_of(v_dot, undecided_by(v_dot), out.v_dot);
+  const VectorXd start = of_start(v_dot), moves = sizes(start);
+  OfComponents open = undecided_by(start);
+  for (Eigen::Index c = 0; c < moves.size() && start != v_dot; ++c)  // accelerations of later say nothing
+    open[static_cast<std::size_t>(c)] = moves[c] > driven_at_all * moves.maxCoeff();
+  out.kind = kind_of(start, open, out.v_dot);
   return out;
+}
+
+/// The accelerations of a start from rest: those of the pose, or where a driver begins more gently what it makes of
+/// them on the way to the places.
+VectorXd DepartureSearch::of_start(const VectorXd& v_dot) {
+  starts_ = given_.time_dependent_constraints() && size_.of(v_) == 0.0;
+  if (!starts_) return v_dot;
+  seconds_ = std::sqrt(2.0 * way / size_.of(v_dot));
+  for (double s = shortest_start; s < std::min(longest_start, 0.5 * seconds_); s *= 2.0) {
+    if (!(size_.of(driven_by(s)) >= way)) continue;
+    if (!(size_.of(driven_by(0.125 * s)) > at_once * way)) break;  // it rests for a while
+    double least = 0.5 * s;
+    for (seconds_ = s; seconds_ - least > close * s;) {
+      const double middle = 0.5 * (least + seconds_);
+      (size_.of(driven_by(middle)) < way ? least : seconds_) = middle;
+    }
+    return 2.0 / (seconds_ * seconds_) * driven_by(seconds_);
+  }
+  starts_ = std::isfinite(seconds_);
+  if (!starts_) seconds_ = 0.0;
+  return v_dot;
+}
+
+/// What drivers demand that much later.
+VectorXd DepartureSearch::driven_by(double seconds) {
+  const VectorXd none = VectorXd::Zero(v_.size());
+  evaluate(pose_.t + seconds, pose_.q, none);
+  return solve(none, -at_.Phi);
 }
 
 /// False: they do not. Those that are nothing but roundoff become zero.
@@ -79,17 +122,36 @@ bool DepartureSearch::lies_on_branch(const VectorXd& fall) {
 /// The components of which the branch is not known by velocities or, if these do not tell, by the accelerations that
 /// the pose allows.
 DepartureSearch::OfComponents DepartureSearch::undecided_by(const VectorXd& v_dot) {
-  const VectorXd direction = beside_center(unit(v_dot));
-  const Place ahead = go(direction), behind = go(-direction, -1.0);
-  const VectorXd off = sizes(0.5 * (ahead.corrected - behind.corrected)), moves = sizes(direction);
+  const VectorXd direction = beside_center(unit(v_dot)), moves = sizes(direction), driven = sizes(v_dot);
+  const VectorXd off = starts_ ? off_along_start(direction) : off_along(direction);
+  const double tangent = std::max(starts_ ? off_branch : off_tangent, roundoff_of_places * blur_ / (way * way));
   VectorXd free;
   size_.of_free_motion(g_, free);
-  const VectorXd driven = sizes(v_dot);
   OfComponents out(static_cast<std::size_t>(off.size()));
   for (Eigen::Index c = 0; c < off.size(); ++c)
-    out[static_cast<std::size_t>(c)] = driven[c] > balanced * free[c] && driven[c] > 0.0 &&
-                                       !(off[c] <= off_tangent * moves[c] && ahead.off[c] + behind.off[c] < INFINITY);
+    out[static_cast<std::size_t>(c)] =
+        driven[c] > balanced * free[c] && driven[c] > 0.0 && !(off[c] <= tangent * moves[c]);
   return out;
+}
+
+/// How far a direction is off the branches, less what these bend; infinite where it leads to none.
+VectorXd DepartureSearch::off_along(const VectorXd& direction) {
+  const Place ahead = go(direction), behind = go(-direction, -1.0);
+  return (ahead.off + behind.off)
+      .array()
+      .isFinite()
+      .select(sizes(0.5 * (ahead.corrected - behind.corrected)), INFINITY);
+}
+
+/// The same from rest, where drivers lead ahead only: less what grows with the time, by half of it.
+VectorXd DepartureSearch::off_along_start(const VectorXd& direction) {
+  const Place ahead = go(direction);
+  way_ = 0.25 * way;
+  seconds_ *= 0.5;
+  const Place nearer = go(direction);
+  way_ = way;
+  seconds_ *= 2.0;
+  return (ahead.off + nearer.off).array().isFinite().select(sizes(2.0 * nearer.corrected - ahead.corrected), INFINITY);
 }
 
 /// By places beside the pose; `of_branch` become the accelerations of one that there is.
@@ -98,7 +160,9 @@ Departure::Kind DepartureSearch::kind_of(const VectorXd& v_dot, const OfComponen
   std::vector<std::pair<Place, VectorXd>> found;
   VectorXd farthest_away = sizes(center_);
   for (std::uint64_t seed = 1; seed <= places; ++seed) {
-    const Place place = go(beside_center(random_direction(seed)));
+    VectorXd direction = beside_center(random_direction(seed));
+    if (starts_) direction = unit(v_dot) + static_cast<double>(seed) / places * direction;
+    const Place place = go(direction);
     farthest_away = farthest_away.cwiseMax(place.away);
     if (singular(place, not_known)) continue;
     const VectorXd a = accelerations(place);
@@ -124,7 +188,7 @@ bool DepartureSearch::differ(const Place& one, const VectorXd& a, const Place& o
 
 /// To the constraints, from a displacement along the velocities and in a direction beside them.
 DepartureSearch::Place DepartureSearch::go(const VectorXd& direction, double sign) {
-  const VectorXd displacement = way * (sign * center_ + direction), none = VectorXd::Zero(v_.size());
+  const VectorXd displacement = way_ * (sign * center_ + direction), none = VectorXd::Zero(v_.size());
   Place out{pose_.t + sign * seconds_, pose_.q, none, {}, {}};
   displace(given_, displacement, out.q);
   VectorXd going = VectorXd::Ones(sizes(none).size());
@@ -134,15 +198,15 @@ DepartureSearch::Place DepartureSearch::go(const VectorXd& direction, double sig
     VectorXd step = solve(none, -at_.Phi);
     multiply(going, step);
     displace(given_, step, out.q);
-    out.corrected += step / way;
-    const VectorXd last = sizes(step) / way, all = sizes(out.corrected);
+    out.corrected += step / way_;
+    const VectorXd last = sizes(step) / way_, all = sizes(out.corrected);
     for (Eigen::Index c = 0; c < going.size(); ++c) {
       if (going[c] == 0.0) continue;
       if (last[c] <= arrived || !(all[c] <= astray)) going[c] = 0.0;
       out.off[c] = last[c] <= arrived && all[c] <= farthest ? all[c] : INFINITY;
     }
   }
-  out.away = sizes(displacement / way + out.corrected);
+  out.away = sizes(displacement / way_ + out.corrected);
   return out;
 }
 

@@ -49,6 +49,10 @@ class DepartureSearch {
   Place go(const VectorXd& direction, double sign = 1.0);
   bool lies_on_branch(const VectorXd& fall);
   OfComponents undecided_by(const VectorXd& v_dot);
+  VectorXd of_start(const VectorXd& v_dot);
+  VectorXd driven_by(double seconds);
+  VectorXd off_along(const VectorXd& direction);
+  VectorXd off_along_start(const VectorXd& direction);
   Departure::Kind kind_of(const VectorXd& v_dot, const OfComponents& undecided, VectorXd& of_branch);
   bool differ(const Place& one, const VectorXd& a, const Place& other, const VectorXd& b, const VectorXd& v_dot,
               const OfComponents& undecided) const;
@@ -74,6 +78,9 @@ class DepartureSearch {
   VectorXd v_, g_;
   VectorXd center_;       ///< the velocities, as a displacement
   double seconds_ = 0.0;  ///< in which they make it, where constraints change with time
+  double way_;            ///< to the places beside the pose [rad, or relative to the length]
+  double blur_;           ///< roundoff of positions, relative to the length
+  bool starts_ = false;   ///< from rest, as drivers accelerate it
 };
 
 }  // namespace linkwork
