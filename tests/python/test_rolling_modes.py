@@ -145,8 +145,10 @@ def test_a_large_model_that_rolls_has_the_modes_of_the_bicycle_and_of_what_is_on
         model.revolute("frame", f"bob {k}", at=(0.3, 0, 0.9), axis=Y)
     found = lw.linearize(model, modes=3, near=5.0).eigenvalues
     slowest = 1j * np.sqrt(G / lengths[-2:][::-1])
-    expected = np.sort_complex(np.append(slowest, BENCHMARK[5][0]))
-    assert np.sort_complex(found) == pytest.approx(expected, rel=1e-5)
+    expected = np.append(slowest, BENCHMARK[5][0])
+    nearest = np.abs(found[:, None] - expected).argmin(axis=0)
+    assert sorted(nearest) == [0, 1, 2]
+    assert found[nearest] == pytest.approx(expected, rel=1e-5)
 
 
 def test_a_disc_that_rolls_in_a_circle_is_not_steady() -> None:
