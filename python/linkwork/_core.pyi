@@ -262,8 +262,8 @@ class DrivenMotion:
     def pass_by(
         self,
         t: typing.SupportsFloat | typing.SupportsIndex,
-        q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
-        v: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+        q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        v: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
     ) -> None:
         """
         Somebody else has taken a step to this state.
@@ -271,8 +271,8 @@ class DrivenMotion:
     def record(
         self,
         t: typing.SupportsFloat | typing.SupportsIndex,
-        q: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
-        v: typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
+        q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        v: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
     ) -> None:
         """
         And has made a frame of it.
