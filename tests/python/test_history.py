@@ -451,6 +451,9 @@ def test_a_state_of_other_bodies_or_elements_is_refused_by_name() -> None:
     with pytest.raises(lw.OptionError, match="has the history variable of .*'spring b'.*, which"):
         run(wheels("ab", "a"), 2.0, rtol=1e-6, start=start)
     assert run(wheels("ab", "ab", b="a"), 2.0, rtol=1e-6, start=start._replace(names=None)).finished
+    for names in (3, start.names._replace(bodies=["a"])):
+        with pytest.raises(lw.OptionError, match="not those of a state of 2 bodies"):
+            run(wheels("ab", "ab"), 2.0, rtol=1e-6, start=start._replace(names=names, resume=None))
 
 
 def test_a_state_is_linearized_with_the_turns_of_its_elements() -> None:

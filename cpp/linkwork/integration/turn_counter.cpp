@@ -13,6 +13,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double doubtful = pi / 2;  // by which the rates at two frames, or ends of a long step, may miss an angle
 constexpr double followed = 1.0;     // by which an angle may turn from one look to the next, but for a step
+constexpr double soon_long = 0.1;    // in a step: the next one may be by more than that
 
 BodyState<double> state_of(int body, const ConstVector& q, const ConstVector& v) {
   if (body == ground)
@@ -37,19 +38,22 @@ double TurnCounter::fastest(const ConstVector& v) const {
   return std::sqrt(square);
 }
 
-/// Two bodies turn against each other by the rates of both at most.
+/// Two bodies turn against each other by the rates of both at most. Steps are short mostly: states are kept to look at
+/// them before the next step only where that may be a long one.
 void TurnCounter::advance(double t, const ConstVector& q, const ConstVector& v) {
   const double now = fastest(v);
   const double turned = std::isnan(last_.t) ? 0.0 : 2.0 * (t - last_.t) * std::max(now, last_.fastest);
-  if (!is_first() && !looked_ && since_look_ + turned > followed) look();
+  if (kept_ && since_look_ + turned > followed) look(last_.t, last_.q, last_.v);
   last_.t = t;
-  last_.q = q;
-  last_.v = v;
   last_.fastest = now;
-  looked_ = false;
   since_frame_ += turned;
   since_look_ += turned;
-  if (!is_first() && turned > followed) look();
+  looked_ = !is_first() && since_look_ > followed;
+  if (looked_) look(t, q, v);
+  kept_ = !is_first() && !looked_ && turned > soon_long;
+  if (!kept_) return;
+  last_.q = q;
+  last_.v = v;
 }
 
 TurnCounter::State TurnCounter::state(const Angle& angle, const ConstVector& q, const ConstVector& v) const {
@@ -60,25 +64,24 @@ TurnCounter::State TurnCounter::state(const Angle& angle, const ConstVector& q, 
   return {turn.Phi, turn.rate(i, j)};
 }
 
-/// At the last state; the first time since a frame at that, too.
-void TurnCounter::look() {
+/// The first time since a frame at that, too.
+void TurnCounter::look(double t, const ConstVector& q, const ConstVector& v) {
   if (std::isnan(looked_at_)) {
     for (Angle& it : angles_) it.at_frame = it.last = state(it, frame_.q, frame_.v);
     looked_at_ = frame_.t;
   }
   for (Angle& it : angles_) {
-    State now = state(it, last_.q, last_.v);
+    State now = state(it, q, v);
     if (since_look_ < pi) now.angle = continued(now.angle, it.last.angle);
-    else follow_long_step(last_.t - looked_at_, it, now);
+    else follow_long_step(t - looked_at_, it, now);
     it.last = now;
   }
-  looked_at_ = last_.t;
-  looked_ = true;
+  looked_at_ = t;
   since_look_ = 0.0;
 }
 
-/// What is so far from the last look is one step. Its turns are sure where any rate between those at its ends tells
-/// nearly the same, which the pose bears out.
+/// What is so far from the last look is one step, but for short ones. Its turns are sure where any rate between those at
+/// its ends tells nearly the same, which the pose bears out.
 void TurnCounter::follow_long_step(double h, Angle& angle, State& now) {
   const double expected = angle.last.angle + h * (angle.last.rate + now.rate) / 2;
   now.angle = continued(now.angle, expected);
@@ -95,12 +98,12 @@ void TurnCounter::record(double t, const ConstVector& q, const ConstVector& v) {
   advance(t, q, v);
   const double by_rates = (t - frame_.t) * (frame_.fastest + last_.fastest);
   if (!is_first() && since_frame_ + by_rates > doubtful) {
-    if (!looked_) look();
+    if (!looked_) look(t, q, v);
     compare();
   }
-  frame_ = last_;
+  frame_ = {t, q, v, last_.fastest};
   looked_at_ = NAN;
-  looked_ = true;
+  kept_ = false;
   since_frame_ = since_look_ = 0.0;
 }
 

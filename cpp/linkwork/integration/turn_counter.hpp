@@ -52,7 +52,7 @@ class TurnCounter {
 
   bool is_first() const { return std::isnan(frame_.t); }  ///< there is no frame yet
   void advance(double t, const ConstVector& q, const ConstVector& v);
-  void look();
+  void look(double t, const ConstVector& q, const ConstVector& v);
   static void follow_long_step(double h, Angle& angle, State& now);
   State state(const Angle& angle, const ConstVector& q, const ConstVector& v) const;
   void compare();
@@ -62,7 +62,7 @@ class TurnCounter {
   std::vector<Angle> angles_;
   Passed frame_, last_;                          ///< the last frame, the last state
   double looked_at_ = NAN;                       ///< when, since the last frame [s]
-  bool looked_ = false;                          ///< whether at the last state
+  bool looked_ = false, kept_ = false;           ///< whether at the last state; whether its q and v are kept
   double since_frame_ = 0.0, since_look_ = 0.0;  ///< by which any angle may have turned [rad]
   std::vector<Turned> found_;
 };

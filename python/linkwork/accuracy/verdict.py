@@ -332,7 +332,7 @@ def _rounded_off(verdict: Verdict) -> Verdict:
     error = verdict.rounding
     if error <= verdict.error:
         return verdict
-    sentence = f"accurate to about {_figure(error)}"
+    sentence = f"accurate to about {_figure(error)}{_but(error, verdict.reactions)}"
     if error > GOOD:
         why = "as steps are short beside the distance from the origin, to which positions are rounded"
         sentence = f"{_off(error)}, {why}: use longer steps, or put the origin nearer"

@@ -40,31 +40,27 @@ def judged(eq: Equations, rest: Model, found: Softest) -> Judged:
     soft = found.stiffness
     if np.isnan(soft):
         return Judged("stable", soft, "")
-    words = eq.motion(found.motion)
+    if not found.symmetric and len(eq.scale) > DENSE:  # not all motions are known
+        why = f"{NOT_SYMMETRIC}; linkwork.linearize finds single motions that grow"
+        return Judged("unknown", np.nan, why)
     kinds: tuple[Stability, ...] = ("unstable", "neutral", "stable")
     kind = kinds[1 + int(np.sign(soft) * (abs(soft) > found.neutral))]
-    if found.symmetric or kind == "unstable":
-        return Judged(kind, soft, words)
-    return _by_motions(eq, rest, Judged(kind, soft, words))
+    by_stiffness = Judged(kind, soft, eq.motion(found.motion))
+    return by_stiffness if found.symmetric else _by_motions(eq, rest, by_stiffness)
 
 
 def _by_motions(eq: Equations, rest: Model, by_stiffness: Judged) -> Judged:
-    if len(eq.scale) > DENSE:  # of large models not all motions are known
-        return Judged(
-            "unknown", np.nan, f"{NOT_SYMMETRIC}; linkwork.linearize finds single motions that grow"
-        )
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", LinkworkWarning)
             small = linearize(rest)
     except (ModelError, NotConvergedError) as error:
         return Judged("unknown", np.nan, f"{NOT_SYMMETRIC}; {error}")
+    neutral = by_stiffness.stability == "neutral"
     fastest = int(small.eigenvalues.real.argmax())
     growth = float(small.eigenvalues[fastest].real)
-    if small.stable or (
-        by_stiffness.stability == "neutral" and growth <= ROUNDED * _rate(eq, small.snapshot)
-    ):
-        return by_stiffness
+    if small.stable or (neutral and growth <= ROUNDED * _rate(eq, small.snapshot)):
+        return by_stiffness._replace(stability="neutral" if neutral else "stable")
     words = f"{by_stiffness.words}; small motions grow by {growth:.4g} 1/s, {small.describe(fastest)}"
     return by_stiffness._replace(stability="unstable", words=words)
 

@@ -20,12 +20,20 @@ __all__ = ["in_own_order"]
 def in_own_order(model: _core.Model, dynamics: _core.Dynamics, start: Snapshot) -> Snapshot:
     """The state with bodies and history variables in the order of the model, by their names.
 
-    OptionError: the model has others. A state without names, or not of so many bodies, stays as it is.
+    OptionError: the model has others, or the names are not those of a state. A state without names, or not of
+    so many bodies, stays as it is.
     """
-    if not isinstance(start.names, StateNames):
+    if start.names is None:
         return start
     own, given, n = StateNames.of(model, dynamics), start.names, model.body_count
-    if len(given.bodies) == n == _size(start, "q") / 7 == _size(start, "v") / 6:
+    fits = n == _size(start, "q") / 7 == _size(start, "v") / 6
+    if not isinstance(given, StateNames) or (fits and len(given.bodies) != n):
+        message = (
+            f"start: names {given!r:.80} are not those of a state of {n} bodies: StateNames, or None for the "
+            "order of the model"
+        )
+        raise OptionError(message, code="start")
+    if fits:
         bodies = _order("body", given.bodies, own.bodies)
         start = start if bodies is None else _of_bodies(start, bodies)
     if len(given.history) == _size(start, "history") > 0:
