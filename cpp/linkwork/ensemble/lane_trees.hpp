@@ -241,7 +241,7 @@ void factor_step(const block::TreeStep& step, const LaneData& data, const double
     return;
   }
   const RowsOfStep<scattered> of{step, data};
-  Native M[6][6], inverse[6], W[rows + 1][6], S[rows + 1][rows > 0 ? rows : 1], right[rows + 1], ballast[rows + 1];
+  Native M[6][6], inverse[6], W[rows + 1][6], S[rows + 1][rows > 0 ? rows : 1], right[rows + 1], ballast[rows + 1]{};
   factor_body<rows>(of, data, a, M, inverse, W[rows], ballast, smallest);
   LINKWORK_UNROLL for (int r = 0; r <= rows; ++r) {
     if (r < rows) LINKWORK_UNROLL
