@@ -145,14 +145,6 @@ def test_slender_arm_is_near_no_singular_pose_however_weak_it_is() -> None:
     assert conserved(result) < 1e-9
 
 
-def test_arm_of_2000_pairs_begins_in_no_singular_pose() -> None:
-    """Its rows nearly depend on each other, but as much a little farther on: no branches meet there."""
-    result = run(lw.mechanisms.scissors(arms=1, units=2000), 1e-5, 1e-5)
-    assert result.statistics["singular_poses"] == 0
-    assert not result.statistics["singularity_crossings"]
-    assert conserved(result) < 1e-6
-
-
 def test_slow_fall_in_a_net_foretells_no_singular_pose_far_ahead() -> None:
     """Half a radian ahead, as it seems: leaps were tried in vain for 1300 evaluations."""
     result = run(lw.mechanisms.hexagonal_net(8), 0.2, 2e-2)
