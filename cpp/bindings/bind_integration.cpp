@@ -362,6 +362,7 @@ void bind_fixed_steps(py::module_& module) {
            py::arg("t_start") = 0.0, py::arg("start") = VectorXd(), py::arg("breaks") = std::vector<double>(),
            py::keep_alive<1, 2>())
       .def("statistics", &statistics_of_fixed_steps)
+      .def_property_readonly("origin", &Simulation::origin, "From which steps are counted [s].")
       .def("begin_step", exclusive(+[](Simulation& simulation) {
              const double h = simulation.begin_step();
              return py::make_tuple(simulation.t(), VectorXd(simulation.y().head(simulation.y().size() - 1)), h);
@@ -437,6 +438,10 @@ void bind_break_points(py::module_& module) {
   py::class_<BreakPoints>(module, "BreakPoints",
                           "Times (b,) [s] at which something is not smooth; those that roundoff parts are one.")
       .def(py::init<std::vector<double>>(), py::arg("times"))
+      .def("meet_steps", &BreakPoints::meet_steps, py::arg("origin"), py::arg("step"), py::arg("ends"),
+           "Of steps [s] that are counted from `origin` in a run that begins and ends at `ends`: where one ends at a "
+           "break up to roundoff, the break is there, too.")
+      .def_property_readonly("times", &BreakPoints::times, "Ascending [s].")
       .def(
           "before", [](const BreakPoints& breaks, double t) { return breaks.before(t); }, py::arg("t"),
           "Where functions are evaluated for what ends at t [s].")

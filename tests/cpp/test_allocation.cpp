@@ -151,7 +151,7 @@ TEST_CASE("a trial step, its interpolation and a half-explicit step do not alloc
   const auto step = [&] {
     y = start;
     bare.evaluate(0.0, y);
-    method->step(bare, 0.0, 1e-3, y);
+    method->step(bare, {0.0, 1e-3}, y);
   };
   for (int warm_up = 0; warm_up < 3; ++warm_up) step();
   CHECK(allocations(step) == 0);

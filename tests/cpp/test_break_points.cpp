@@ -66,6 +66,30 @@ TEST_CASE("where a run ends at a break, nothing is after it") {
   CHECK(breaks.clock(0.2, 0.3) == 0.2);
 }
 
+TEST_CASE("steps that end at a break up to roundoff are on their own sides of it") {
+  BreakPoints breaks(std::vector<double>{0.3, 0.5, 0.7});
+  const double h = 0.1, third = 3 * h, seventh = 7 * h;  // above 0.3 and 0.7 by one unit
+  breaks.meet_steps(0.0, h, {0.0, 1.0});
+  CHECK(breaks.times() == std::vector<double>{0.3, third, 0.5, 0.7, seventh});
+  for (const double t : {0.3, third}) {
+    CHECK(breaks.span(2 * h, t).at(1.0) < 0.3);
+    CHECK(breaks.span(t, 4 * h).at(0.0) > third);
+    CHECK(breaks.span(t, 4 * h).at(0.5) == t + 0.5 * (4 * h - t));
+    CHECK(breaks.clock(t, 1.0) > third);
+    CHECK(breaks.clock(t, t) < 0.3);
+  }
+  CHECK(breaks.span(0.0, h).at(1.0) == h);
+}
+
+TEST_CASE("a break is met by the end of a step, of a run and by nothing else") {
+  BreakPoints breaks(std::vector<double>{0.25, 0.33});
+  breaks.meet_steps(0.03, 0.1, {0.03, std::nextafter(0.25, 1.0)});
+  CHECK(breaks.at(0.03 + 3 * 0.1));
+  CHECK(breaks.at(std::nextafter(0.25, 1.0)));
+  CHECK(!breaks.at(0.25 - 1e-12));
+  CHECK(!breaks.at(0.23));
+}
+
 TEST_CASE("a function's own breaks are known: where an actuator begins and ends") {
   Model model = free_body();
   model.add_signal(with_breaks(polynomial({1.0}), {0.25, 0.75}));

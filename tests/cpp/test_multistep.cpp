@@ -63,7 +63,7 @@ TEST_CASE("a step of another size begins anew with the starter") {
   double t = 0.0;
   const auto step = [&](Integrator& method, double h, VectorXd from) {
     dynamics.evaluate(t, from);
-    method.step(dynamics, t, h, from);
+    method.step(dynamics, {t, h}, from);
     return from;
   };
   for (int n = 0; n < 6; ++n, t += 0.01) y = step(*adams, 0.01, y);

@@ -399,21 +399,79 @@ def driven_motion(model: lw.Model, times: np.ndarray) -> lw.Result:
 
 
 def test_fixed_steps_say_how_many_contain_breaks() -> None:
-    force = pieces(0.0, [0.0], 0.1004, [1.0], 0.1007, [0.0], 0.5, [1.0], 2.0)
+    force = pieces(0.0, [0.0], 0.1004, [1.0], 0.1007, [0.0], 0.5, [1.0], 0.6003, [0.0], 2.0)
     result = lw.simulate(slider(force), 1.0, 1e-3, on_inaccurate="pass")
     assert result.verdict is not None and result.verdict.break_points == 2
     assert result.statistics["steps_with_breaks"] == 2
-    assert result.manifest["breaks"] == {"count": 3, "steps_with_breaks": 2}
+    assert result.manifest["breaks"] == {"count": 4, "steps_with_breaks": 2}
     assert "2 steps contain break points" in result.summary()
     smooth = lw.simulate(slider(functions.harmonic(1, 2)), 1.0, 1e-3)
     assert "steps_with_breaks" not in smooth.statistics
     assert "break points" not in smooth.summary()
 
 
-def test_breaks_change_nothing_with_fixed_steps() -> None:
-    f = SIDES["half open"]
-    runs = [lw.simulate(slider(f, breaks=b), 3.5, 1e-3, on_inaccurate="pass") for b in ((), (3.0, 3.001))]
-    assert np.array_equal(runs[0].q, runs[1].q)
+#: (step, break, end) [s]: steps end at the break, as they are counted and as it is written.
+MET = [(0.1, 0.3, 1.0), (0.1, 0.1 + 0.2, 1.0), (1e-3, 0.3, 0.3), (0.1, 0.3, 0.1 + 0.2), (0.1, 0.1 + 0.2, 0.3),
+       (1 / 3, 2 / 3, 1.0), (0.07, 0.21, 0.5), (0.3, 0.9, 0.9 + 1e-16), (0.4, 0.5, 0.5)]  # fmt: skip
+
+
+@pytest.mark.parametrize(("step", "at", "end"), MET)
+@pytest.mark.parametrize("integrator", ["rk4", "heun", "rk3", "ab4", "abm4", "hem4"])
+def test_fixed_steps_that_end_at_a_break_see_each_its_own_side(integrator, step, at, end) -> None:
+    """A force that is constant on both sides: the methods are exact."""
+    for force in (lambda t: 1.0 if t < at else -4.0, lambda t: 1.0 if t <= at else -4.0):
+        result = lw.simulate(slider(force, breaks=[at]), end, step, integrator)
+        after = max(end - at, 0.0)
+        assert x_and_v(result) == pytest.approx(
+            [(0.5 * end**2 - 2.5 * after**2) / MASS, (end - 5.0 * after) / MASS], abs=1e-13
+        )
+        accelerations = np.where(result.t < min(at, result.t[-1]) - 1e-9, 1.0, -4.0) / MASS
+        if abs(end - at) < 1e-9:
+            accelerations[-1] = 1.0 / MASS
+        np.testing.assert_allclose(result.acceleration[:, 0, 0], accelerations, rtol=1e-12)
+        assert result.verdict is not None and result.verdict.break_points == 0
+        assert result.verdict.error < 1e-6
+
+
+def test_fixed_steps_keep_their_order_over_steps_ramps_and_pulses_between_them() -> None:
+    rng = np.random.default_rng(7)
+    for _ in range(10):
+        force = random_force(rng, 2.0)
+        knots = np.round(np.asarray(force.breaks) / 1e-3) * 1e-3
+        if np.any(np.diff(knots) < 0.5e-3):
+            continue
+        force = functions.piecewise_polynomial(knots, force.coefficients)
+        result = lw.simulate(slider(force), 2.0, 1e-3)
+        np.testing.assert_allclose(x_and_v(result), exact(force, 2.0), rtol=1e-10, atol=1e-10)
+
+
+@pytest.mark.parametrize("step", [0.1, 0.05, 0.1 / 3])
+@pytest.mark.parametrize("times", NEARLY[:2])
+def test_fixed_steps_go_over_functions_that_break_together(step: float, times: tuple[float, float]) -> None:
+    result = lw.simulate(stiffening(*times), 1.0, step / 100)
+    check_of_one_side(result, times[0])
+    assert np.all(result.work[result.t > 0.3 + 1e-9] > 0.01)
+
+
+@pytest.mark.parametrize("end", [0.3, 0.1 + 0.2])
+@pytest.mark.parametrize("integrator", ["rk4", "ab4"])
+def test_fixed_steps_end_before_a_break_and_go_on_after_it(integrator: str, end: float) -> None:
+    model = stiffening(0.3, 0.1 + 0.2)
+    first = lw.simulate(model, end, 1e-3, integrator)
+    check_of_one_side(first, end)
+    assert np.all(first.work == 0.0)
+    rest = lw.simulate(model, 0.5, 1e-3, integrator, start=first.snapshot())
+    check_of_one_side(rest, end)
+    assert rest.t[0] == end and np.all(rest.work > 0.01)
+    whole = lw.simulate(model, 0.5, 1e-3, integrator)
+    assert rest.q[-1].tolist() == whole.q[-1].tolist() and rest.work[-1] == whole.work[-1]
+
+
+def test_steps_counted_from_elsewhere_end_at_breaks_as_well() -> None:
+    model = stiffening(0.30037, 0.30037)
+    first = lw.simulate(model, 0.10037, 1e-3)
+    rest = lw.simulate(model, 0.5, 1e-3, start=lw.Snapshot(0.10037, first.q[-1], first.v[-1]))
+    check_of_one_side(rest, 0.30037)
 
 
 @pytest.mark.parametrize("pair", PAIRS)

@@ -25,7 +25,7 @@ from ensembles import (
 )
 from hypothesis import given
 from light_mechanisms import light_mechanisms
-from linkwork import _core, mechanisms
+from linkwork import _core, functions, mechanisms
 from linkwork.modeling.files import record_of
 from linkwork.options import names as option_names
 from linkwork.studies.variants import Changed
@@ -283,6 +283,30 @@ def test_functions_of_time_and_forces_with_history_are_those_of_each_lane() -> N
     assert found.alone == {}
     for k in (0, 5):
         assert bits(found.member(k)) == bits(alone(models[k], 0.2, 1e-3, record_every=20))
+
+
+def with_breaks(at: float) -> lw.Model:
+    """A chain on a spring that becomes stiffer at that time, and a push that ends there."""
+    model = mechanisms.chain(4)
+    first, last = model.find("link[0]"), model.find("link[3]")
+    stiffness = functions.piecewise_polynomial([-1, at, 9], [[40.0], [90.0]])
+    model.spring_damper("ground", last, at=((0.3, 0, -1), (3.5, 0, 0)), stiffness=stiffness)
+    model.force(first, force=(functions.with_breaks(lambda t: 3.0 if t <= at else -2.0, [at]), 0, 0))
+    return model
+
+
+@pytest.mark.parametrize("end", [0.2, 0.3])
+def test_steps_of_lanes_are_on_their_own_sides_of_breaks(end: float) -> None:
+    times = [0.1, 0.1 + 0.2, 0.3, 0.1037, 0.3 * (1 + 1e-12), 0.2, 5.0, 0.201, 3 * 0.1]
+    models = [with_breaks(at) for at in times]
+    found = many(models, end, 5e-3, record_every=4)
+    assert found.alone == {}
+    for k, model in enumerate(models):
+        single = alone(model, end, 5e-3, record_every=4)
+        assert bits(found.member(k)) == bits(single)
+        assert found.member(k).verdict == single.verdict
+        inside = times[k] == 0.1037 or times[k] == 0.201
+        assert found.member(k).verdict.break_points == (1 if inside and times[k] < end else 0)
 
 
 def test_bits_do_not_depend_on_place_neighbors_and_threads() -> None:

@@ -38,10 +38,10 @@ LaneRun::LaneRun(Dynamics& mechanism, const FixedSteps& steps, bool keeps_balanc
   sampling.expect(steps.count());
 }
 
-Lane::Lane(Dynamics& dynamics, const std::vector<double>& breaks, LaneRun* run)
+Lane::Lane(Dynamics& dynamics, const FixedSteps& steps, LaneRun* run)
     : dynamics_(dynamics),
       recorder_(dynamics),
-      breaks_(dynamics.system().model(), breaks),
+      breaks_(dynamics.system().model(), steps.breaks()),
       jumps_(dynamics.system()),
       crossing_(dynamics),
       redundancy_(dynamics.system(), dynamics.initial_y().head(dynamics.system().q_size())),
@@ -49,7 +49,9 @@ Lane::Lane(Dynamics& dynamics, const std::vector<double>& breaks, LaneRun* run)
       divergence_(dynamics.system()),
       run_(run),
       limits_(dynamics.options().violation_limit),
-      stops_(dynamics.options().on_singular == "stop") {}
+      stops_(dynamics.options().on_singular == "stop") {
+  breaks_.meet_steps(0.0, steps.step(), {0.0, steps.t_end()});
+}
 
 void Lane::leave(double t, std::string reason) {
   if (!alive_) return;
@@ -98,10 +100,10 @@ void Lane::record(double t, double frame_t, const VectorXd& y, bool last) {
 
 /// As a run records in the course of a step: by solving once more with the factors of the step. Those of the first step
 /// are what later pivots are compared with, and count whatever their own.
-void Lane::finish_record(double t) {
+void Lane::finish_record(double t, bool first) {
   if (!std::exchange(recording_, false)) return;
   std::optional<Unwatched> unwatched;
-  if (t == 0.0) unwatched.emplace(dynamics_);
+  if (first) unwatched.emplace(dynamics_);
   dynamics_.formulation().look(true);
   guarded(t, [&] {
     if (!leaping_) dynamics_.factorize();
@@ -119,7 +121,7 @@ void Lane::balance(std::int64_t step, const VectorXd& y, double potential) {
   const System& system = dynamics_.system();
   guarded(t, [&] {
     if (leaping_ || leapt_) {  // the pack has not evaluated its forces
-      dynamics_.evaluate(t, y);
+      dynamics_.evaluate(breaks_.clock(t, run_->fixed_steps.t_end()), y);
       potential = dynamics_.evaluation().potential;
     }
     EnergyFrames& out = run_->balance;
@@ -149,13 +151,13 @@ void Lane::sample_step(double t, double h, const VectorXd& y, const VectorXd& y_
 /// The state of a step, to which a look brings the dynamics, which have else nothing to do with it.
 class Lane::StepStart final : public Arrival {
  public:
-  /// `evaluated`: they are there.
-  StepStart(Dynamics& dynamics, double t, const VectorXd& y, bool evaluated, StageFactors* factors)
-      : dynamics_(dynamics), t_(t), y_(y), arrived_(evaluated), factors_(factors) {}
+  /// `fresh`: of the first step; `evaluated`: they are there.
+  StepStart(Dynamics& dynamics, double t, const VectorXd& y, bool fresh, bool evaluated, StageFactors* factors)
+      : dynamics_(dynamics), t_(t), y_(y), fresh_(fresh), arrived_(evaluated), factors_(factors) {}
 
   const VectorXd& arrive() override {
     if (std::exchange(arrived_, true)) return y_;
-    if (t_ == 0.0) dynamics_.evaluate(t_, y_);
+    if (fresh_) dynamics_.evaluate(t_, y_);
     else dynamics_.begin_elsewhere(t_, y_);
     if (looked_) factorize_as_looked();
     return y_;
@@ -184,16 +186,16 @@ class Lane::StepStart final : public Arrival {
   Dynamics& dynamics_;
   double t_;
   const VectorXd& y_;
-  bool arrived_, looked_ = false;
+  bool fresh_, arrived_, looked_ = false;
   StageFactors* factors_;
 };
 
 /// As Simulation does.
 void Lane::look_ahead(std::int64_t at, const FixedSteps& steps, const Speeds& speeds, const VectorXd& y,
                       StageFactors* factors) {
-  const double t = steps.time(at), h = steps.size(at);
+  const double t = breaks_.clock(steps.time(at), steps.t_end()), h = steps.size(at);
   const bool changed = std::exchange(changed_, false);
-  StepStart start(dynamics_, t, y, recording_, changed ? nullptr : factors);
+  StepStart start(dynamics_, t, y, at == 0, recording_, changed ? nullptr : factors);
   const std::int64_t changes = dynamics_.watch().row_changes(), poses = dynamics_.watch().singular_poses();
   guarded(t, [&] {
     if (crossing_.due(t, h, speeds, false, start)) {

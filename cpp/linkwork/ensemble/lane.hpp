@@ -95,9 +95,10 @@ class StageFactors {
 class Lane {
  public:
   /// `run`, if any, refers to the same `dynamics`, and hears of every step.
-  explicit Lane(Dynamics& dynamics, const std::vector<double>& breaks = {}, LaneRun* run = nullptr);
+  Lane(Dynamics& dynamics, const FixedSteps& steps, LaneRun* run = nullptr);
 
   Dynamics& dynamics() { return dynamics_; }
+  const BreakPoints& breaks() const { return breaks_; }
   bool alive() const { return alive_ && !moves_; }
   /// Whether other rows are left out than by the pack, since the end of its last step.
   bool changed() const { return changed_; }
@@ -142,7 +143,7 @@ class Lane {
   void watch_limits(double t, const VectorXd& Phi, const VectorXd& Phi_dot);
   /// A frame of a state from which a step goes on waits for what is found ahead of it.
   void record(double t, double frame_t, const VectorXd& y, bool last);
-  void finish_record(double t);
+  void finish_record(double t, bool first);
   /// Energies, where the verdict looks at them.
   void balance(std::int64_t step, const VectorXd& y, double potential);
   /// One step of a leap, to its state at t, or to where it ends.

@@ -52,7 +52,10 @@ LanePack::LanePack(const LaneStructure& structure, const InstructionSet& instruc
       state_(structure.y_size()),
       Phi_(structure.rows),
       Phi_dot_(structure.rows) {
-  for (const Lane* it : lanes_) limited_ = limited_ || it->limited();
+  for (const Lane* it : lanes_) {
+    limited_ = limited_ || it->limited();
+    breaks_ = breaks_ || it->breaks().any();
+  }
 }
 
 template <class Action>
@@ -90,7 +93,7 @@ std::int64_t LanePack::first_step() const {
 }
 
 void LanePack::evaluate_start(int times) {
-  for (int l = 0; l < stepper_.width(); ++l) spans_.set(l, 0.0, 0.0);
+  for (int l = 0; l < stepper_.width(); ++l) spans_.set(l, {});
   for (int k = 0; k < times; ++k) {
     stepper_.evaluate_rates(spans_, *this);
     each_lane([&](int l, Lane&) { hear(l); });
@@ -132,7 +135,9 @@ void LanePack::begin_step(std::int64_t step) {
   const double t = steps_.time(step);
   each_lane([&](int l, Lane&) { continue_lane(l, step); });
   const double h = step < steps_.count() ? steps_.size(step) : 0.0;
-  for (int l = 0; l < stepper_.width(); ++l) spans_.set(l, t, h);
+  for (int l = 0; l < stepper_.width(); ++l) spans_.set(l, {t, h});
+  if (h == 0.0) each_lane([&](int l, Lane&) { spans_.set(l, {clock(l, step), 0.0}); });
+  else if (breaks_) each_lane([&](int l, Lane& lane) { spans_.set(l, lane.breaks().span(t, steps_.time(step + 1))); });
   stepper_.evaluate(spans_, *this);
   if (h > 0.0) hold(step);
   watches_.begin_step();
@@ -174,8 +179,7 @@ void LanePack::continue_lane(int l, std::int64_t step) {
 
 /// In the step that ends there with the state y_new.
 void LanePack::cross_breaks(int l, std::int64_t step, const VectorXd& y_new) {
-  const double t = steps_.time(step - 1), t_new = steps_.time(step);
-  const double work = lanes_[l]->work_at_breaks(t, t_new, watches_.state_before(l), y_new);
+  const double work = lanes_[l]->work_at_breaks(clock(l, step - 1), clock(l, step), watches_.state_before(l), y_new);
   if (work == 0.0) return;
   VectorXd y = y_new;
   y[y.size() - 1] += work;
@@ -187,6 +191,11 @@ void LanePack::set_state(int l, const VectorXd& y) {
   watches_.set_state(l, y);
 }
 
+/// Where functions are evaluated for what begins there.
+double LanePack::clock(int l, std::int64_t step) const {
+  return lanes_[l]->breaks().clock(steps_.time(step), steps_.t_end());
+}
+
 bool LanePack::usual_in_redundant_rows(int l) const {
   return std::all_of(structure_.dropped.begin(), structure_.dropped.end(), [&](int row) {
     return lanes_[l]->usual_in_redundant_row(stepper_.position_violation(l, row), stepper_.velocity_violation(l, row));
@@ -195,7 +204,7 @@ bool LanePack::usual_in_redundant_rows(int l) const {
 
 void LanePack::begin_lane(int l, std::int64_t step) {
   Lane& lane = *lanes_[l];
-  const double t = steps_.time(step);
+  const double t = clock(l, step);
   const bool last = step == steps_.count();
   const VectorXd& y = watches_.state(l);
   if (!lane.leaping() && (lane.changed() || !usual_in_redundant_rows(l))) {
@@ -223,7 +232,7 @@ void LanePack::begin_lane(int l, std::int64_t step) {
   FactorsOfPack factors(structure_, stepper_, l);
   if (lane.watches())
     lane.look_ahead(step, steps_, watches_.speeds(l), y, structure_.inerters == 0 ? &factors : nullptr);
-  lane.finish_record(t);
+  lane.finish_record(t, step == 0);
   if (lane.stepping() || (lane.moves() && !lane.leaping())) lane.sample(y, kinetic, potential, stepper_.switches(l));
   if (!lane.moves()) return;
   lane.move(step, y);

@@ -47,6 +47,7 @@ class LanePack final : private LaneGuard {
   void look_for_touches(int l, std::int64_t step);
   void begin_lane(int l, std::int64_t step);
   void cross_breaks(int l, std::int64_t step, const VectorXd& y_new);
+  double clock(int l, std::int64_t step) const;
   void set_state(int l, const VectorXd& y);
   bool usual_in_redundant_rows(int l) const;
   void hear(int l);
@@ -69,7 +70,7 @@ class LanePack final : private LaneGuard {
     std::vector<std::pair<double, double>> unheard;  ///< with their times
   };
   std::vector<Pivots> pivots_;
-  bool limited_ = false, records_ = false;
+  bool limited_ = false, breaks_ = false, records_ = false;
   VectorXd state_, Phi_, Phi_dot_;
 };
 

@@ -75,7 +75,7 @@ void LaneRetake::take(std::size_t parts) {
     for (int l = 0; l < stepper_.count(); ++l) {
       if (!lanes_[l].active) continue;
       const Span& span = lanes_[l].spans[part];
-      spans_.set(l, span.from, span.to - span.from);
+      spans_.set(l, {span.from, span.to - span.from});
       ends_[l] = span.to;
     }
     stepper_.evaluate(spans_, *this);

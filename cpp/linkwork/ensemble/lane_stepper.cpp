@@ -74,7 +74,7 @@ void LaneStepper::normalize() { kernels_.normalize(structure_.bodies, y_.data())
 
 void LaneStepper::evaluate_rates(const LaneSpans& spans, LaneGuard& guard) {
   evaluate(spans, guard);
-  solve(spans.t, guard);
+  solve(spans.begin, guard);
   find_rates(y_, k_.front(), guard);
 }
 
@@ -128,7 +128,7 @@ void LaneStepper::combine(const LaneSpans& spans, const ConstVector& weights, Ei
 
 void LaneStepper::step(const LaneSpans& spans, LaneGuard& guard) {
   factorize_ahead();
-  conclude(evaluation_.at().g, spans.t, true, guard);
+  conclude(evaluation_.at().g, spans.begin, true, guard);
   ahead_ = false;
   find_rates(y_, k_[0], guard);
   later_stages(spans, guard);

@@ -13,15 +13,16 @@ namespace linkwork {
 
 /// Where the steps of the lanes begin and how long they are [s]: of each its own.
 struct LaneSpans {
-  explicit LaneSpans(int width) : t(width, 0.0), h(width, 0.0), earliest(width, -INFINITY), latest(width, INFINITY) {}
-  void set(int l, double begin, double length) { t[l] = begin, h[l] = length; }
+  explicit LaneSpans(int width)
+      : t(width, 0.0), h(width, 0.0), earliest(width, -INFINITY), latest(width, INFINITY), begin(width, 0.0) {}
   void set(int l, const StepSpan& span) {
-    set(l, span.t, span.h);
-    earliest[l] = span.earliest;
-    latest[l] = span.latest;
+    t[l] = span.t, h[l] = span.h;
+    earliest[l] = span.earliest, latest[l] = span.latest;
+    begin[l] = span.at(0.0);
   }
 
   AlignedDoubles t, h, earliest, latest;  ///< as in StepSpan
+  AlignedDoubles begin;                   ///< time of the first stage
 };
 
 /// Steps of an explicit Runge-Kutta method by as many mechanisms of one structure as a register has lanes.
@@ -63,7 +64,7 @@ class LaneStepper {
   const AlignedDoubles& mass() const { return evaluation_.mass(); }
 
   /// Positions, forces and joints of the current states.
-  void evaluate(const LaneSpans& spans, LaneGuard& guard) { evaluate(spans.t, guard); }
+  void evaluate(const LaneSpans& spans, LaneGuard& guard) { evaluate(spans.begin, guard); }
   /// The correction of violations that steps hold: of steps of `share` of the lengths, from the last evaluation.
   void hold(const LaneSpans& spans, const double* share);
   // The factorization of the first stage, ahead of the step: its smallest pivot in a lane, and with it

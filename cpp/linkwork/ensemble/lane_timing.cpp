@@ -19,7 +19,7 @@ struct FullPacks {
     for (std::size_t first = 0; first < dynamics.size(); first += width) {
       std::vector<Lane*> own;
       for (std::size_t k = first; k < first + width; ++k) {
-        lanes.push_back(std::make_unique<Lane>(*dynamics[k]));
+        lanes.push_back(std::make_unique<Lane>(*dynamics[k], steps));
         own.push_back(lanes.back().get());
       }
       packs.push_back(std::make_unique<LanePack>(structure, widest, own, euler, steps));

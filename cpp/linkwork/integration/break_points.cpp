@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace linkwork {
 namespace {
@@ -44,12 +45,44 @@ void BreakPoints::add_end(double t) {
   else ends_.push_back({t, t});
 }
 
+void BreakPoints::meet_steps(double origin, double h, std::array<double, 2> ends) {
+  for (Cluster& it : ends_) {
+    const Cluster given = it;
+    const double slack = same_time * h + distance(same, given.last);
+    for (const double t : {origin + std::round((given.first - origin) / h) * h, ends[0], ends[1]}) {
+      if (t < given.first - slack || t > given.last + slack) continue;
+      it.first = std::min(it.first, t);
+      it.last = std::max(it.last, t);
+    }
+  }
+  merge();
+}
+
+/// Those that have come to overlap.
+void BreakPoints::merge() {
+  std::vector<Cluster> apart;
+  for (const Cluster& it : ends_) {
+    if (!apart.empty() && it.first <= apart.back().last) apart.back().last = std::max(apart.back().last, it.last);
+    else apart.push_back(it);
+  }
+  ends_ = std::move(apart);
+}
+
 void BreakPoints::add_watched(const Model& model) {
   std::vector<char> drives(model.signals().size(), 0);
   for (const Parameter& parameter : model.joint_parameters())
     if (parameter.signal >= 0) drives[parameter.signal] = 1;
   for (std::size_t s = 0; s < drives.size(); ++s)
     if (model.signals()[s]->of_time()) model.signals()[s]->add_watched(drives[s] != 0, watched_);
+}
+
+std::vector<double> BreakPoints::times() const {
+  std::vector<double> out;
+  for (const Cluster& it : ends_) {
+    out.push_back(it.first);
+    if (it.last > it.first) out.push_back(it.last);
+  }
+  return out;
 }
 
 const BreakPoints::Cluster* BreakPoints::following(double t) const {
@@ -83,6 +116,13 @@ double BreakPoints::after(double t) const {
 double BreakPoints::before(double t) const {
   const Cluster* found = find(t);
   return found ? found->first - distance(beside, found->first) : t;
+}
+
+StepSpan BreakPoints::span(double t, double t_new) const {
+  StepSpan out{t, t_new - t};
+  if (at(t)) out.earliest = after(t);
+  if (at(t_new)) out.latest = std::max(before(t_new), out.at(0.0));
+  return out;
 }
 
 double BreakPoints::next_knot(double t) const {

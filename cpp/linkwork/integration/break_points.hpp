@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -23,9 +24,15 @@ class BreakPoints {
   BreakPoints(const Model& model, const std::vector<double>& given);
   explicit BreakPoints(std::vector<double> times);
 
+  /// Of steps h that are counted from `origin`, of a run that begins and ends at `ends`: where one of them ends at a
+  /// break, up to roundoff or a billionth of the step, the break is where it ends, too.
+  void meet_steps(double origin, double h, std::array<double, 2> ends);
+
   /// The first break after t at which a step ends in any case; infinite where there is none.
   double next(double t) const;
   bool at(double t) const { return find(t) != nullptr; }
+  std::vector<double> times() const;  ///< of those at which steps end, ascending
+  bool any() const { return !ends_.empty(); }
   /// What there is from t, where a step begins, up to just before the next such break, in whole steps h where that is
   /// not the end of one [s]; infinite where there is none.
   double room(double t, double h) const;
@@ -34,6 +41,8 @@ class BreakPoints {
   double before(double t) const;
   /// The same of a frame at t in a run that ends at t_end: after a break, but before it where the run ends at it.
   double clock(double t, double t_end) const { return t < before(t_end) ? after(t) : before(t); }
+  /// The times of a step from t to t_new, between breaks at its ends.
+  StepSpan span(double t, double t_new) const;
 
   /// The first of the other knots between t and t_new where it is the only one; else t_new. One knot in a step is
   /// cheaply its end; where there are several a step may go over them. One just after t counts as behind.
@@ -53,6 +62,7 @@ class BreakPoints {
   const Cluster* find(double t) const;
   const Cluster* following(double t) const;
   void add_end(double t);
+  void merge();
   void add_watched(const Model& model);
   static bool seen(const TimeFunction& function, const EmbeddedPair& pair, const StepSpan& step, double relative);
 

@@ -70,15 +70,16 @@ class HalfExplicit final : public Integrator {
     at_.reset();
   }
 
-  void step(Dynamics& dynamics, double t, double h, VectorXd& y) override {
+  void step(Dynamics& dynamics, const StepSpan& step, VectorXd& y) override {
+    const double h = step.h;
     prepare(dynamics.system());
     for (Eigen::Index i = 0; i < tableau_.A.rows(); ++i) {
       if (i > 0)
-        dynamics.evaluate(t + tableau_.A.row(i).sum() * h, sum(tableau_.A, i, i, h, y, stage_),
+        dynamics.evaluate(step.at(tableau_.A.row(i).sum()), sum(tableau_.A, i, i, h, y, stage_),
                           static_cast<int>(i) + 1);
       else stage_ = y;
       if (i == 0 && tableau_.explicit_first_stage) dynamics.accelerations(x_, lambda_);
-      else constrain(dynamics, t, h, y, i);
+      else constrain(dynamics, step, y, i);
       dynamics.rates(x_, lambda_, k_.col(i));
     }
     sum(tableau_.A_bar, tableau_.A.rows() - 1, tableau_.A.rows(), h, y, stage_);
@@ -105,14 +106,14 @@ class HalfExplicit final : public Integrator {
   }
 
   /// V'_i and L_i, at the state stage_ where `dynamics` is evaluated.
-  void constrain(Dynamics& dynamics, double t, double h, const VectorXd& y, Eigen::Index i) {
+  void constrain(Dynamics& dynamics, const StepSpan& step, const VectorXd& y, Eigen::Index i) {
     const System& system = dynamics.system();
     const int nq = system.q_size(), nv = system.v_size();
-    const double own = h * tableau_.A_bar(i, i);
-    sum(tableau_.A_bar, i, i, h, y, met_);
+    const double own = step.h * tableau_.A_bar(i, i);
+    sum(tableau_.A_bar, i, i, step.h, y, met_);
     system.position_rates(stage_.head(nq), stage_.segment(nq, nv), k_.col(i).head(nq));
     met_.head(nq) += own * k_.col(i).head(nq);
-    system.evaluate_constraints(t + tableau_.A_bar.row(i).sum() * h, met_.head(nq), met_.segment(nq, nv),
+    system.evaluate_constraints(step.at(tableau_.A_bar.row(i).sum()), met_.head(nq), met_.segment(nq, nv),
                                 dynamics.history(), *at_);
     b_ = at_->Phi_dot / -own;
     dynamics.solve(dynamics.evaluation().g.head(nv), b_, x_, lambda_);

@@ -34,8 +34,9 @@ class Integrator {
   virtual void start(int y_size) = 0;
   /// What it knows of earlier steps.
   virtual void keep(Archive&) {}
-  /// Advances y from t to t + h. On entry `dynamics` is evaluated at (t, y): that evaluation is the first stage.
-  virtual void step(Dynamics& dynamics, double t, double h, VectorXd& y) = 0;
+  /// Advances y over a step. On entry `dynamics` is evaluated where it begins, at (t, y): that evaluation is the first
+  /// stage.
+  virtual void step(Dynamics& dynamics, const StepSpan& step, VectorXd& y) = 0;
 };
 
 /// By how much the weights of a method may miss the sum 1.

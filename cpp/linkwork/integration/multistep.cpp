@@ -47,15 +47,16 @@ class Multistep final : public Integrator {
 
   void keep(Archive& archive) override { archive(f_, filled_, last_step_); }
 
-  void step(Dynamics& dynamics, double t, double h, VectorXd& y) override {
+  void step(Dynamics& dynamics, const StepSpan& step, VectorXd& y) override {
+    const double h = step.h;
     if (filled_ > 0 && std::abs(h - last_step_) > same_step * h) filled_ = 0;  // another step: begin anew
     last_step_ = h;
     store(dynamics);
-    if (filled_ < f_.size()) return starter_->step(dynamics, t, h, y);
+    if (filled_ < f_.size()) return starter_->step(dynamics, step, y);
     correction_.setZero();
     dynamics.add_correction(h, correction_);
     if (method_.corrector.size() == 0) y += combine(method_.predictor, 0, h) + correction_;
-    else y = correct(dynamics, t, h, y);
+    else y = correct(dynamics, step, y);
   }
 
  private:
@@ -74,9 +75,10 @@ class Multistep final : public Integrator {
     return sum;
   }
 
-  VectorXd correct(Dynamics& dynamics, double t, double h, const VectorXd& y) {
+  VectorXd correct(Dynamics& dynamics, const StepSpan& step, const VectorXd& y) {
+    const double h = step.h;
     const VectorXd predicted = y + combine(method_.predictor, 0, h) + correction_;
-    dynamics.evaluate(t + h, predicted);
+    dynamics.evaluate(step.at(1.0), predicted);
     dynamics.rates(predicted_rates_);
     return y + (h * method_.corrector[0]) * predicted_rates_ + combine(method_.corrector, 1, h) + correction_;
   }

@@ -72,12 +72,12 @@ class RungeKutta final : public Integrator {
     stage_.resize(y_size);
   }
 
-  void step(Dynamics& dynamics, double t, double h, VectorXd& y) override {
-    evaluate_stages(tableau_, dynamics, {t, h}, y, k_, stage_);
+  void step(Dynamics& dynamics, const StepSpan& step, VectorXd& y) override {
+    evaluate_stages(tableau_, dynamics, step, y, k_, stage_);
     in_pieces(dynamics.system().threads(), y.size(), [&](Eigen::Index first, Eigen::Index count) {
       auto piece = y.segment(first, count);
       for (Eigen::Index i = 0; i < tableau_.b.size(); ++i)
-        if (tableau_.b[i] != 0.0) piece += (h * tableau_.b[i]) * k_.col(i).segment(first, count);
+        if (tableau_.b[i] != 0.0) piece += (step.h * tableau_.b[i]) * k_.col(i).segment(first, count);
     });
     dynamics.end_zero_order_hold();
   }

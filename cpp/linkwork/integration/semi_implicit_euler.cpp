@@ -9,7 +9,8 @@ class SemiImplicitEuler final : public Integrator {
   int order() const override { return 1; }
   void start(int y_size) override { rates_.resize(y_size); }
 
-  void step(Dynamics& dynamics, double, double h, VectorXd& y) override {
+  void step(Dynamics& dynamics, const StepSpan& step, VectorXd& y) override {
+    const double h = step.h;
     const int nq = dynamics.system().q_size(), nv = dynamics.system().v_size();
     dynamics.begin_zero_order_hold(deadbeat_gains(1.0, h), h);
     dynamics.rates(rates_);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "linkwork/formulation/not_finite.hpp"
 #include "linkwork/math/error.hpp"
@@ -39,6 +40,8 @@ Simulation::Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrato
   begin_at(schedule.t_start, schedule.t_end, schedule.start);
   find_origin();
   count_steps();
+  meet_breaks();
+  jumped_ = clock();
   y_dot_.setZero(y_.size());
   kept_y_ = y_;
   sampling_.expect(steps_total_);
@@ -67,6 +70,10 @@ void Simulation::count_steps() {
   whole_ = same(end, time_of(steps_total_));
 }
 
+void Simulation::meet_breaks() {
+  breaks_.meet_steps(origin_, schedule_.step, {schedule_.t_start, schedule_.t_end});
+}
+
 /// Where steps begin and end. `t` differs at both ends of the run by the roundoff of what was asked for.
 double Simulation::time_of(std::int64_t step) const {
   if (step >= steps_total_ && !whole_) return schedule_.t_end;
@@ -81,7 +88,7 @@ double Simulation::t() const {
 void Simulation::keep(Archive& archive) {
   const double start = schedule_.t_start;
   Run::keep(archive);
-  archive(schedule_.t_start, origin_, first_step_, leaping_, leapt_);
+  archive(schedule_.t_start, origin_, first_step_, jumped_, leaping_, leapt_);
   if (!integrator_) archive(kept_y_, y_dot_, last_t_);
   crossing_.keep(archive, leaping_ || leapt_);
   if (integrator_) integrator_->keep(archive);
@@ -92,6 +99,12 @@ void Simulation::keep(Archive& archive) {
 void Simulation::go_on_to(double start) {
   const double h = schedule_.step, done = (start - origin_) / h - static_cast<double>(first_step_);
   count_steps();
+  meet_breaks();
+  const double jumped = std::exchange(jumped_, clock());  // a run ends before what jumps where it ends
+  if (jumped < jumped_) {
+    y_[y_.size() - 1] += jumps_.work(jumped, jumped_, y_, dynamics_.history());
+    forget();
+  }
   evaluated_ = finished_ = false;
   start_step_ = static_cast<std::int64_t>(std::ceil(done - same_time));
   if (!same(start, time_of(start_step_))) return;
@@ -101,7 +114,7 @@ void Simulation::go_on_to(double start) {
 }
 
 void Simulation::record_start() {
-  dynamics_.evaluate(schedule_.t_start, y_);
+  dynamics_.evaluate(clock(), y_);
   recorder_.record(schedule_.t_start, y_);
 }
 
@@ -114,7 +127,7 @@ void Simulation::take_step() {
   if (h == 0.0) return;
   try {
     divergence_.blame(kept_y_, t(), h,
-                      [&] { with_time(t(), h, [&] { integrator_->step(dynamics_, time_of(steps_done_), h, y_); }); });
+                      [&] { with_time(t(), h, [&] { integrator_->step(dynamics_, span(), y_); }); });
     finish_step();
   } catch (const NotFiniteError& error) {
     if (error.code() != Divergence::code) trace_step(h);
@@ -127,8 +140,8 @@ void Simulation::trace_step(double h) {
   dynamics_.trace();
   y_ = kept_y_;
   with_time(t(), h, [&] {
-    dynamics_.evaluate(time_of(steps_done_), y_);
-    integrator_->step(dynamics_, time_of(steps_done_), h, y_);
+    dynamics_.evaluate(clock(), y_);
+    integrator_->step(dynamics_, span(), y_);
   });
 }
 
@@ -158,7 +171,7 @@ double Simulation::begin_step() {
 void Simulation::finish() {
   sampling_.before(dynamics_, y_);
   crossing_.correct_last_frame(recorder_, begins() ? given_start_ : t(), y_);
-  if (crossing_.end(t(), y_)) dynamics_.evaluate(t(), y_);
+  if (crossing_.end(t(), y_)) dynamics_.evaluate(clock(), y_);
 }
 
 /// Where a singular pose is ahead.
@@ -166,9 +179,9 @@ void Simulation::begin_leap() {
   if (!crossing_.due(t(), next_step(), y_, false)) return;
   const double end = dynamics_.system().model().autonomous() ? INFINITY : schedule_.t_end - t();
   const double most = std::min(end, breaks_.room(t(), schedule_.step));
-  leaping_ = crossing_.leap(t(), next_step(), schedule_.step, most, y_);
+  leaping_ = crossing_.leap(clock(), next_step(), schedule_.step, most, y_);
   bounded_ = bounded_ || crossing_.limited();
-  if (!leaping_) return dynamics_.evaluate(t(), y_);
+  if (!leaping_) return dynamics_.evaluate(clock(), y_);
   sampling_.correct(y_, crossing_.last().y);
   if (crossing_.last().end() > schedule_.t_end) crossing_.cut(schedule_.t_end - t());
   bounded_ = bounded_ || crossing_.limited();
@@ -189,11 +202,13 @@ void Simulation::follow_leap() {
   evaluated_ = false;
 }
 
-/// In the step that ends here: steps go over breaks.
+/// In the step that ends here, and at its end. What begins after them has not been together with what was before.
 void Simulation::cross_breaks() {
-  const double t_new = time_of(steps_done_), t = time_of(steps_done_ - 1);
+  const double t = std::exchange(jumped_, clock()), t_new = jumped_;
+  if (!(breaks_.next(t) <= t_new)) return;
   with_time(t_new, t_new - t,
             [&] { y_[y_.size() - 1] += jumps_.work_in_step(breaks_, t, t_new, kept_y_, y_, dynamics_.history()); });
+  forget();
 }
 
 void Simulation::forget() {
@@ -202,7 +217,7 @@ void Simulation::forget() {
 
 void Simulation::evaluate_and_record() {
   if (evaluated_) return;
-  dynamics_.evaluate(time_of(steps_done_), y_);
+  dynamics_.evaluate(clock(), y_);
   look_where_steps_are_long(y_.size());
   look_for_touches();
   accept_state();

@@ -25,13 +25,15 @@ struct Schedule {
 };
 
 /// A run with a fixed step: t_n = n h exactly, a shortened last step where t_end is no multiple of h. A run that starts
-/// at a multiple of h goes on counting there, so that it takes the steps of one that started at 0.
+/// at a multiple of h goes on counting there, so that it takes the steps of one that started at 0. A break at which a
+/// step ends is between two steps, each of which sees its own side of it.
 class Simulation final : public Run {
  public:
   Simulation(Dynamics& dynamics, std::unique_ptr<Integrator> integrator, const Schedule& schedule);
 
   double t() const override;
   const VectorXd& last_state() const override { return kept_y_; }
+  double origin() const { return origin_; }  ///< from which steps are counted [s]
   std::int64_t steps_total() const override { return steps_total_ - start_step_; }
   const std::vector<PassedTouch>& passed_touches() const { return touches_.passed(); }
 
@@ -50,10 +52,14 @@ class Simulation final : public Run {
   bool begins() const { return steps_done_ == start_step_ && !std::isnan(given_start_); }
   bool natural() const { return whole_ || steps_done_ < steps_total_; }
   double time_of(std::int64_t step) const;
+  /// Where functions are evaluated for what begins at t().
+  double clock() const { return breaks_.clock(time_of(steps_done_), schedule_.t_end); }
+  StepSpan span() const { return breaks_.span(time_of(steps_done_), time_of(steps_done_ + 1)); }
   double next_step() const { return time_of(steps_done_ + 1) - time_of(steps_done_); }
   bool recording_due() const;
   void find_origin();
   void count_steps();
+  void meet_breaks();
   bool same(double a, double b) const;
   void go_on_to(double start);
   void evaluate_and_record();
@@ -73,13 +79,14 @@ class Simulation final : public Run {
   std::unique_ptr<Integrator> integrator_;  ///< null for the user's own
   Schedule schedule_;
   Divergence divergence_;
-  double origin_ = 0.0;          ///< [s], where steps are counted from
+  double origin_ = 0.0;
   std::int64_t first_step_ = 0;  ///< in this count
   bool whole_ = false;           ///< the last step is not shortened
   std::int64_t steps_total_ = 0;
   std::int64_t start_step_ = 0;  ///< of a run that was resumed, the first that is not before its start
   double given_start_ = NAN;     ///< its start, where that is the end of a step
   BreakPoints breaks_;
+  double jumped_ = 0.0;  ///< up to when the work of what jumps at breaks is counted [s]
   StoredEnergyJumps jumps_;
   Crossing crossing_;
   TouchMonitor touches_;

@@ -34,10 +34,10 @@ class CorrectedApart final : public Integrator {
 
   void divide(int times) { divisions_ = times; }
 
-  void step(Dynamics& dynamics, double t, double h, VectorXd& y) override {
+  void step(Dynamics& dynamics, const StepSpan& step, VectorXd& y) override {
     correction_.setZero();
-    dynamics.add_correction(h, correction_);
-    advance(dynamics, t, h, y, divisions_);
+    dynamics.add_correction(step.h, correction_);
+    advance(dynamics, step.t, step.h, y, divisions_);
     y += correction_;
   }
 
@@ -217,7 +217,7 @@ double StepJudge::take_again(const KeptStep& step) {
     dynamics_.evaluate(part.from, y_);
     if (&part == &parts.front()) leave_out(rows_);
     else dynamics_.advance_history();
-    take_.integrator->step(dynamics_, part.from, part.to - part.from, y_);
+    take_.integrator->step(dynamics_, {part.from, part.to - part.from}, y_);
     finish(part.to);
     if (stepper_ && std::abs(part.to - end_of_first) <= beside * step.h) {
       inside_ = y_;

@@ -70,7 +70,8 @@ double StoredEnergyJumps::work_in_step(const BreakPoints& breaks, double t, doub
   for (double it = first; breaks.before(it) < t_new; it = breaks.next(it)) {
     const double before = std::max(breaks.before(it), t), after = std::min(breaks.after(it), t_new);
     if (!(before < after)) continue;
-    step.interpolate(system_, std::clamp((it - t) / (t_new - t), 0.0, 1.0), there);
+    if (breaks.after(it) < t_new) step.interpolate(system_, std::clamp((it - t) / (t_new - t), 0.0, 1.0), there);
+    else there = end;
     out += work(before, after, there, history);
   }
   return out;

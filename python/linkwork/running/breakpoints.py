@@ -20,12 +20,15 @@ ROUNDOFF = 1e-9
 #: The same, relative to the largest values up to the next breaks: near zero these are differences of numbers.
 CANCELLED = 16 * float(np.finfo(float).eps)
 
+#: By which times of one break may differ, relative to them.
+ROUNDING = 64 * float(np.finfo(float).eps)
+
 #: So many jumps are noted in a manifest.
 NOTED = 100
 
 
 def of_run(model: Model, given: ArrayLike, t_start: float, t_end: float) -> list[float]:
-    """Those after the start and not after the end [s], ascending. OptionError: times that are none."""
+    """Those after the start and not after the end, up to roundoff [s], ascending. OptionError: times that are none."""
     try:
         times = set(model.compiled().breaks)
         if not (isinstance(given, tuple) and not given):
@@ -34,7 +37,7 @@ def of_run(model: Model, given: ArrayLike, t_start: float, t_end: float) -> list
         raise OptionError(error.message, code=error.code) from error
     for _, signal in model.signals:
         times.update(signal.break_points)
-    return sorted(t for t in times if t_start < t <= t_end)
+    return sorted(t for t in times if t_start < t <= t_end + ROUNDING * abs(t_end))
 
 
 def beside(model: Model, known: Sequence[float], t_start: float, t_end: float) -> list[float]:

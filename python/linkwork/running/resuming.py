@@ -23,7 +23,7 @@ from linkwork.running.returned import differing, left_by_a_run, note_left, text_
 from linkwork.running.written import Written
 
 #: Of what the driver writes: another one is none of ours.
-FORMAT = 7
+FORMAT = 8
 
 #: After the digest: the initial state of the model had been corrected.
 ASSEMBLED = "+assembled"

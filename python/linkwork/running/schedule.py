@@ -116,13 +116,19 @@ class Fixed:
         """Those at which no step ends: all of them, for all that is known."""
         return breaks
 
-    def beside(self, model: Model, known: Sequence[float], t_start: float) -> Sequence[float]:
-        """Breaks beside which functions are evaluated, not at them: none."""
-        return ()
+    def beside(
+        self, model: Model, known: Sequence[float], t_start: float, run: _core.Run | None = None
+    ) -> Sequence[float]:
+        """Breaks beside which functions are evaluated, not at them: where steps end, those at breaks as well."""
+        found = _core.BreakPoints(breakpoints.beside(model, known, t_start, self.t_end))
+        origin = run.origin if isinstance(run, _core.Simulation) else 0.0
+        found.meet_steps(origin, self.step, (t_start, self.t_end))
+        return found.times
 
     def steps_with_breaks(self, breaks: Sequence[float], t_start: float) -> dict[str, int]:
-        """How many steps contain break points, inside or at their ends, where the last stage may be."""
-        steps = {math.ceil((t - t_start) / self.step - SAME_TIME) for t in breaks}
+        """How many steps go over break points: those at which steps end are between two."""
+        ends = [(t - t_start) / self.step for t in breaks if t < self.t_end - SAME_TIME * self.step]
+        steps = {math.ceil(end) for end in ends if abs(end - round(end)) > SAME_TIME + breakpoints.ROUNDING * end}
         return {"steps_with_breaks": len(steps)} if steps else {}
 
 
@@ -201,7 +207,9 @@ class Adaptive:
         """Those at which no step ends: none."""
         return ()
 
-    def beside(self, model: Model, known: Sequence[float], t_start: float) -> Sequence[float]:
+    def beside(
+        self, model: Model, known: Sequence[float], t_start: float, run: _core.Run | None = None
+    ) -> Sequence[float]:
         """Breaks beside which functions are evaluated, not at them: all."""
         return breakpoints.beside(model, known, t_start, self.t_end)
 

@@ -100,8 +100,8 @@ def simulate(
     events        what happens when functions of the state pass through zero (adaptive steps only), see
                   linkwork.Event; result.events lists what came
     breaks        times [s] at which something is not smooth, beside those that functions of time and forces
-                  declare: steps that follow tolerances end there; of fixed ones the summary says how many
-                  contain one
+                  declare: steps that follow tolerances end there; fixed ones that do see each its own side;
+                  of those that go over one, the summary says how many
     start         where to begin, instead of t = 0 and the state of the model: `Result.snapshot(frame)` or the
                   `state` of an error. From the last frame of a result, in memory or in a file, and from the
                   state of an error, a run of the same model by the same method goes on to the last bit, as if
@@ -227,7 +227,7 @@ class Prepared:
 
     def header(self) -> Header:
         model = self.system.model
-        beside = self.plan.beside(model, self.known, self.t_start)
+        beside = self.plan.beside(model, self.known, self.t_start, self.run)
         return Header.of(
             model.compiled(), self.system.compiled(), self.facts, self.plan.expected_frames(self.run),
             model.shapes, model.curves, beside,
