@@ -178,6 +178,22 @@ class BreakPoints:
         """
         Where functions are evaluated (k,) [s] for frames at t (k,): after a break, but before it where the run ends at it.
         """
+    def meet_steps(
+        self,
+        origin: typing.SupportsFloat | typing.SupportsIndex,
+        step: typing.SupportsFloat | typing.SupportsIndex,
+        ends: typing.Annotated[
+            collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex], "FixedSize(2)"
+        ],
+    ) -> None:
+        """
+        Of steps [s] that are counted from `origin` in a run that begins and ends at `ends`: where one ends at a break up to roundoff, the break is there, too.
+        """
+    @property
+    def times(self) -> list[float]:
+        """
+        Ascending [s].
+        """
 
 class CoordinateInfo:
     """
@@ -1254,6 +1270,11 @@ class Simulation(Run):
         (t, y, h) of the step that begins; h = 0 at the end.
         """
     def statistics(self) -> dict: ...
+    @property
+    def origin(self) -> float:
+        """
+        From which steps are counted [s].
+        """
 
 class SolverInfo:
     """

@@ -472,6 +472,11 @@ def test_steps_counted_from_elsewhere_end_at_breaks_as_well() -> None:
     first = lw.simulate(model, 0.10037, 1e-3)
     rest = lw.simulate(model, 0.5, 1e-3, start=lw.Snapshot(0.10037, first.q[-1], first.v[-1]))
     check_of_one_side(rest, 0.30037)
+    assert "steps_with_breaks" not in rest.statistics
+    again = lw.simulate(model, 0.5, 1e-3, start=first.snapshot(), on_inaccurate="pass")
+    assert (
+        again.manifest["resumed"] and again.statistics["steps_with_breaks"] == 1
+    ), "as it began, at 0.3 and 0.301"
 
 
 @pytest.mark.parametrize("pair", PAIRS)

@@ -81,8 +81,7 @@ void Ensemble::run_task(const Task& task, const std::function<void()>& look) {
   for (const int member : task.members) {
     do_apart(
         [&] {
-          lanes.push_back(
-              std::make_unique<Lane>(*dynamics_[member], steps_, runs_.empty() ? nullptr : runs_[member]));
+          lanes.push_back(std::make_unique<Lane>(*dynamics_[member], steps_, runs_.empty() ? nullptr : runs_[member]));
           if (steps_.counts_turns()) lanes.back()->count_turns();
           members.push_back(member);
           alive.push_back(lanes.back().get());

@@ -70,9 +70,7 @@ void Simulation::count_steps() {
   whole_ = same(end, time_of(steps_total_));
 }
 
-void Simulation::meet_breaks() {
-  breaks_.meet_steps(origin_, schedule_.step, {schedule_.t_start, schedule_.t_end});
-}
+void Simulation::meet_breaks() { breaks_.meet_steps(origin_, schedule_.step, {schedule_.t_start, schedule_.t_end}); }
 
 /// Where steps begin and end. `t` differs at both ends of the run by the roundoff of what was asked for.
 double Simulation::time_of(std::int64_t step) const {
@@ -113,7 +111,9 @@ void Simulation::go_on_to(double start) {
   recorder_.silence_until(std::nextafter(start, -INFINITY));
 }
 
+/// After what jumps there, before which the run has ended.
 void Simulation::record_start() {
+  y_[y_.size() - 1] += jumps_.work(breaks_.before(time_of(steps_done_)), clock(), y_, dynamics_.history());
   dynamics_.evaluate(clock(), y_);
   recorder_.record(schedule_.t_start, y_);
 }
@@ -126,8 +126,7 @@ void Simulation::take_step() {
   const double h = begin_step();
   if (h == 0.0) return;
   try {
-    divergence_.blame(kept_y_, t(), h,
-                      [&] { with_time(t(), h, [&] { integrator_->step(dynamics_, span(), y_); }); });
+    divergence_.blame(kept_y_, t(), h, [&] { with_time(t(), h, [&] { integrator_->step(dynamics_, span(), y_); }); });
     finish_step();
   } catch (const NotFiniteError& error) {
     if (error.code() != Divergence::code) trace_step(h);

@@ -28,7 +28,10 @@ NOTED = 100
 
 
 def of_run(model: Model, given: ArrayLike, t_start: float, t_end: float) -> list[float]:
-    """Those after the start and not after the end, up to roundoff [s], ascending. OptionError: times that are none."""
+    """Those after the start and not after the end, up to roundoff [s], ascending.
+
+    OptionError: times that are none.
+    """
     try:
         times = set(model.compiled().breaks)
         if not (isinstance(given, tuple) and not given):

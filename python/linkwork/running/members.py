@@ -444,7 +444,7 @@ def _judged(
             **poses,
             "steps": it.run.steps_done,
             **({"passed_touches": passed} if (passed := it.run.passed_touches) else {}),
-            **method.plan.steps_with_breaks(it.stepped.breaks, 0.0),
+            **method.plan.steps_with_breaks(it.stepped.breaks),
         }
         return it.estimator.verdict(counts, steps=not method.state_alone), counts
 

@@ -119,16 +119,17 @@ class Fixed:
     def beside(
         self, model: Model, known: Sequence[float], t_start: float, run: _core.Run | None = None
     ) -> Sequence[float]:
-        """Breaks beside which functions are evaluated, not at them: where steps end, those at breaks as well."""
+        """Breaks beside which functions are evaluated, not at them, and the ends of steps at them."""
         found = _core.BreakPoints(breakpoints.beside(model, known, t_start, self.t_end))
-        origin = run.origin if isinstance(run, _core.Simulation) else 0.0
-        found.meet_steps(origin, self.step, (t_start, self.t_end))
+        found.meet_steps(_origin(run), self.step, (t_start, self.t_end))
         return found.times
 
-    def steps_with_breaks(self, breaks: Sequence[float], t_start: float) -> dict[str, int]:
+    def steps_with_breaks(self, breaks: Sequence[float], run: _core.Run | None = None) -> dict[str, int]:
         """How many steps go over break points: those at which steps end are between two."""
-        ends = [(t - t_start) / self.step for t in breaks if t < self.t_end - SAME_TIME * self.step]
-        steps = {math.ceil(end) for end in ends if abs(end - round(end)) > SAME_TIME + breakpoints.ROUNDING * end}
+        inside = [t for t in breaks if t < self.t_end - SAME_TIME * self.step]
+        ends = [(t - _origin(run)) / self.step for t in inside]
+        same = [SAME_TIME + breakpoints.ROUNDING * abs(t) / self.step for t in inside]
+        steps = {math.ceil(it) for it, near in zip(ends, same, strict=True) if abs(it - round(it)) > near}
         return {"steps_with_breaks": len(steps)} if steps else {}
 
 
@@ -213,9 +214,14 @@ class Adaptive:
         """Breaks beside which functions are evaluated, not at them: all."""
         return breakpoints.beside(model, known, t_start, self.t_end)
 
-    def steps_with_breaks(self, breaks: Sequence[float], t_start: float) -> dict[str, int]:
+    def steps_with_breaks(self, breaks: Sequence[float], run: _core.Run | None = None) -> dict[str, int]:
         """None: steps end at each."""
         return {}
+
+
+def _origin(run: _core.Run | None) -> float:
+    """From which fixed steps are counted [s]."""
+    return run.origin if isinstance(run, _core.Simulation) else 0.0
 
 
 def _happened(events: Sequence[_core.Event], start: Snapshot | None) -> list[tuple[int, NDArray[np.float64]]]:

@@ -265,7 +265,7 @@ def _prepared(
     chosen = {"t_start": t_start, **plan.chosen(), "integrator": _name(method), **system.options}
     facts = {
         **manifest(model, identity.model_hash, {**given, **_in_words(watched, start)}, chosen),
-        "breaks": {"count": len(breaks), **plan.steps_with_breaks(breaks, t_start), **impacts},
+        "breaks": {"count": len(breaks), **plan.steps_with_breaks(breaks, run), **impacts},
         "constraints": checks.rank_numbers(system.compiled()),
         "assembled": assembly and str(assembly),
         "events": [event.label for event in watched],
@@ -398,7 +398,7 @@ def _carried_out(
                 run, pieces, recorder, report, labels, estimator, interrupts, t_end=plan.t_end, warns=warns
             )
         laws = LawsOfForces(model)
-        statistics = {**it.statistics(), **plan.steps_with_breaks(it.breaks, t_start)}
+        statistics = {**it.statistics(), **plan.steps_with_breaks(it.breaks, it.run)}
         driven = time.perf_counter()
         sharing_verdict = sharing(progress, "steps taken again for the verdict", driven - started)
         with interrupts.computing(), sharing_verdict as share:
