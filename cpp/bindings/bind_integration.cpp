@@ -37,7 +37,9 @@ py::dict frames_to_dict(Frames&& frames, const System& system) {
 namespace {
 
 /// Data that a driver runs, without a Python call in its loop.
-struct SemiImplicitEulerTag {};
+struct SemiImplicitEulerTag {
+  ButcherTableau other;  ///< see of_staggered_velocities
+};
 
 std::unique_ptr<Integrator> make_integrator(const py::object& method) {
   if (method.is_none()) return nullptr;
@@ -60,6 +62,8 @@ SecondTake second_take(const py::object& method, bool other, bool inside) {
     if (inside) take.pair = std::move(pair);
     return take;
   }
+  if (py::isinstance<SemiImplicitEulerTag>(method))
+    return of_staggered_velocities(method.cast<SemiImplicitEulerTag>().other);
   return in_parts(make_integrator(method));
 }
 
@@ -81,6 +85,7 @@ py::dict to_dict(const AccumulatedError& found, const System& system, bool steps
   out["rounding"] = found.rounding;
   out["violation"] = found.violation;
   out["rate"] = found.rate;
+  out["slowness"] = found.slowness;
   out["seconds"] = found.seconds;
   out["kinetic_share"] = found.kinetic_share;
   out["carried"] = found.carried;
@@ -478,8 +483,9 @@ void bind_integration(py::module_& module) {
              return HalfExplicitTableau{std::move(name), order, A, A_bar, explicit_first};
            }),
            py::arg("name"), py::arg("order"), py::arg("A"), py::arg("A_bar"), py::arg("explicit_first_stage"));
-  py::class_<SemiImplicitEulerTag>(module, "SemiImplicitEuler", "v' = v + h v_dot, q' = q + h N(q) v'.")
-      .def(py::init<>());
+  py::class_<SemiImplicitEulerTag>(module, "SemiImplicitEuler",
+                                   "v' = v + h v_dot, q' = q + h N(q) v'; its steps are judged by the method `other`.")
+      .def(py::init([](ButcherTableau other) { return SemiImplicitEulerTag{std::move(other)}; }), py::arg("other"));
   py::class_<EmbeddedPair>(module, "EmbeddedPair",
                            "An explicit Runge-Kutta method with error estimate and interpolant.")
       .def(py::init([](const ButcherTableau& method, int error_order, const VectorXd& error,

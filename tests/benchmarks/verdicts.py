@@ -233,7 +233,9 @@ def run(seed: int, truth: Truth, family: str, how: dict[str, Any], size: float) 
     assert verdict is not None
     found.warned = verdict.level != "good"
     found.error, found.state = verdict.error, np.nan if verdict.state is None else verdict.state
-    if "adaptive" not in how:
+    if (
+        "adaptive" not in how and how.get("integrator") != "semi_implicit_euler"
+    ):  # it is judged between others
         found.local = list(local_errors(truth.model, result, best, given))
     found.seconds = time.perf_counter() - began
     return found

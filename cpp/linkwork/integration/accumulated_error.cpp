@@ -75,6 +75,7 @@ class Accumulation {
     const double path = sum([this](const StepError& it) { return of(it).displacement; });
     out_.rounding = sum([this](const StepError& it) { return of(it).rounding; }) / std::max(path, size_);
     out_.rate = V_ / L_;
+    out_.slowness = slowness();
     out_.carried = judged_.speed_as_a_whole / V_;
     return std::move(out_);
   }
@@ -88,6 +89,17 @@ class Accumulation {
   double pace(const StepError& step) const {
     const PartError& it = of(step);
     return std::max(it.speed / V_, std::max(it.acceleration, L_ * it.spin_rate) * size_ / (V_ * V_));
+  }
+
+  /// An error of the energy by a share e is one of the speed by e/2 (V / speed)^2.
+  double slowness() const {
+    double sum = 0.0, seconds = 0.0;
+    for (const KnownPart& part : parts_) {
+      const double its = std::clamp(pace(*part.first), slowest, 1.0);
+      sum += part.part->seconds / (its * its);
+      seconds += part.part->seconds;
+    }
+    return seconds > 0.0 ? sum / seconds : 1.0;
   }
 
   double pace(const RunPart& part) const {
@@ -175,6 +187,7 @@ class Accumulation {
     Sums sums, along;
     double late = 0.0, end = 0.0;
     auto known = parts_.begin();
+    for (Sums* it : {&sums, &along}) it->add(0.0, velocity(of(*known->first).late), known->part->t);
     for (const RunPart* part : all_parts()) {
       const double t = part->t + part->seconds / 2;
       double fastest = pace(*part);
@@ -205,7 +218,7 @@ class Accumulation {
   double at_once() const {
     double largest = 0.0;
     for (const StepError& it : errors_.steps)
-      if (!it.failed) largest = std::max({largest, error(of(it).inside), error(of(it).fading)});
+      if (!it.failed) largest = std::max({largest, error(of(it).inside), error(of(it).fading), error(of(it).late)});
     return largest;
   }
 
@@ -253,14 +266,15 @@ AccumulatedError accumulate(const RunErrors& errors) {
   std::vector<KnownPart> known = known_parts(errors);
   const std::vector<JudgedPart>& parts = errors.connected_parts;
   const std::size_t energetic = most_energetic(parts);
-  double rate = 0.0;
+  double rate = 0.0, slowness = 1.0;
   for (std::size_t part = 0; part < parts.size() && !known.empty(); ++part) {
     AccumulatedError own = Accumulation(errors, known, part).result();
     own.body = parts.size() > 1 ? parts[part].first_body : -1;
-    if (part == energetic) rate = own.rate;
+    if (part == energetic) rate = own.rate, slowness = own.slowness;
     out = part == 0 ? std::move(own) : worse(std::move(out), std::move(own));
   }
   out.rate = rate;
+  out.slowness = slowness;
   out.kinetic_share = errors.kinetic_share;
   for (const StepError& step : errors.steps) out.failed += step.failed ? 1 : 0;
   note_rest(parts, out);

@@ -20,10 +20,12 @@ constexpr double beside = 1e-9;      // of a step: how far from a break the part
 constexpr double soon = 0.1;         // share that a step takes back: then errors off the constraints do not add up
 constexpr double roundoff = 8.0 * std::numeric_limits<double>::epsilon();
 
-/// One step of a one-step method in parts, with the correction that a multistep method adds.
+/// One step of a one-step method in parts, with the correction that a multistep method adds, if asked for.
 class CorrectedApart final : public Integrator {
  public:
-  explicit CorrectedApart(const ButcherTableau& tableau) : tableau_(tableau) { check(tableau); }
+  CorrectedApart(const ButcherTableau& tableau, bool corrects) : tableau_(tableau), corrects_(corrects) {
+    check(tableau);
+  }
 
   const std::string& name() const override { return tableau_.name; }
   int order() const override { return tableau_.order; }
@@ -36,7 +38,7 @@ class CorrectedApart final : public Integrator {
 
   void step(Dynamics& dynamics, const StepSpan& step, VectorXd& y) override {
     correction_.setZero();
-    dynamics.add_correction(step.h, correction_);
+    if (corrects_) dynamics.add_correction(step.h, correction_);
     advance(dynamics, step.t, step.h, y, divisions_);
     y += correction_;
   }
@@ -55,6 +57,7 @@ class CorrectedApart final : public Integrator {
   }
 
   ButcherTableau tableau_;
+  bool corrects_;
   int divisions_ = 1;
   MatrixXd k_;
   VectorXd stage_, correction_;
@@ -105,10 +108,16 @@ SecondTake in_parts(std::unique_ptr<Integrator> integrator) {
   return {std::move(integrator), golden_share, order > 0 ? left : 0.0};
 }
 
-SecondTake by_one_step_method(const ButcherTableau& other) {
-  auto method = std::make_unique<CorrectedApart>(other);
+SecondTake by_one_step_method(const ButcherTableau& other, bool corrects) {
+  auto method = std::make_unique<CorrectedApart>(other, corrects);
   const auto divide = [method = method.get()](int times) { method->divide(times); };
   return {std::move(method), 1.0, 0.0, {}, divide};
+}
+
+SecondTake of_staggered_velocities(const ButcherTableau& other) {
+  SecondTake take = by_one_step_method(other, false);
+  take.staggered = true;
+  return take;
 }
 
 StepJudge::StepJudge(Dynamics& dynamics, SecondTake take, std::vector<double> breaks)
@@ -143,17 +152,43 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside, co
   dynamics_.correct_over(step.correction_length);
   if (take_.divide) take_.divide(step.history_new.size() > 0 ? divisions_where_contacts_begin : 1);
   try {
-    find_end(step, retaken);
-    compare(step, out);
-    if (step.history_new.size() > 0) compare_history(step, out);
+    if (take_.staggered) look_at(half_a_step_later(step, out), reactions, inside, retaken, out);
+    else look_at(step, reactions, inside, retaken, out);
     out.violation = violation_.largest(step.t + step.h, step.y_new, step.history);
-    if ((reactions || recorded_) && dynamics_.system().joint_count() > 0) compare_reactions(step, out);
-    out.failed = !y_.allFinite();
-    if (inside && stepper_ && came_inside_) compare_inside(step, out);
   } catch (const Error&) {
     out.failed = true;
   }
   dynamics_.end_parts();
+  return out;
+}
+
+void StepJudge::look_at(const KeptStep& step, bool reactions, bool inside, const RetakenStep& retaken, StepError& out) {
+  find_end(step, retaken);
+  compare(step, out);
+  if (step.history_new.size() > 0) compare_history(step, out);
+  if ((reactions || recorded_) && dynamics_.system().joint_count() > 0) compare_reactions(step, out);
+  out.failed = !y_.allFinite();
+  if (inside && stepper_ && came_inside_) compare_inside(step, out);
+}
+
+KeptStep StepJudge::half_a_step_later(const KeptStep& step, StepError& out) {
+  KeptStep later = step;
+  rows_ = step.left_out;
+  dynamics_.set_history(step.history);
+  later.y = half_a_step_later(step.t, step.h, step.y);
+  later.y_new = half_a_step_later(step.t + step.h, step.h, step.y_new);
+  const DifferencesOfParts late = differences(dynamics_.system(), later.y, step.y);
+  for (std::size_t k = 0; k < late.size(); ++k) out.of_part[k].late = late[k];
+  return later;
+}
+
+VectorXd StepJudge::half_a_step_later(double t, double h, const VectorXd& y) {
+  const System& system = dynamics_.system();
+  dynamics_.evaluate(t, y);
+  if (dynamics_.dropped().rows() != rows_) leave_out(rows_);
+  dynamics_.accelerations(v_dot_, lambda_);
+  VectorXd out = y;
+  out.segment(system.q_size(), system.v_size()) += 0.5 * h * v_dot_;
   return out;
 }
 
@@ -284,8 +319,8 @@ void StepJudge::compare(const KeptStep& step, StepError& out) {
     out.of_part[k].end = apart[k];
     if (step.changes.size() > 0) out.of_part[k].change = step.changes[static_cast<Eigen::Index>(k)];
   }
-  const double share = share_taken_back(dynamics_, step.h);
-  if (share >= soon && (recorded_ || !dynamics_.sampled())) separate_fading(step, share, out);
+  const double share = take_.staggered ? 1.0 : share_taken_back(dynamics_, step.h);
+  if (take_.staggered || (share >= soon && (recorded_ || !dynamics_.sampled()))) separate_fading(step, share, out);
   else separate_damped(step, out);
   look_at_motion(step, out);
   DifferencesOfParts unseen = rounding(system, step.y_new);

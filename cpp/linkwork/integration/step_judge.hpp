@@ -25,6 +25,7 @@ struct SecondTake {
   double left = 0.0;
   std::optional<EmbeddedPair> pair = {};
   std::function<void(int)> divide = {};  ///< of an integrator that takes parts by itself: in so many powers of two
+  bool staggered = false;                ///< see of_staggered_velocities
 };
 
 /// Two parts a h and (1 - a) h by the same one-step method, Richardson (1911): with a local error c h^(p+1) the parts
@@ -37,7 +38,13 @@ SecondTake in_parts(std::unique_ptr<Integrator> integrator);
 /// one-step method in two parts, such as its starter, whose error is small beside its own, from the same state and with
 /// the same correction of the violation, apart from the rates. Where a contact begins in eight: at which speed is known
 /// where a part ends, whatever the method.
-SecondTake by_one_step_method(const ButcherTableau& other);
+SecondTake by_one_step_method(const ButcherTableau& other, bool corrects = true);
+
+/// Semi-implicit Euler takes the steps of the Stoermer-Verlet method, of order 2, from velocities that are half a step
+/// late, Hairer, Lubich and Wanner (2003), Acta Numerica 12, 399-450: with v_n + h/2 v_dot_n instead of v_n the local
+/// errors of its steps do not add up to what they seem to, each takes back that of the one before. Steps between such
+/// states are compared, and that half a step of velocities counts once, with what it moves.
+SecondTake of_staggered_velocities(const ButcherTableau& other);
 
 /// The share of the first of two parts.
 constexpr double golden_share = 0.6180339887498949;
@@ -71,6 +78,7 @@ class StepParts {
 struct PartError {
   StateDifference end, inside;  ///< inside: where the first part of the step ends; zero where that was not looked at
   StateDifference fading;       ///< what errors come to that stabilization or forces take back soon
+  StateDifference late;         ///< what half a step of staggered velocities is
   double force = std::numeric_limits<double>::quiet_NaN();  ///< of reactions [N]; NaN: not looked at
   double torque = force;                                    ///< likewise [N m]
   double change = 0.0;                                      ///< see KeptStep [m/s^2]
@@ -128,6 +136,9 @@ class StepJudge {
   const VectorXd& kinetic_energies() const { return kinetic_of_part_; }
 
  private:
+  void look_at(const KeptStep& step, bool reactions, bool inside, const RetakenStep& retaken, StepError& out);
+  KeptStep half_a_step_later(const KeptStep& step, StepError& out);
+  VectorXd half_a_step_later(double t, double h, const VectorXd& y);
   void find_end(const KeptStep& step, const RetakenStep& retaken);
   double take_again(const KeptStep& step);
   void choose_rows(const KeptStep& step);

@@ -72,7 +72,8 @@ class StepEstimate(NamedTuple):
 
     t: float  #: its start [s]
     h: float  #: its size [s]
-    error: float  #: of the state at its end, see `Verdict.state`
+    #: Of the state at its end, see `Verdict.state`; of semi-implicit Euler what the next does not take back.
+    error: float
     reactions: float | None  #: of forces and torques, relative to the largest; None: not looked at
 
 
@@ -159,6 +160,8 @@ class Energies:
         self._first_work = 0.0
         self._made = self._kinetic = self._work = 0.0
         self._least, self._largest = math.inf, -math.inf
+        self._began = self._last = (0.0, 0.0)  # time, and what was made till then
+        self._late = self._latest = 0.0  # its integral, and the largest of that [J s]
 
     def reach(self, kinetic: float, least: float, largest: float, work: float) -> None:
         """What energies came to between frames, too: see `_core.Run.energies`."""
@@ -172,13 +175,30 @@ class Energies:
         balance = kinetic + potential - work
         if self._first is None:
             self._first, self._first_work = float(balance[0]), float(work[0])
+            self._began = self._last = (float(frames["t"][0]), 0.0)
         self._made = max(self._made, float(balance.max()) - self._first, self._first - float(balance.min()))
+        self._add_up(frames["t"], balance - self._first)
         self.reach(
             float(kinetic.max()),
             float(potential.min()),
             float(potential.max()),
             float(np.abs(work - self._first_work).max()),
         )
+
+    def _add_up(self, t: Floats, made: Floats) -> None:
+        t, made = np.append(self._last[0], t), np.append(self._last[1], made)
+        integral = self._late + np.cumsum(0.5 * (made[1:] + made[:-1]) * np.diff(t))
+        self._last, self._late = (float(t[-1]), float(made[-1])), float(integral[-1])
+        self._latest = max(self._latest, float(np.abs(integral).max()))
+
+    @property
+    def lasting(self) -> float:
+        """The integral over time of what was made, relative to that of a drift to the most that it was.
+
+        At most 2: as what is made at the start. What comes and goes within the motion delays nothing.
+        """
+        drift = 0.5 * self._made * (self._last[0] - self._began[0])
+        return min(self._latest / drift, 2.0) if drift > 0.0 else 1.0
 
     @property
     def at_rest(self) -> bool:
@@ -260,8 +280,12 @@ def estimate(
     energy, replaced = energies.error(found["kinetic_share"], found["rest_energy"])
     violation, duration = found["violation"], found["seconds"]
     turns = 0.25 * min(duration, duration / replaced if replaced > 0 else duration) * found["rate"]
-    by_steps = before + SAFETY * found["state"]
-    state = max(by_steps, before + max(energy * turns if turns > 1 else 0.0, VIOLATED * violation))
+    slowness = min(
+        SAFETY * found["slowness"], turns**2 / 2
+    )  # of a motion that comes back to where it is slow
+    delay = energy * turns * slowness * energies.lasting
+    by_steps = before + SAFETY * _known(found["state"])
+    state = max(by_steps, before + max(delay if turns > 1 else 0.0, VIOLATED * violation))
     ratio, failed, yielding = found["reactions_by_state"], found["failed"], found["yielding"]
     accumulated = state * ratio if math.isfinite(ratio) else 0.0 if yielding > 0 else None
     reactions = None if accumulated is None else accumulated + yielding
@@ -272,7 +296,7 @@ def estimate(
         sentence=_sentence(error, violation, state, method, before, steps, body) + _but(error, reactions),
         error=error,
         state=state,
-        local_error=found["local_error"],
+        local_error=_known(found["local_error"]),
         reactions=reactions,
         energy=energy,
         violation=violation,
@@ -416,6 +440,11 @@ def _counts(statistics: Mapping[str, Any]) -> dict[str, Any]:
     names = {"steps_total": "steps", "singular_poses": "singular_poses", "break_points": "steps_with_breaks"}
     counts = {name: int(statistics.get(key, 0)) for name, key in names.items()}
     return {**counts, "contradictions": len(statistics.get("contradiction", {}).get("joints", ()))}
+
+
+def _known(error: float) -> float:
+    """Sums of what is infinite may be no number."""
+    return math.inf if math.isnan(error) else error
 
 
 def _level(error: float) -> Literal["good", "coarse", "wrong"]:

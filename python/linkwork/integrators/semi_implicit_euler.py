@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from linkwork import _core
 from linkwork.integrators.growth import held_growth
+from linkwork.integrators.rk4 import RK4
 
 
 @dataclass(frozen=True)
@@ -18,7 +19,7 @@ class SemiImplicitEuler:
 
     def compiled(self) -> _core.SemiImplicitEuler:
         """The same method in the compiled module."""
-        return _core.SemiImplicitEuler()
+        return _core.SemiImplicitEuler(RK4.compiled())
 
     def growth(self, alpha_h: float, beta_h: float) -> float:
         """As `ButcherTableau.growth`: one evaluation a step, whose term is held, with s = 1."""
