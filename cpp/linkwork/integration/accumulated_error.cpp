@@ -86,17 +86,19 @@ class Accumulation {
   double error(const StateDifference& it) const { return std::max(pose(it), velocity(it)); }
   const PartError& of(const StepError& it) const { return it.of_part[part_]; }
   /// |y_dot| by V / size: by how much the state is off where it is late, relative to how late.
-  double pace(const StepError& step) const {
+  double pace(const StepError& step) const { return std::max(of(step).speed / V_, turning(step)); }
+
+  double turning(const StepError& step) const {
     const PartError& it = of(step);
-    return std::max(it.speed / V_, std::max(it.acceleration, L_ * it.spin_rate) * size_ / (V_ * V_));
+    return std::max(it.acceleration, L_ * it.spin_rate) * size_ / (V_ * V_);
   }
 
-  /// An error of the energy by a share e is one of the speed by e/2 (V / speed)^2.
+  /// An error of the energy is a share of it that is larger where there is less, and delays; but where motion turns.
   double slowness() const {
     double sum = 0.0, seconds = 0.0;
     for (const KnownPart& part : parts_) {
-      const double its = std::clamp(pace(*part.first), slowest, 1.0);
-      sum += part.part->seconds / (its * its);
+      const double turns = turning(*part.first), share = of(*part.first).kinetic / judged_.kinetic;
+      sum += part.part->seconds / std::clamp(std::fmax(share, turns * turns), slowest * slowest, 1.0);
       seconds += part.part->seconds;
     }
     return seconds > 0.0 ? sum / seconds : 1.0;

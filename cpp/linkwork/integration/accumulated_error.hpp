@@ -34,7 +34,7 @@ struct AccumulatedError {
   double rounding = 0.0;   ///< of positions, relative to the path in space or the size where that is more, the largest
   double violation = 0.0;  ///< largest at the ends of these steps, see RelativeViolation
   double rate = 0.0;       ///< V / L of the part with the largest kinetic energy [1/s]
-  double slowness = 1.0;   ///< of that part, (V / speed)^2 in the mean over the run: what an error of energy delays
+  double slowness = 1.0;   ///< of that part, 1 / kinetic energy in the mean over the run, relative to the largest
   double seconds = 0.0;    ///< that the parts of the run took
   double kinetic_share = 1.0;    ///< see StepJudge
   double carried = 0.0;          ///< speed of the part as a whole, relative to V

@@ -390,7 +390,10 @@ void StepJudge::look_at_motion(const KeptStep& step, StepError& out) {
     of_part.spin_rate = std::max(of_part.spin_rate, rate(v + 3));
   }
   const VectorXd kinetic = kinetic_energies_of(seen_);
-  for (Eigen::Index k = 0; k < kinetic.size(); ++k) kinetic_of_part_[k] = std::max(kinetic_of_part_[k], kinetic[k]);
+  for (Eigen::Index k = 0; k < kinetic.size(); ++k) {
+    out.of_part[static_cast<std::size_t>(k)].kinetic = kinetic[k];
+    kinetic_of_part_[k] = std::max(kinetic_of_part_[k], kinetic[k]);
+  }
   kinetic_ = std::max(kinetic_, kinetic.sum());
   ground_kinetic_ = std::max(ground_kinetic_, kinetic_energies_of(a).sum());
 }

@@ -278,14 +278,9 @@ def estimate(
         why = "no step could be taken again" if found["failed"] else "no step was one of the method's own"
         return without_steps(why, energies, statistics, found["violation"], before)
     energy, replaced = energies.error(found["kinetic_share"], found["rest_energy"])
-    violation, duration = found["violation"], found["seconds"]
-    turns = 0.25 * min(duration, duration / replaced if replaced > 0 else duration) * found["rate"]
-    slowness = min(
-        SAFETY * found["slowness"], turns**2 / 2
-    )  # of a motion that comes back to where it is slow
-    delay = energy * turns * slowness * energies.lasting
     by_steps = before + SAFETY * _known(found["state"])
-    state = max(by_steps, before + max(delay if turns > 1 else 0.0, VIOLATED * violation))
+    delay, violation = energy * _delay(found, energies.lasting, replaced), found["violation"]
+    state = max(by_steps, before + max(delay, VIOLATED * violation))
     ratio, failed, yielding = found["reactions_by_state"], found["failed"], found["yielding"]
     accumulated = state * ratio if math.isfinite(ratio) else 0.0 if yielding > 0 else None
     reactions = None if accumulated is None else accumulated + yielding
@@ -440,6 +435,19 @@ def _counts(statistics: Mapping[str, Any]) -> dict[str, Any]:
     names = {"steps_total": "steps", "singular_poses": "singular_poses", "break_points": "steps_with_breaks"}
     counts = {name: int(statistics.get(key, 0)) for name, key in names.items()}
     return {**counts, "contradictions": len(statistics.get("contradiction", {}).get("joints", ()))}
+
+
+def _delay(found: Mapping[str, Any], lasting: float, replaced: float) -> float:
+    """What a state is off by as a run makes or loses energy, relative to that.
+
+    It is late by half the integral over time of the share of the kinetic energy that is made, at the largest
+    speed; what is `replaced` by work is no longer there. One that goes around but once or twice has no part
+    where it is slow time and again.
+    """
+    duration = found["seconds"]
+    turns = 0.25 * min(duration, duration / replaced if replaced > 0 else duration) * found["rate"]
+    slowness = min(SAFETY * found["slowness"], turns**2 / 2)
+    return turns * slowness * lasting if turns > 1 else 0.0
 
 
 def _known(error: float) -> float:
