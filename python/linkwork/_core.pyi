@@ -1239,11 +1239,11 @@ class Run:
 
 class SemiImplicitEuler:
     """
-    v' = v + h v_dot, q' = q + h N(q) v'.
+    v' = v + h v_dot, q' = q + h N(q) v'; its steps are judged by the method `other`.
     """
     @staticmethod
     def _pybind11_conduit_v1_(*args, **kwargs): ...
-    def __init__(self) -> None: ...
+    def __init__(self, other: Tableau) -> None: ...
 
 class Simulation(Run):
     """
