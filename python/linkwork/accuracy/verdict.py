@@ -444,9 +444,9 @@ def _delay(found: Mapping[str, Any], lasting: float, replaced: float) -> float:
     speed; what is `replaced` by work is no longer there. One that goes around but once or twice has no part
     where it is slow time and again.
     """
-    duration = found["seconds"]
-    turns = 0.25 * min(duration, duration / replaced if replaced > 0 else duration) * found["rate"]
-    slowness = min(SAFETY * found["slowness"], turns**2 / 2)
+    duration, rate = float(found["seconds"]), float(found["rate"])
+    turns = 0.25 * min(duration, duration / replaced if replaced > 0 else duration) * rate
+    slowness = min(SAFETY * float(found["slowness"]), turns**2 / 2)
     return turns * slowness * lasting if turns > 1 else 0.0
 
 
