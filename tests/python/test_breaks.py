@@ -467,6 +467,30 @@ def test_fixed_steps_end_before_a_break_and_go_on_after_it(integrator: str, end:
     assert rest.q[-1].tolist() == whole.q[-1].tolist() and rest.work[-1] == whole.work[-1]
 
 
+@pytest.mark.parametrize("integrator", ["rk4", "heun"])
+def test_a_verdict_knows_the_break_at_which_a_run_begins(integrator: str) -> None:
+    force = lambda t: 100.0 if t <= 0.3 else 1.0  # noqa: E731
+    model = slider(force, breaks=[0.3])
+    first = lw.simulate(model, 0.3, 1e-2, integrator)
+    for start in (first.snapshot(), first.snapshot()._replace(resume=None)):
+        rest = lw.simulate(model, 1.0, 1e-2, integrator, start=start)
+        assert rest.v[-1, 0, 0] == pytest.approx((30.0 + 0.7) / MASS, rel=1e-12)
+        assert rest.verdict is not None and rest.verdict.error < 1e-6
+
+
+def test_a_run_that_goes_back_to_the_constraints_at_a_break_sees_what_is_after_it() -> None:
+    model = lw.Model(gravity=(0, 0, -9.81))
+    upper = model.body("upper", mass=1.0, inertia=(0.1, 0.1, 0.02), position=(0.5, 0, 0))
+    lower = model.body("lower", mass=0.7, inertia=(0.1, 0.1, 0.02), position=(1.5, 0, 0))
+    model.revolute("ground", upper, at=(0, 0, 0), axis=(0, 1, 0))
+    model.revolute(upper, lower, at=(1, 0, 0), axis=(0, 1, 0))
+    model.force(lower, force=(lambda t: 5.0 if t <= 0.5 else -20.0, 0, 0), breaks=[0.5])
+    back = lw.simulate(model, 0.6, 1e-3, "abm4", violation_limit=1e-13, on_violation="project")
+    best = lw.simulate(model, 0.6, rtol=1e-11, times=[0.5, 0.6])
+    np.testing.assert_allclose(back.v[-1], best.v[-1], atol=1e-6)
+    np.testing.assert_allclose(back.acceleration[500], best.acceleration[0], atol=1e-5)
+
+
 def test_steps_counted_from_elsewhere_end_at_breaks_as_well() -> None:
     model = stiffening(0.30037, 0.30037)
     first = lw.simulate(model, 0.10037, 1e-3)

@@ -220,7 +220,7 @@ void Simulation::evaluate_and_record() {
   look_where_steps_are_long(y_.size());
   look_for_touches();
   accept_state();
-  if (!leaping_) monitor_violation(t());
+  if (!leaping_) monitor_violation(clock());
   evaluated_ = true;
   if (!integrator_) add_work();
   if (recording_due()) record();

@@ -122,7 +122,8 @@ class ErrorEstimator:
         t_start = start.t if start is not None else 0.0
         evaluations = plan.evaluations(method, t_start)
         self._looks = pulses.look(system.model, t_start, plan.t_end, evaluations)
-        run.expect_breaks(sorted({*plan.inside_steps(breaks), *(it.t for it in self._looks.pulses)}))
+        known = plan.between_parts(system.model, breaks, t_start)
+        run.expect_breaks(sorted({*known, *(it.t for it in self._looks.pulses)}))
 
     def look(self, frames: Mapping[str, Floats]) -> None:
         """At frames as they come. AccuracyError: the run is inaccurate, and is to stop."""

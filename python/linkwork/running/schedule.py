@@ -112,9 +112,9 @@ class Fixed:
             **_from(start),
         )
 
-    def inside_steps(self, breaks: Sequence[float]) -> Sequence[float]:
-        """Those at which no step ends: all of them, for all that is known."""
-        return breaks
+    def between_parts(self, model: Model, known: Sequence[float], t_start: float) -> Sequence[float]:
+        """Breaks at which parts of steps end that are taken again: all of them, that at the start, too."""
+        return breakpoints.beside(model, known, t_start, self.t_end)
 
     def beside(
         self, model: Model, known: Sequence[float], t_start: float, run: _core.Run | None = None
@@ -204,8 +204,8 @@ class Adaptive:
             **_from(start),
         )
 
-    def inside_steps(self, breaks: Sequence[float]) -> Sequence[float]:
-        """Those at which no step ends: none."""
+    def between_parts(self, model: Model, known: Sequence[float], t_start: float) -> Sequence[float]:
+        """Breaks at which parts of steps end that are taken again: none, as steps end there."""
         return ()
 
     def beside(
