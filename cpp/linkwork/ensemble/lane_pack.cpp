@@ -249,6 +249,7 @@ void LanePack::finish_step(std::int64_t step) {
   check_size(step);
   stepper_.normalize();
   std::fill(ends_.begin(), ends_.end(), steps_.time(step + 1));
+  if (breaks_) each_lane([&](int l, Lane&) { ends_[l] = clock(l, step + 1); });
   projection_.stabilize(ends_, *this);
   each_lane([&](int l, Lane&) { hear(l); });
   const double t = steps_.time(step), h = steps_.size(step);

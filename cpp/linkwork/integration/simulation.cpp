@@ -259,7 +259,8 @@ void Simulation::finish_step() {
   if (!y_.allFinite()) with_time(t_new, next_step(), [&] { throw_not_finite(system, y_, t_new); });
   divergence_.check(y_, t_new, next_step());
   system.normalize(y_.head(system.q_size()));
-  if (projects()) with_time(t_new, next_step(), [&] { projection().stabilize(t_new, y_); });
+  if (projects())
+    with_time(t_new, next_step(), [&] { projection().stabilize(breaks_.clock(t_new, schedule_.t_end), y_); });
   look_where_steps_are_long(y_.size());
   sampling_.after(t(), next_step(), kept_y_, y_);
   look_where_steps_are_long(y_.size());
