@@ -100,7 +100,8 @@ def simulate(
     events        what happens when functions of the state pass through zero (adaptive steps only), see
                   linkwork.Event; result.events lists what came
     breaks        times [s] at which something is not smooth, beside those that functions of time and forces
-                  declare: steps that follow tolerances end there; fixed ones that do see each its own side;
+                  declare: steps that follow tolerances end there; fixed ones that do see each its own side
+                  (integrators of your own what they ask for);
                   of those that go over one, the summary says how many
     start         where to begin, instead of t = 0 and the state of the model: `Result.snapshot(frame)` or the
                   `state` of an error. From the last frame of a result, in memory or in a file, and from the
