@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import fields
 from typing import Any, TypeVar
 
@@ -76,6 +76,7 @@ def by_value(kind: type[Found]) -> type[Found]:
     """Of a dataclass or named tuple: two are == where all their values are, those in arrays, too.
 
     NaN is NaN here, so that runs are equal that give the same numbers. As arrays, they have no hash.
+    A field's metadata "apart" names keys of its mapping that do not count, such as when a run was made.
     """
 
     def equal(one: Any, other: Any) -> Any:
@@ -96,7 +97,15 @@ def by_value(kind: type[Found]) -> type[Found]:
 def _compared(record: Any) -> list[Any]:
     if isinstance(record, tuple):
         return list(record)
-    return [getattr(record, it.name) for it in fields(record) if it.compare]
+    return [
+        _without(getattr(record, it.name), it.metadata.get("apart", ()))
+        for it in fields(record)
+        if it.compare
+    ]
+
+
+def _without(value: Any, keys: Collection[str]) -> Any:
+    return {key: it for key, it in value.items() if key not in keys} if keys else value
 
 
 def _same(a: Any, b: Any) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import pickle
+from dataclasses import replace
 from pathlib import Path
 
 import linkwork as lw
@@ -399,6 +400,13 @@ def test_what_two_equal_runs_give_is_equal(tmp_path: Path) -> None:
     assert one.reaction(joint) == tuple(one.reaction(joint)) and one.body("rod") != one.reaction(joint)
     one.save(tmp_path / "run.h5")
     assert lw.Result.load(tmp_path / "run.h5").events == one.events
+
+
+def test_headers_of_equal_runs_are_equal_whenever_they_were_made() -> None:
+    header = falling().header
+    later = replace(header, manifest={**header.manifest, "started": "2030-01-01T00:00:00+00:00"})
+    assert later == header and later.manifest["started"] != header.manifest["started"]
+    assert replace(header, manifest={**header.manifest, "model": "another"}) != header
 
 
 def test_records_without_a_number_are_equal_where_both_have_none() -> None:

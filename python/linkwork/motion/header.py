@@ -46,7 +46,7 @@ def _none(*shape: int) -> Callable[[], Any]:
 class Header(ReadOnly):
     """n bodies, J joints, m constraint rows. SI units; ground is body index -1."""
 
-    manifest: Mapping[str, Any]
+    manifest: Mapping[str, Any] = field(metadata={"apart": ("started",)})
     body_names: Sequence[str]
     joint_names: Sequence[str]
     joint_kinds: Sequence[str]
