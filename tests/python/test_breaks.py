@@ -478,6 +478,45 @@ def test_a_verdict_knows_the_break_at_which_a_run_begins(integrator: str) -> Non
         assert rest.verdict is not None and rest.verdict.error < 1e-6
 
 
+@pytest.mark.parametrize("step", [104, 276, 392])
+def test_a_step_over_a_break_does_not_stand_for_those_beside_it(step: int) -> None:
+    model, h = lw.Model(gravity=(0, 0, -9.81)), 1e-3
+    rod = model.body("rod", mass=1, inertia=(0.1, 0.1, 0.02), position=(0.5, 0, 0))
+    model.revolute("ground", rod, at=(0, 0, 0), axis=(0, 1, 0))
+    model.force(rod, force=(pieces(-1, [2.0], (step + 0.35) * h, [0.0], 99), 0, 0))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        run = lw.simulate(model, 1.0, h, "rk4", record_every=10)
+    exact = lw.simulate(model, run.t[-1], times=run.t, integrator="dop853", rtol=1e-11, atol=1e-13)
+    error = np.abs(run.velocity - exact.velocity).max() / np.abs(exact.velocity).max()
+    assert error > 1e-6
+    assert error < run.verdict.error < 30 * error
+
+
+def test_of_many_breaks_at_which_steps_end_verdicts_leave_nothing_out() -> None:
+    count, h = 2000, 1e-3
+    rows = [[(-1.0) ** k] for k in range(count)]
+    force = functions.piecewise_polynomial(h * np.arange(count + 1), rows)
+    run = lw.simulate(slider(force), count * h, h, "rk4")
+    np.testing.assert_allclose(x_and_v(run), exact(force, count * h), rtol=1e-12, atol=1e-15)
+    assert run.verdict.error < 1e-8
+
+
+def test_the_second_run_of_contacts_ends_steps_at_the_breaks_of_the_first() -> None:
+    """A ball that lies softly; a push along the plane, which errors of the contact do not change."""
+    model, at = lw.Model(gravity=(0, 0, -9.81)), 0.302
+    center = (0, 0, 0.10001)
+    ball = model.body("ball", mass=1, inertia=(0.01,) * 3, position=center, velocity=(1, 0, 0))
+    model.sphere_plane_contact("ground", ball, at=((0, 0, 0), center), normal=(0, 0, 1), radius=0.1,
+                               stiffness=200.0, exponent=1.0, hysteresis=0.01)  # fmt: skip
+    model.force(ball, force=(pieces(-1, [0.0], at, [200.0], at + 0.053, [0.0], 9), 0, 0))
+    run = lw.simulate(model, 0.5, 1e-3, "rk4", verify=True, on_inaccurate="pass")
+    exact = lw.simulate(model, run.t[-1], times=run.t, rtol=1e-11, atol=1e-13)
+    along = np.abs(run.velocity - exact.velocity)[:, 0, 0].max()
+    assert along < 1e-9
+    assert np.nanmax(run.error_of("velocity")[:, 0, 0]) < 1e-6
+
+
 def test_a_run_that_goes_back_to_the_constraints_at_a_break_sees_what_is_after_it() -> None:
     model = lw.Model(gravity=(0, 0, -9.81))
     upper = model.body("upper", mass=1.0, inertia=(0.1, 0.1, 0.02), position=(0.5, 0, 0))

@@ -64,7 +64,7 @@ void LaneRetake::begin(int l, const Step& step, std::size_t parts) {
   lane.step = step.kept;
   lane.smallest_pivot = 1.0;
   lane.looked = step.rows_change;
-  lane.spans = lane.parts.of(*step.kept);
+  lane.spans = lane.parts.of(step.kept->t, step.kept->h);
   lane.active = lane.spans.size() == parts && step.kept->left_out == structure_.dropped &&
                 lane.run->dynamics.system().history_size() == 0;
   if (lane.active) stepper_.set_state(l, step.kept->y);
@@ -74,9 +74,8 @@ void LaneRetake::take(std::size_t parts) {
   for (std::size_t part = 0; part < parts; ++part) {
     for (int l = 0; l < stepper_.count(); ++l) {
       if (!lanes_[l].active) continue;
-      const Span& span = lanes_[l].spans[part];
-      spans_.set(l, {span.from, span.to - span.from});
-      ends_[l] = span.to;
+      spans_.set(l, lanes_[l].spans[part]);
+      ends_[l] = lanes_[l].spans[part].at(1.0);
     }
     stepper_.evaluate(spans_, *this);
     if (part == 0) hold();

@@ -35,7 +35,7 @@ class LaneRetake final : private LaneGuard {
     LaneRun* run;
     StepParts parts;
     const KeptStep* step = nullptr;  ///< that is taken
-    std::vector<Span> spans;
+    std::vector<StepSpan> spans;
     bool active = false, looked = false;
     double smallest_pivot = 1.0;
   };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 #include <string>
@@ -18,6 +19,11 @@ struct StepSpan {
 
   double at(double c) const { return within(t + c * h); }
   double within(double time) const { return std::clamp(time, earliest, latest); }
+  /// In two, the first of this share.
+  std::array<StepSpan, 2> divided(double share) const {
+    const double first = share * h;
+    return {{{t, first, earliest, latest}, {t + first, h - first, earliest, latest}}};
+  }
 };
 
 /// One step of an explicit method for y_dot = f(t, y).

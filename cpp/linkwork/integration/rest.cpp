@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "linkwork/assembly/connected_components.hpp"
+#include "linkwork/integration/moving_axes.hpp"
 #include "linkwork/math/error.hpp"
 
 namespace linkwork {
@@ -88,8 +89,8 @@ class RestSearch {
   void keep_what_balances() {
     for (const KeptStep* step : steps_) {
       dynamics_.set_history(step->history);
-      for (const Span& part : parts_.of(*step))
-        for (const double t : {part.from, part.to})
+      for (const StepSpan& part : parts_.of(step->t, step->h))
+        for (const double t : {part.at(0.0), part.at(1.0)})
           if (any()) keep_what_balances(t);
     }
   }

@@ -3,7 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "linkwork/integration/step_judge.hpp"
+#include "linkwork/integration/step_parts.hpp"
+#include "linkwork/integration/step_sampling.hpp"
 
 namespace linkwork {
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int divisions_where_contacts_begin = 3;
 constexpr double well_chosen = 0.1;  // root of the smallest pivot, relative to the usual one
-constexpr double beside = 1e-9;      // of a step: how far from a break the parts on its sides end and begin
+constexpr double beside = 1e-9;      // of a step: times that are one
 constexpr double soon = 0.1;         // share that a step takes back: then errors off the constraints do not add up
 constexpr double roundoff = 8.0 * std::numeric_limits<double>::epsilon();
 
@@ -39,21 +39,21 @@ class CorrectedApart final : public Integrator {
   void step(Dynamics& dynamics, const StepSpan& step, VectorXd& y) override {
     correction_.setZero();
     if (corrects_) dynamics.add_correction(step.h, correction_);
-    advance(dynamics, step.t, step.h, y, divisions_);
+    advance(dynamics, step, y, divisions_);
     y += correction_;
   }
 
  private:
-  void advance(Dynamics& dynamics, double t, double h, VectorXd& y, int divisions) {
+  void advance(Dynamics& dynamics, const StepSpan& step, VectorXd& y, int divisions) {
     if (divisions == 0) {
-      evaluate_free_stages(tableau_, dynamics, {t, h}, y, k_, stage_);
-      return add_combination(h, tableau_.b, k_, y);
+      evaluate_free_stages(tableau_, dynamics, step, y, k_, stage_);
+      return add_combination(step.h, tableau_.b, k_, y);
     }
-    const double first = golden_share * h;
-    advance(dynamics, t, first, y, divisions - 1);
-    dynamics.evaluate(t + first, y);
+    const auto [part, rest] = step.divided(golden_share);
+    advance(dynamics, part, y, divisions - 1);
+    dynamics.evaluate(rest.at(0.0), y);
     dynamics.advance_history();
-    advance(dynamics, t + first, h - first, y, divisions - 1);
+    advance(dynamics, rest, y, divisions - 1);
   }
 
   ButcherTableau tableau_;
@@ -149,12 +149,13 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside, co
   out.h = step.h;
   out.of_part.resize(connected_.count());
   came_inside_ = false;
+  span_ = parts_.whole(step.t, step.h);
   dynamics_.correct_over(step.correction_length);
   if (take_.divide) take_.divide(step.history_new.size() > 0 ? divisions_where_contacts_begin : 1);
   try {
     if (take_.staggered) look_at(half_a_step_later(step, out), reactions, inside, retaken, out);
     else look_at(step, reactions, inside, retaken, out);
-    out.violation = violation_.largest(step.t + step.h, step.y_new, step.history);
+    out.violation = violation_.largest(span_.at(1.0), step.y_new, step.history);
   } catch (const Error&) {
     out.failed = true;
   }
@@ -175,8 +176,8 @@ KeptStep StepJudge::half_a_step_later(const KeptStep& step, StepError& out) {
   KeptStep later = step;
   rows_ = step.left_out;
   dynamics_.set_history(step.history);
-  later.y = half_a_step_later(step.t, step.h, step.y);
-  later.y_new = half_a_step_later(step.t + step.h, step.h, step.y_new);
+  later.y = half_a_step_later(span_.at(0.0), step.h, step.y);
+  later.y_new = half_a_step_later(span_.at(1.0), step.h, step.y_new);
   const DifferencesOfParts late = differences(dynamics_.system(), later.y, step.y);
   for (std::size_t k = 0; k < late.size(); ++k) out.of_part[k].late = late[k];
   return later;
@@ -227,7 +228,7 @@ double StepJudge::least_with(const std::vector<int>& rows, const KeptStep& step,
   for (const double theta : {0.0, 0.5, 1.0}) {
     VectorXd y = (1.0 - theta) * step.y + theta * step.y_new;
     dynamics_.system().normalize(y.head(dynamics_.system().q_size()));
-    dynamics_.evaluate(step.t + theta * step.h, y);
+    dynamics_.evaluate(span_.at(theta), y);
     try {
       leave_out(rows);
       least = std::min(least, dynamics_.formulation().least_singular_value_of_all());
@@ -241,20 +242,20 @@ double StepJudge::least_with(const std::vector<int>& rows, const KeptStep& step,
 
 /// The smallest pivot on the way.
 double StepJudge::take_again(const KeptStep& step) {
-  const std::vector<Span> parts = parts_.of(step);
+  const std::vector<StepSpan> parts = parts_.of(step.t, step.h);
   const double end_of_first = step.t + take_.share * step.h;
   came_inside_ = false;
   y_ = step.y;
   dynamics_.formulation().take_smallest_pivot();
   dynamics_.set_history(step.history);
-  dynamics_.begin_parts((parts.front().to - parts.front().from) / std::max(step.h, step.correction_length));
-  for (const Span& part : parts) {
-    dynamics_.evaluate(part.from, y_);
+  dynamics_.begin_parts(parts.front().h / std::max(step.h, step.correction_length));
+  for (const StepSpan& part : parts) {
+    dynamics_.evaluate(part.at(0.0), y_);
     if (&part == &parts.front()) leave_out(rows_);
     else dynamics_.advance_history();
-    take_.integrator->step(dynamics_, {part.from, part.to - part.from}, y_);
-    finish(part.to);
-    if (stepper_ && std::abs(part.to - end_of_first) <= beside * step.h) {
+    take_.integrator->step(dynamics_, part, y_);
+    finish(part.at(1.0));
+    if (stepper_ && std::abs(part.t + part.h - end_of_first) <= beside * step.h) {
       inside_ = y_;
       came_inside_ = true;
     }
@@ -266,38 +267,13 @@ double StepJudge::take_again(const KeptStep& step) {
 /// What comes afterwards looks at the end of the step with what solves as it was analyzed at its begin.
 void StepJudge::leave_out_as_in(const KeptStep& step) {
   dynamics_.set_history(step.history);
-  dynamics_.evaluate(step.t, step.y);
+  dynamics_.evaluate(span_.at(0.0), step.y);
   leave_out(rows_);
 }
 
 void StepJudge::divide_parts(int times) {
   parts_.divide(times);
   factor_ = 1.0 / (1.0 - elementary::power(take_.left, times));
-}
-
-void StepParts::divide(Span whole, int times, std::vector<Span>& parts) const {
-  if (times == 0) return parts.push_back(whole);
-  const double middle = whole.from + share_ * (whole.to - whole.from);
-  divide({whole.from, middle}, times - 1, parts);
-  divide({middle, whole.to}, times - 1, parts);
-}
-
-std::vector<Span> StepParts::of(const KeptStep& step) const {
-  const double end = step.t + step.h;
-  const double side = std::max(beside * step.h, 4.0 * std::numeric_limits<double>::epsilon() * std::abs(end));
-  std::vector<Span> parts;
-  double from = step.t;
-  const auto add = [&](double to) {
-    if (to - from > 2.0 * side) divide({from, to}, share_ < 1.0 ? divisions_ : 0, parts);
-  };
-  for (auto it = std::lower_bound(breaks_.begin(), breaks_.end(), from - side); it != breaks_.end(); ++it) {
-    if (*it > end + side) break;
-    add(*it - side);
-    from = *it + side;
-  }
-  add(end);
-  if (parts.empty()) parts.push_back({step.t, end});
-  return parts;
 }
 
 /// The rows that the run left out in this step; others have become redundant since, or were before.
@@ -334,7 +310,7 @@ void StepJudge::compare(const KeptStep& step, StepError& out) {
 
 /// What remains is the difference of the states on the constraints; the rest is there until it is taken back.
 void StepJudge::separate_fading(const KeptStep& step, double share, StepError& out) {
-  const double end = step.t + step.h;
+  const double end = span_.at(1.0);
   VectorXd ours = step.y_new, others = y_;
   try {
     Projection projection(dynamics_);
@@ -359,7 +335,7 @@ void StepJudge::separate_damped(const KeptStep& step, StepError& out) {
   dynamics_.set_history(step.history_new.size() > 0 ? step.history_new : step.history);
   std::vector<DampedError> found;
   try {
-    found = find_damped_errors(dynamics_, step.t + step.h, step.h, step.y_new, y_);
+    found = find_damped_errors(dynamics_, span_.at(1.0), step.h, step.y_new, y_);
   } catch (const Error&) {  // then all of it adds up
   }
   dynamics_.set_history(history);
@@ -416,8 +392,8 @@ double StepJudge::kinetic_share() const {
 /// The state that the interpolant of the step gives beside the one to which its first part came.
 void StepJudge::compare_inside(const KeptStep& step, StepError& out) {
   dynamics_.set_history(step.history);
-  dynamics_.evaluate(step.t, step.y);
-  if (!stepper_->take(dynamics_, {step.t, step.h}, step.y)) return;
+  dynamics_.evaluate(span_.at(0.0), step.y);
+  if (!stepper_->take(dynamics_, span_, step.y)) return;
   stepper_->prepare_interpolation(dynamics_);
   stepper_->interpolate(dynamics_.system(), take_.share, interpolated_);
   const DifferencesOfParts apart = differences(dynamics_.system(), interpolated_, inside_);
@@ -431,7 +407,7 @@ void StepJudge::compare_inside(const KeptStep& step, StepError& out) {
 /// The speed at which a contact begins scales its damping as long as it lasts: an error of it is one of the velocity.
 /// Steps that follow tolerances end where a contact begins: whether it has begun there is a matter of roundoff.
 void StepJudge::compare_history(const KeptStep& step, StepError& out) {
-  const double end = step.t + step.h;
+  const double end = span_.at(1.0);
   dynamics_.evaluate(end, y_);
   dynamics_.advance_history();
   bool at_beginning = false;
@@ -454,7 +430,7 @@ void StepJudge::compare_history(const KeptStep& step, StepError& out) {
 }
 
 void StepJudge::compare_reactions(const KeptStep& step, StepError& out) {
-  const double end = step.t + step.h;
+  const double end = span_.at(1.0);
   find_reactions(dynamics_, end, y_, reactions_);
   find_reactions(dynamics_, end, step.y_new, there_);
   look_at_loads(out);
@@ -489,9 +465,9 @@ void StepJudge::look_at_loads(StepError& out) {
 /// Where the run ended the step.
 void StepJudge::find_recorded_reactions(const KeptStep& step) {
   recorded_->set_history(dynamics_.history());
-  recorded_->evaluate(step.t, step.y);
+  recorded_->evaluate(span_.at(0.0), step.y);
   leave_out(*recorded_, rows_);
-  find_reactions(*recorded_, step.t + step.h, step.y_new, yielding_);
+  find_reactions(*recorded_, span_.at(1.0), step.y_new, yielding_);
 }
 
 void StepJudge::find_reactions(Dynamics& dynamics, double t, const VectorXd& y, Reactions& out) {

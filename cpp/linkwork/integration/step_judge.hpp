@@ -12,6 +12,7 @@
 #include "linkwork/integration/integrator.hpp"
 #include "linkwork/integration/moving_axes.hpp"
 #include "linkwork/integration/relative_violation.hpp"
+#include "linkwork/integration/step_parts.hpp"
 #include "linkwork/integration/step_sampling.hpp"
 
 namespace linkwork {
@@ -45,33 +46,6 @@ SecondTake by_one_step_method(const ButcherTableau& other, bool corrects = true)
 /// errors of its steps do not add up to what they seem to, each takes back that of the one before. Steps between such
 /// states are compared, and that half a step of velocities counts once, with what it moves.
 SecondTake of_staggered_velocities(const ButcherTableau& other);
-
-/// The share of the first of two parts.
-constexpr double golden_share = 0.6180339887498949;
-
-/// From one time to another [s].
-struct Span {
-  double from, to;
-};
-
-/// Where the parts of steps begin and end.
-class StepParts {
- public:
-  /// `breaks`, ascending [s]: parts end there. `share` of the first of two parts; 1: there is but one.
-  StepParts(std::vector<double> breaks, double share) : breaks_(std::move(breaks)), share_(share) {}
-  /// Parts are divided so many times, which makes two, four, eight: very long steps are far from what Richardson's
-  /// extrapolation asks for.
-  void divide(int times) { divisions_ = times; }
-  /// What lies between breaks, on its own side of them, and the share of each.
-  std::vector<Span> of(const KeptStep& step) const;
-
- private:
-  void divide(Span whole, int times, std::vector<Span>& parts) const;
-
-  std::vector<double> breaks_;
-  double share_;
-  int divisions_ = 1;
-};
 
 /// What a step was off by in a connected part, the largest of its bodies or joints, and how large the motion was there.
 /// Speeds are those that the judge's axes see, and no rounding of y counts.
@@ -168,6 +142,7 @@ class StepJudge {
   const ConnectedParts& connected_;
   SecondTake take_;
   StepParts parts_;
+  StepSpan span_;  ///< of the step
   double factor_;
   std::unique_ptr<Projection> projection_;  ///< where the run projects
   RelativeViolation violation_;

@@ -232,10 +232,8 @@ void StepSampling::follow(double t, double h, const VectorXd& y, const VectorXd&
   last_.change = change;
   last_.changes = changes_;
   last_.y = y;
-  if (next_break_ < breaks_.size() && breaks_[next_break_] <= t + (1.0 + same_time) * h) meet_break(t, h, y_new);
-  if (part.steps == chosen_ && part.any.change > part.steepest.change) part.steepest = std::move(part.any);
-  if (part.steps == 0 || part.steps == chosen_) keep(part.any, y_new);
-  else if (change > steeper * std::max(part.steepest.change, part.any.change)) keep(part.steepest, y_new);
+  const bool reached = next_break_ < breaks_.size() && breaks_[next_break_] <= t + (1.0 + same_time) * h;
+  if (!reached || !meet_break(t, h, y_new)) choose(part, change, y_new);
   part.steps += 1;
   part.seconds += h;
   part.sums_of_changes += changes_;
@@ -243,16 +241,24 @@ void StepSampling::follow(double t, double h, const VectorXd& y, const VectorXd&
   steps_ += 1;
 }
 
-/// A break at the end is met here, where the last stage may be, and not once more where the next step begins. Of many
-/// breaks those are kept that spread over all of them.
-void StepSampling::meet_break(double t, double h, const VectorXd& y_new) {
+void StepSampling::choose(RunPart& part, double change, const VectorXd& y_new) {
+  const bool chosen = part.steps == chosen_;
+  if (chosen && part.any.change > part.steepest.change) part.steepest = std::move(part.any);
+  if (chosen || !part.any.kept()) keep(part.any, y_new);
+  else if (change > steeper * std::max(part.steepest.change, part.any.change)) keep(part.steepest, y_new);
+}
+
+/// Whether there is one in this step. At its end it is met here, where the last stage may be, and not once more where
+/// the next step begins. Of many breaks those are kept that spread over all of them.
+bool StepSampling::meet_break(double t, double h, const VectorXd& y_new) {
   const std::size_t every = 1 + breaks_.size() / std::min(most_broken, most_parts_), first = next_break_;
   while (next_break_ < breaks_.size() && breaks_[next_break_] <= t + (1.0 + same_time) * h) ++next_break_;
-  if (breaks_[next_break_ - 1] < t - same_time * h) return;
+  if (breaks_[next_break_ - 1] < t - same_time * h) return false;
   steps_with_breaks_ += 1;
-  if ((first + every - 1) / every == (next_break_ + every - 1) / every) return;
+  if ((first + every - 1) / every == (next_break_ + every - 1) / every) return true;
   broken_.emplace_back();
   keep(broken_.back(), y_new);
+  return true;
 }
 
 /// Of (v_new - v)/h: by how much they change, see StepSampling.

@@ -57,8 +57,8 @@ struct Rates {
 /// equally many steps, with two kept steps each, after the first step, where nobody knows what came before; where
 /// nobody knows how many steps will come, parts are joined in pairs when there are too many.
 ///
-/// Steps in which contacts and stops begin or end, and those that depend on such a step, stand for others of their kind,
-/// not for the smooth ones around them.
+/// Steps with breaks, those in which contacts and stops begin or end, and those that depend on such a step, stand for
+/// others of their kind, not for the smooth ones around them.
 ///
 /// Accelerations count as differences of velocities over steps, of angular ones times a length of the connected part; in
 /// large models only some bodies are looked at. How much they change, of all bodies, and the largest come of each step.
@@ -137,7 +137,8 @@ class StepSampling {
   };
   void keep_jump(double made, const VectorXd& y_new);
   void keep_largest(Largest& list, double number, const VectorXd& y_new) const;
-  void meet_break(double t, double h, const VectorXd& y_new);
+  void choose(RunPart& part, double change, const VectorXd& y_new);
+  bool meet_break(double t, double h, const VectorXd& y_new);
   double look_at_rates(double h, const VectorXd& y, const VectorXd& y_new);
   double change_by_means(double h);
   void follow(double t, double h, const VectorXd& y, const VectorXd& y_new, double change);

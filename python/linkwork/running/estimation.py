@@ -221,7 +221,9 @@ class ErrorEstimator:
         return joined(lead, rest)
 
     def _finer(self, result: Result) -> dict[str, Any]:
-        return self._plan.finer(result.t, onsets=self._onset > 0.0)
+        breaks = result.manifest["breaks"]
+        met = breaks["count"] > breaks.get("steps_with_breaks", 0)
+        return self._plan.finer(result.t, onsets=self._onset > 0.0, met=met)
 
     def _of(
         self,

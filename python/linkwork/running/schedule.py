@@ -56,14 +56,16 @@ class Fixed:
     def expected_frames(self, run: _core.Run) -> int:
         return run.steps_total // self.record_every + 3
 
-    def finer(self, times: NDArray[np.float64], onsets: bool = False) -> dict[str, Any]:
+    def finer(self, times: NDArray[np.float64], onsets: bool = False, met: bool = False) -> dict[str, Any]:
         """Arguments of a run with half the step and frames at the same times.
 
         onsets  contacts begin, at a speed that is known where a step ends. Where a step of both ends, both
                 are off by the same: with a little less than half of it that is so at frames alone
+        met     steps end at breaks: those of the finer run as well, of a third
         """
-        if not onsets:
-            return {"step": self.step / 2, "record_every": 2 * self.record_every}
+        if not onsets or met:
+            parts = 3 if onsets else 2
+            return {"step": self.step / parts, "record_every": parts * self.record_every}
         steps = self.record_every * math.ceil(APART / self.record_every)
         return {"step": self.step * steps / (2 * steps + 1), "record_every": 2 * steps + 1}
 
@@ -149,7 +151,7 @@ class Adaptive:
     def expected_frames(self, run: _core.Run) -> int | None:
         return None if self.record_every else len(self.times) + 1
 
-    def finer(self, times: NDArray[np.float64], onsets: bool = False) -> dict[str, Any]:
+    def finer(self, times: NDArray[np.float64], onsets: bool = False, met: bool = False) -> dict[str, Any]:
         """Arguments of a run with a tenth of the tolerances and frames at these times. Half the largest step:
         where that limits steps, and not the tolerances, a run with the same one would have the same error."""
         largest = self.largest_step / 2 if math.isfinite(self.largest_step) else None
