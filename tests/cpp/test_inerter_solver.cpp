@@ -149,26 +149,33 @@ TEST_CASE("inertances from nothing to rigidity are solved, along what moves and 
   Random random(314);
   for (const double inertance : {1e-12, 1e-3, 1e3, 1e6, 1e9}) {
     INFO("inertance ", inertance);
-    Model model = random_chain(random, 6, "revolute");
-    for (int body = 0; body < 6; ++body) {
-      const Element hinge = model.joints()[body];
-      model.add_force("rotational_inerter", "rotor " + std::to_string(body), body - 1, body, hinge.at,
-                      {{body % 2 ? 0.1 : inertance, -1}});
+    for (const bool slides : {false, true}) {
+      INFO("sliders: ", slides);
+      Model model = random_chain(random, 6, slides ? "translational" : "revolute");
+      for (int body = 0; body < 6; ++body) {
+        const Element joint = model.joints()[body];
+        model.add_force(slides ? "translational_inerter" : "rotational_inerter", "rotor " + std::to_string(body),
+                        body - 1, body, joint.at, {{body % 2 ? 0.1 : inertance, -1}});
+      }
+      check_by_block(System(model), random, false, 1e-11);
+      if (inertance > 1e6) continue;  // as hard as joints that contradict each other, along what does not move
+      for (int kind = 0; kind < 3; ++kind) add_inerter(model, random, kind, inertance, 2 * kind - 1, 2 * kind);
+      check_by_block(System(model), random, false, 1e-8);  // roundoff of the rows times 1e6
     }
-    check_by_block(System(model), random, false, 1e-11);
-    if (inertance > 1e6) continue;  // as hard as joints that contradict each other, along what does not move
-    for (int kind = 0; kind < 3; ++kind) add_inerter(model, random, kind, inertance, 2 * kind - 1, 2 * kind);
-    check_by_block(System(model), random, false, 1e-8);  // roundoff of the rows times 1e6
   }
 }
 
-TEST_CASE("hinges, with rotors or without, and welds are solved whichever body is first, on the joint or far off it") {
+TEST_CASE(
+    "hinges and sliders, with rotors or without, and welds are solved whichever body is first, and far off them") {
   Random random(317);
+  constexpr std::pair<const char*, const char*> joints[] = {{"revolute", "rotational_inerter"},
+                                                            {"translational", "translational_inerter"}};
   for (const double violation : {0.0, 0.1, 3.0}) {
     INFO("turned by up to ", violation, " rad");
     Model model;
-    for (int body = 0; body < 12; ++body) {
-      const std::string name = std::to_string(body), kind = body % 3 == 2 ? "fixed" : "revolute";
+    for (int body = 0; body < 20; ++body) {
+      const std::string name = std::to_string(body);
+      const auto [kind, rotor] = joints[body % 5 % 2];
       model.add_body("body " + name, random_body(random));
       int i = random.integer(ground, body - 1), j = body;
       if (body % 2 == 1) std::swap(i, j);
@@ -176,8 +183,8 @@ TEST_CASE("hinges, with rotors or without, and welds are solved whichever body i
       const Vec3<double> point = random.vec3();
       Attachment<double> at = place(model, i, j, point, point, frame, frame);
       at.C_j = (at.C_j * rotation_matrix<double>(exponential(random.vec3(violation)))).eval();
-      model.add_joint(kind, "joint " + name, i, j, at);
-      if (body % 3 == 1) model.add_force("rotational_inerter", "rotor " + name, i, j, at, {{0.2 * body, -1}});
+      model.add_joint(body % 5 == 4 ? "fixed" : kind, "joint " + name, i, j, at);
+      if (body % 5 < 2) model.add_force(rotor, "rotor " + name, i, j, at, {{0.2 * body + 0.1, -1}});
     }
     check_by_block(System(model), random, false, violation > 1.0 ? 1e-9 : 1e-11);
     check_by_block(System(model), random, true);

@@ -203,7 +203,7 @@ LINKWORK_INLINE void take_its_forces(const RowsOfStep<scattered>& of, const Lane
 /// Whether a step is of a hinge, or of a slider on the ground, that does not yield.
 template <int rows, bool scattered>
 LINKWORK_INLINE bool goes_by_numbers(const block::TreeStep& step, const LaneData& data) {
-  if (rows != 5 || scattered || !(step.turning || step.slides)) return false;
+  if (rows != 5 || scattered || !(step.turning || (step.slides && step.parent < 0))) return false;
   Native yields{};
   for (int k = 0; k < rows; ++k) yields += get(data.compliance, step.row + k);
   return !any(yields != Native{});

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 
+#include "linkwork/assembly/mass_ratios.hpp"
 #include "linkwork/constraints/mass_weighted_least_squares.hpp"
 #include "linkwork/constraints/refinement.hpp"
 #include "linkwork/formulation/direct_formulation.hpp"
@@ -13,10 +14,7 @@ namespace {
 /// What very light bodies hold between very heavy ones is the difference of large numbers.
 bool uneven(const System& system) {
   constexpr double far_apart = 1e10;
-  double least = INFINITY, most = 0.0;
-  for (int body = 0; body < system.body_count(); ++body)
-    if (const double m = system.mass(body); m > 0.0) least = std::min(least, m), most = std::max(most, m);
-  return most > far_apart * least;
+  return MassRatios(system).mass > far_apart;
 }
 
 /// Lagrange multipliers: the system as it stands, or for the multipliers first,

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "linkwork/assembly/mass_ratios.hpp"
 #include "linkwork/linear/saddle_solver.hpp"
 
 namespace linkwork::detail {
@@ -70,7 +71,7 @@ class InerterSolver final : public SaddleSolver {
     for (Eigen::Index k = 0; k < count; ++k) e_[rows_ + k] = 1.0 / system.inerters().inertance(k);
     yields_ = false;
     solver_->drop(dropped_);
-    solver_->expect_compliance(rows_);
+    solver_->expect_inerters(rows_, MassRatios(system).inertance);
   }
 
   void take_compliance(const VectorXd& e) {

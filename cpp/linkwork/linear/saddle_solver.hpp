@@ -24,8 +24,12 @@ class SaddleSolver {
   /// Before `analyze`: rows whose D and b are zero in every evaluation, and their e positive. A solver may leave them
   /// out; their lambda is zero.
   void drop(std::vector<int> rows) { dropped_ = std::move(rows); }
-  /// Before `analyze`: rows from this one on have a positive e in every matrix, the others may have none.
-  void expect_compliance(int first_row) { compliant_from_ = first_row; }
+  /// Before `analyze`: rows from this one on are those of inerters, whose e is positive in every matrix; the others may
+  /// have none. `inertance`: see MassRatios.
+  void expect_inerters(int first_row, double inertance) {
+    compliant_from_ = first_row;
+    inertance_ = inertance;
+  }
   /// Symbolic work, once; `typical` scales rows.
   virtual void analyze(const System& system, const Evaluation& typical) = 0;
   /// The same of a system whose M is singular, or nearly so, by these bodies. False where they are not where the solver
@@ -63,6 +67,7 @@ class SaddleSolver {
  protected:
   std::vector<int> dropped_;
   int compliant_from_ = std::numeric_limits<int>::max();
+  double inertance_ = 1.0;
   Pivot smallest_pivot_;
   double assemble_time_ = 0.0;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "linkwork/assembly/mass_ratios.hpp"
 #include "linkwork/linear/block/ballast.hpp"
 #include "linkwork/linear/block/kept_orders.hpp"
 #include "linkwork/linear/block/symbolic_factorization.hpp"
@@ -85,10 +86,18 @@ class BlockSolver final : public SaddleSolver {
     split_ = system.threads().threads() > 1;
     factorize_symbolically();
     no_a_.resize(0);
-    refined_ = masses_far_apart(system);
+    refined_ = masses_far_apart(system) || (inertance_ > far_apart && !has_inerters_along_freedoms());
     if (!refined_) return;
     for (VectorXd* velocities : {&rest_a_, &change_x_}) velocities->setZero(system.v_size());
     for (VectorXd* rows : {&rest_b_, &change_lambda_}) rows->setZero(system.row_count());
+  }
+
+  /// Then nothing is a difference, however large they are; see turning_kernels.hpp.
+  bool has_inerters_along_freedoms() const {
+    if (!kernels_->inerters_along_freedoms) return false;
+    const auto along = [](const TreeStep& step) { return (step.turning || step.slides) && step.scattered >= 0; };
+    return std::count_if(symbolic_->steps.begin(), symbolic_->steps.end(), along) ==
+           system_->row_count() - compliant_from_;
   }
 
   void refine(const ConstVector& a, const ConstVector& b, MutableVector x, MutableVector lambda) {
@@ -374,16 +383,8 @@ class BlockSolver final : public SaddleSolver {
 }  // namespace
 
 bool masses_far_apart(const System& system) {
-  double least[2] = {INFINITY, INFINITY}, most[2] = {0.0, 0.0};
-  for (int body = 0; body < system.body_count(); ++body) {
-    const double size[2] = {system.mass(body), system.inertia(body).diagonal().maxCoeff()};
-    for (int k = 0; k < 2; ++k) {
-      if (size[k] == 0.0) continue;
-      least[k] = std::min(least[k], size[k]);
-      most[k] = std::max(most[k], size[k]);
-    }
-  }
-  return most[0] > far_apart * least[0] || most[1] > far_apart * least[1];
+  const MassRatios ratios(system);
+  return ratios.mass > far_apart || ratios.moment > far_apart || ratios.inertance > far_apart;
 }
 
 MassFactor mass_factor(const System& system, int body) {

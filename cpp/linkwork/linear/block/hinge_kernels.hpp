@@ -104,7 +104,9 @@ bool factor_on_ground(const TreeStep& step, const Data& data, const double* a, c
 }
 
 /// Steps that have the form; those of hinges have another one in wide registers.
-LINKWORK_INLINE bool goes_by_numbers(const TreeStep& step) { return step.slides || (width == 2 && step.turning); }
+LINKWORK_INLINE bool goes_by_numbers(const TreeStep& step) {
+  return (step.slides && step.parent < 0) || (width == 2 && step.turning);
+}
 
 /// False where the joint is of another kind, or yields; then nothing is done.
 LINKWORK_INLINE bool factor_by_numbers(const TreeStep& step, const Data& data, const double* a, const double* b,

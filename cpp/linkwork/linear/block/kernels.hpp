@@ -22,7 +22,7 @@ struct TreeStep {
   int parent_slot;     ///< of the parent's articulated inertia
   bool parent_begins;  ///< the parent's articulated inertia begins with its own mass here
   bool turning;        ///< of a hinge or of a joint that holds all, whose rows have the form of turning_kernels.hpp
-  bool slides;         ///< of a slider on the ground, see SliderOnGround
+  bool slides;         ///< of a slider
   int scattered;       ///< place in `step_rows` of rows that do not stand one after the other, as those of a joint with
                        ///< others attached, or -1
   std::ptrdiff_t D_body, D_parent;
@@ -217,6 +217,7 @@ struct Kernels {
   /// x (6 per body) and lambda from what a forward substitution of the same a left.
   void (*backward_core)(const Data&, const NodeRange*, int count, const double* a, double* x, double* lambda);
   void (*backward_branches)(const Data&, const NodeRange*, int count, double* x, double* lambda);
+  bool inerters_along_freedoms;  ///< those of hinges and sliders are eliminated with these
 };
 
 const Kernels& kernels(const InstructionSet& instructions);

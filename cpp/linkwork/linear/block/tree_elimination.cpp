@@ -80,7 +80,7 @@ class TreeBuilder {
       step.rows = block.rows;
       step.D_body = block.offset;
       step.turning = rows_.turning(block.joint);
-      step.slides = step.parent == none && rows_.slides(block.joint);
+      step.slides = rows_.slides(block.joint);
       for (const int other : system_.joint_blocks(block.joint))
         if (other != index) step.D_parent = system_.blocks()[other].offset;
       if (rows_.next(block.joint) != none) append_rows(block.joint, step);

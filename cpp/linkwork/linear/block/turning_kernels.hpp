@@ -3,8 +3,9 @@
 #include "linkwork/linear/block/common_kernels.hpp"
 #include "linkwork/linear/block/hinge_elimination.hpp"
 
-/// Bodies of open branches on a hinge, with or without an inerter along its angle, or on a weld: as TreeStep, with one
-/// division in the way to the root where the elimination row by row has as many as there are rows, six and those.
+/// Bodies of open branches on a hinge or on a slider, with or without an inerter along it, or on a weld: as TreeStep,
+/// with one division in the way to the root where the elimination row by row has as many as there are rows, six and
+/// those.
 //
 // With a row f for the freedom beside those of the joint, which is the inerter's where there is one, the rows of the
 // body and of the parent are square. Those of translation are taken times the sign s that makes them
@@ -17,6 +18,9 @@
 //   [M_p | a_p] += X^T (M_b X - (0, a_b)) + r^T t + z_f^T (beta / d) (r + n z_f)
 // in its six rows. Nothing but the last two terms waits for the division, and X^T M_b X but for the mass. Along f nothing
 // is a difference: what a free hinge does not carry is zero in X, and does not reach the parent.
+//
+// A slider has two rows of translation, (T, C), before those of rotation, and f, of the inerter or across the two, is
+// one of translation: G = [S -S C R^-1; 0 R^-1] with S the inverse of the three rows T. Else it is the same.
 namespace linkwork::block {
 namespace {
 
@@ -72,9 +76,10 @@ struct RowsOfTurningStep {
 /// root waits for this one.
 struct TurningJoint {
   bool turns = false;  ///< else there is nothing
+  bool slides = false;
   double s, inertance;
-  Numbers X[6];          ///< rows, with g_f in the last lane
-  Numbers R_inverse[3];  ///< columns
+  Numbers X[6];                     ///< rows, with g_f in the last lane
+  Numbers R_inverse[3], shifts[3];  ///< columns, of R^-1, and of a slider of S
   Numbers z_f;
 
   LINKWORK_INLINE Vector g_f(int r) const { return X[r][freedom]; }
@@ -87,12 +92,21 @@ class TurningJointReader {
       : of_{step, data}, joint_(joint) {}
 
   LINKWORK_INLINE void read(const double* b) {
-    joint_.turns = of_.step.turning && of_.stand_so() && read_compliance() && has_the_form() && invert();
+    joint_.slides = may_slide && of_.step.slides && (with_inerter || of_.step.parent >= 0);
+    joint_.turns = (of_.step.turning || joint_.slides) && of_.stand_so() && read_compliance();
+    if constexpr (may_slide)
+      if (joint_.slides) {
+        joint_.turns = joint_.turns && invert_slider();
+        if (joint_.turns) read_parent_of_slider(b);
+        return;
+      }
+    joint_.turns = joint_.turns && has_the_form() && invert();
     if (joint_.turns) read_parent(b);
   }
 
  private:
   static constexpr int hard_rows = with_inerter ? 5 : rows;
+  static constexpr bool may_slide = hard_rows == 5;
 
   /// False where what yields in the joint is something else.
   LINKWORK_INLINE bool read_compliance() {
@@ -116,14 +130,25 @@ class TurningJointReader {
 
   /// The columns of R^-1 are the products of two rows of R, over the determinant.
   LINKWORK_INLINE bool invert() {
-    const auto row_of_R = [&](int k) { return load_first<3>(of_.D_body(k) + 3); };
     const Vector x = row_of_R(3), y = row_of_R(4), xy = cross(x, y), z = rows == 5 ? xy : row_of_R(rows - 1);
+    return invert(x, y, z, xy, joint_.R_inverse);
+  }
+  LINKWORK_INLINE bool invert_slider() {
+    const Vector x = load_first<3>(of_.D_body(0)), y = load_first<3>(of_.D_body(1)), xy = cross(x, y);
+    const Vector z = with_inerter ? load_first<3>(of_.D_body(rows - 1)) : xy;
+    const Vector r = row_of_R(2), s = row_of_R(3);
+    return invert(x, y, z, xy, joint_.shifts) && invert(r, s, row_of_R(4), cross(r, s), joint_.R_inverse);
+  }
+  LINKWORK_INLINE Vector row_of_R(int k) const { return load_first<3>(of_.D_body(k) + 3); }
+
+  static LINKWORK_INLINE bool invert(const Vector& x, const Vector& y, const Vector& z, const Vector& xy,
+                                     Numbers* inverse_columns) {
     const Vector terms = z * xy;
     const double determinant = terms[0] + terms[1] + terms[2];
     if (!(determinant * determinant > least_size)) return false;
     const Vector inverse = splat(1.0 / determinant), columns[3] = {cross(y, z), cross(z, x), xy};
     LINKWORK_UNROLL for (int c = 0; c < 3; ++c)
-      joint_.R_inverse[c] = inverse * columns[c];
+      inverse_columns[c] = inverse * columns[c];
     return true;
   }
 
@@ -139,13 +164,17 @@ class TurningJointReader {
     return v;
   }
 
-  /// X = s (Z - K X_rotations) in the rows of translation.
-  LINKWORK_INLINE void read_parent(const double* b) {
-    Vector Z[rows], X[6];
+  LINKWORK_INLINE void read_rows_of_parent(const double* b, Vector* Z) const {
     LINKWORK_UNROLL for (int k = 0; k < rows; ++k) {
       Z[k] = unit(right_hand_side) * splat(b[of_.row(k)]);
       if (of_.step.parent >= 0) Z[k] += load_first<6>(of_.D_parent(k));
     }
+  }
+
+  /// X = s (Z - K X_rotations) in the rows of translation.
+  LINKWORK_INLINE void read_parent(const double* b) {
+    Vector Z[rows], X[6];
+    read_rows_of_parent(b, Z);
     LINKWORK_UNROLL for (int m = 0; m < 3; ++m) {
       X[3 + m] = unit(freedom) * joint_.R_inverse[2][m];
       LINKWORK_UNROLL for (int k = 3; k < hard_rows; ++k)
@@ -161,11 +190,31 @@ class TurningJointReader {
     if constexpr (with_inerter) joint_.z_f = Z[5];
   }
 
+  /// X = S (Z - C X_rotations) there, with u_f behind.
+  LINKWORK_INLINE void read_parent_of_slider(const double* b) {
+    Vector Z[rows], X[6], shifts[3] = {splat(0.0), splat(0.0), splat(0.0)};
+    read_rows_of_parent(b, Z);
+    LINKWORK_UNROLL for (int m = 0; m < 3; ++m)
+      X[3 + m] = Z[2] * joint_.R_inverse[0][m] + Z[3] * joint_.R_inverse[1][m] + Z[4] * joint_.R_inverse[2][m];
+    LINKWORK_UNROLL for (int k = 0; k < (with_inerter ? 3 : 2); ++k) {
+      const double* C = of_.D_body(k < 2 ? k : rows - 1) + 3;
+      if (k < 2) shifts[k] = Z[k];
+      shifts[k] -= splat(C[0]) * X[3] + splat(C[1]) * X[4] + splat(C[2]) * X[5];
+    }
+    shifts[2] += unit(freedom);
+    LINKWORK_UNROLL for (int m = 0; m < 3; ++m)
+      X[m] = shifts[0] * joint_.shifts[0][m] + shifts[1] * joint_.shifts[1][m] + shifts[2] * joint_.shifts[2][m];
+    joint_.s = 1.0;
+    LINKWORK_UNROLL for (int r = 0; r < 6; ++r)
+      joint_.X[r] = X[r];
+    if constexpr (with_inerter) joint_.z_f = Z[rows - 1];
+  }
+
   const RowsOfTurningStep<rows, with_inerter> of_;
   TurningJoint& joint_;
 };
 
-/// Whether a joint turns, and whether it has an inerter.
+/// How many rows there are, and whether one is an inerter's.
 template <int row_count, bool with_inerter>
 struct TurningKind {
   static constexpr int rows = row_count, hard_rows = with_inerter ? 5 : rows;
@@ -236,7 +285,7 @@ LINKWORK_INLINE void add_to_parent_of(const TreeStep& step, const Data& data, co
   Vector M[6];
   load_inertia(step.parent_begins, step.parent, articulated, data, a, M);
   LINKWORK_UNROLL for (int c = 0; c < 6; ++c) {
-    if (c < 3) M[c] -= W[c];  // there X is -I
+    if (c < 3 && !joint.slides) M[c] -= W[c];  // there X is -I
     else M[c] += combination(W, [&](int r) { return joint.X[r][c]; });
     if constexpr (Kind::has_inerter) M[c] += joint.z_f[c] * free.toward_f;
     if constexpr (Kind::free) M[c] += lane(free.r, c) * free.t;
@@ -244,20 +293,11 @@ LINKWORK_INLINE void add_to_parent_of(const TreeStep& step, const Data& data, co
   }
 }
 
+/// G_H^T of the forces M_b x_b - a_b, which it uses up.
 template <class Kind>
-LINKWORK_INLINE void store_way_back(const TurningJoint& joint, const double* D, const Vector* W, const Release& free,
-                                    double* factors) {
+LINKWORK_INLINE void store_multipliers_of_turning(const TurningJoint& joint, const double* D, Vector* forces,
+                                                  double* factors) {
   using At = TurningFactors<Kind::rows>;
-  Vector forces[6];  // M_b x_b - a_b
-  LINKWORK_UNROLL for (int r = 0; r < 6; ++r) {
-    Vector motion = load(joint.X[r].at);
-    forces[r] = W[r];
-    if constexpr (Kind::free) {
-      motion += free.t * joint.g_f(r);
-      forces[r] += free.t * lane(W[r], freedom);
-    }
-    store_first<7>(factors + At::motions + 7 * r, motion);
-  }
   LINKWORK_UNROLL for (int r = 0; r < 3; ++r) {
     forces[r] = forces[r] * splat(joint.s);
     store_first<7>(factors + At::multipliers + 7 * r, forces[r]);
@@ -269,6 +309,43 @@ LINKWORK_INLINE void store_way_back(const TurningJoint& joint, const double* D, 
     multiplier += joint.R_inverse[k - 3][1] * forces[4];
     store_first<7>(factors + At::multipliers + 7 * k, multiplier + joint.R_inverse[k - 3][2] * forces[5]);
   }
+}
+
+/// The same of a slider.
+template <class Kind>
+LINKWORK_INLINE void store_multipliers_of_slider(const TurningJoint& joint, const double* D, const double* D_inerter,
+                                                 Vector* forces, double* factors) {
+  using At = TurningFactors<Kind::rows>;
+  const auto product = [&](const Numbers& column, const Vector* v) {
+    return column[0] * v[0] + column[1] * v[1] + column[2] * v[2];
+  };
+  LINKWORK_UNROLL for (int k = 0; k < (Kind::has_inerter ? 3 : 2); ++k) {
+    const Vector along = product(joint.shifts[k], forces);
+    const double* C = k < 2 ? D + 6 * k + 3 : D_inerter + 3;
+    if (k < 2) store_first<7>(factors + At::multipliers + 7 * k, along);
+    LINKWORK_UNROLL for (int m = 0; m < 3; ++m)
+      forces[3 + m] -= splat(C[m]) * along;
+  }
+  LINKWORK_UNROLL for (int k = 0; k < 3; ++k)
+    store_first<7>(factors + At::multipliers + 7 * (2 + k), product(joint.R_inverse[k], forces + 3));
+}
+
+template <class Kind>
+LINKWORK_INLINE void store_way_back(const TurningJoint& joint, const double* D, const double* D_inerter,
+                                    const Vector* W, const Release& free, double* factors) {
+  using At = TurningFactors<Kind::rows>;
+  Vector forces[6];  // M_b x_b - a_b
+  LINKWORK_UNROLL for (int r = 0; r < 6; ++r) {
+    Vector motion = load(joint.X[r].at);
+    forces[r] = W[r];
+    if constexpr (Kind::free) {
+      motion += free.t * joint.g_f(r);
+      forces[r] += free.t * lane(W[r], freedom);
+    }
+    store_first<7>(factors + At::motions + 7 * r, motion);
+  }
+  if (joint.slides) store_multipliers_of_slider<Kind>(joint, D, D_inerter, forces, factors);
+  else store_multipliers_of_turning<Kind>(joint, D, forces, factors);
   if constexpr (Kind::has_inerter)
     store_first<7>(factors + At::multipliers + 7 * 5, (load(joint.z_f.at) - free.t) * splat(joint.inertance));
   factors[At::sign] = joint.s;
@@ -289,9 +366,10 @@ LINKWORK_INLINE void factor_turning_step(const TreeStep& step, const Data& data,
   Vector W[6];
   multiply_by_mass(joint, M, W);
   const Release free = release<Kind>(joint, W);
-  note_inertia(smallest, free.d, Kind::free ? least_pivot(false, step, data) : not_a_number, step.row);
+  note_inertia(smallest, free.d, Kind::free ? least_pivot(joint.slides, step, data) : not_a_number, step.row);
   if (step.parent >= 0) add_to_parent_of<Kind>(step, data, a, joint, W, free);
-  store_way_back<Kind>(joint, data.D + step.D_body, W, free, data.factors + step.storage);
+  const double* D_inerter = with_inerter ? RowsOfTurningStep<rows, with_inerter>{step, data}.D_body(rows - 1) : nullptr;
+  store_way_back<Kind>(joint, data.D + step.D_body, D_inerter, W, free, data.factors + step.storage);
 }
 
 /// False where the factors are those of another kind.
