@@ -122,6 +122,30 @@ TEST_CASE("steps with breaks are kept once each, of many those that stand for al
   CHECK(covered < 1030);
 }
 
+TEST_CASE("a large jump among many small ones is kept, and stands for itself") {
+  constexpr int count = 400, blow = 237;
+  std::vector<double> times = {0.0}, values = {1.0};
+  for (int k = 1; k < count; ++k) {
+    times.push_back(5.0 * k + 0.5);
+    values.push_back(k == blow ? 1e6 : k % 2);
+  }
+  times.push_back(1e4);
+  Model model = pendulum();
+  model.add_signal(piecewise_polynomial(times, values));
+  Dynamics dynamics(model, Options());
+  StepSampling sampling(dynamics);
+  sampling.expect_breaks({times.begin() + 1, times.end() - 1});
+  follow(sampling, dynamics, 5000, -1);
+  std::int64_t covered = 0, alone = 0;
+  for (const RunPart& part : sampling.broken()) {
+    covered += part.steps;
+    const bool at_blow = part.any.t == 5.0 * blow || part.any.t == 5.0 * (blow + 1);
+    alone += at_blow && part.steps == 1 ? 1 : 0;
+  }
+  CHECK(alone == 2);  // where it begins and where it ends
+  CHECK(covered >= count - 1);
+}
+
 namespace {
 
 /// So many steps with an even loss, as if the work were more than it is, and one with `more` of it.
@@ -179,8 +203,44 @@ TEST_CASE("of short runs each step is kept that makes more energy than those tha
   CHECK(others > 0);
 }
 
+namespace {
+
+/// Each body may touch a plane.
+Model touching(int bodies) {
+  Random random(5);
+  Model model;
+  const KindInfo& info = force_kinds()[force_kind_index("sphere_plane_contact")].info;
+  for (int body = 0; body < bodies; ++body) {
+    const std::string name = std::to_string(body);
+    model.add_body("ball " + name, random_body(random));
+    model.add_force(info.name, "contact " + name, ground, body, random_attachment(random),
+                    force_parameters(model, random, info));
+  }
+  return model;
+}
+
+}  // namespace
+
+TEST_CASE("a switch of one connected part is not lost among those of others") {
+  Dynamics dynamics(touching(2), Options());
+  StepSampling sampling(dynamics);
+  sampling.expect(5000);
+  VectorXd y = dynamics.initial_y(), y_new = y, sides = VectorXd::Ones(2);
+  constexpr int hit = 3333;
+  for (int n = 0; n < 5000; ++n) {
+    sampling.before(dynamics, y, 1.0, 0.0, sides);
+    if (n % 3 == 1) sides[0] = -sides[0];
+    if (n == hit) sides[1] = -sides[1];
+    sampling.after(n, 1.0, y, y_new);
+  }
+  std::int64_t alone = 0;
+  for (const RunPart& part : sampling.switched())
+    if (part.any.t == hit && part.steps == 1) alone += 1;
+  CHECK(alone == 1);
+}
+
 TEST_CASE("steps with switches, and those that depend on them, stand for their kind alone") {
-  Dynamics dynamics(pendulum(), Options());
+  Dynamics dynamics(touching(1), Options());
   for (const int memory : {0, 3}) {
     StepSampling sampling(dynamics);
     sampling.remember(memory);

@@ -517,6 +517,18 @@ def test_the_second_run_of_contacts_ends_steps_at_the_breaks_of_the_first() -> N
     assert np.nanmax(run.error_of("velocity")[:, 0, 0]) < 1e-6
 
 
+@pytest.mark.parametrize("integrator", ["rk4", "ab4"])
+def test_a_run_that_goes_on_inside_a_step_answers_for_the_whole_of_it(integrator: str) -> None:
+    force, at = (lambda t: 100.0 if t <= 2.003 else -50.0), 2.003
+    model = slider(force, breaks=[at])
+    first = lw.simulate(model, at, 1e-2, integrator, on_inaccurate="pass")
+    rest = lw.simulate(model, 4.0, 1e-2, integrator, start=first.snapshot(), on_inaccurate="pass")
+    exactly = (100.0 * at - 50.0 * (4.0 - at)) / MASS
+    error = abs(rest.v[-1, 0, 0] - exactly) / 100.0
+    assert error > 1e-4, "the step from 2 to 2.01 goes over the break"
+    assert rest.verdict.error > error
+
+
 def test_a_run_that_goes_back_to_the_constraints_at_a_break_sees_what_is_after_it() -> None:
     model = lw.Model(gravity=(0, 0, -9.81))
     upper = model.body("upper", mass=1.0, inertia=(0.1, 0.1, 0.02), position=(0.5, 0, 0))

@@ -857,3 +857,31 @@ def test_rounding_of_places_far_away_adds_up_in_uniform_motion(
     off = abs(moved / (10**4 * step * speed) - 1)
     assert result.verdict.error >= 0.5 * off > 0
     assert ("from the origin" in result.verdict.sentence) == (result.verdict.level != "good")
+
+
+def test_without_hysteresis_the_speed_at_which_contact_begins_is_no_error() -> None:
+    model, up = lw.Model(gravity=(0, 0, -9.81)), (0, 0, 0.2)
+    ball = model.body("ball", mass=0.1, inertia=(1e-4,) * 3, position=up)
+    model.sphere_plane_contact(
+        "ground", ball, at=((0, 0, 0), up), normal=(0, 0, 1), radius=0.05, stiffness=1e4
+    )
+    run = lw.simulate(model, 0.5, 1e-4)
+    exact = lw.simulate(model, 0.5, times=run.t, rtol=1e-11, atol=1e-13, integrator="dop853")
+    error = np.abs(run.velocity - exact.velocity).max() / np.abs(exact.velocity).max()
+    assert error < 1e-3
+    assert error < run.verdict.error < 100 * error
+
+
+def test_a_hard_hit_of_a_light_part_is_seen_beside_one_that_often_touches_soft_stops() -> None:
+    model, speed = lw.Model(gravity=(0, 0, 0)), 0.31
+    for name, mass, v, y in (("heavy", 10.0, 2.0, 0), ("light", 1e-3, speed, 2)):
+        body = model.body(name, mass=mass, inertia=(0.01 * mass,) * 3, position=(0, y, 0), velocity=(v, 0, 0))
+        model.translational("ground", body, at=(0, y, 0), axis=(1, 0, 0))
+    joint = {"at": (0, 0, 0), "axis": (1, 0, 0)}
+    model.translational_spring_damper("ground", "heavy", stiffness=4000.0, **joint)
+    model.translational_stop("ground", "heavy", lower=-0.09, upper=0.09, stiffness=200.0, damping=0, **joint)
+    model.translational_stop("ground", "light", at=(0, 2, 0), axis=(1, 0, 0), lower=-10.0, upper=1.0,
+                             stiffness=400.0, damping=0)  # fmt: skip
+    run = lw.simulate(model, 20.0, 2e-3, on_inaccurate="pass")
+    assert abs(run.body("light").velocity[-1, 0] / speed + 1) > 0.05, "it bounces elastically"
+    assert run.verdict is not None and run.verdict.level != "good"

@@ -98,6 +98,7 @@ class AdaptiveSimulation final : public Run {
   void keep(Archive& archive) override;
   void record_start() override;
   bool past_start() const override { return t_ >= start_; }
+  double start() const override { return start_; }
   bool near_end() const;
   void begin();
   double initial_step();

@@ -66,7 +66,7 @@ void Run::mark(bool last) {
   if (repeating_ && past_start()) {
     repeating_ = false;
     steps_before_ = steps_done_;
-    sampling_.begin_anew(dynamics_, y_[y_.size() - 1]);
+    sampling_.begin_anew(dynamics_, y_, start());
   }
   const bool marks = !bounded_ && !repeating_ && (due_ || last);
   bounded_ = bounded_ || last;

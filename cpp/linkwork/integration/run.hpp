@@ -134,6 +134,7 @@ class Run {
   bool resumed() const { return resumed_; }
   /// Whether the start is passed or reached by now.
   virtual bool past_start() const = 0;
+  virtual double start() const = 0;
 
   /// The state has changed: multistep methods forget it.
   virtual void forget() {}

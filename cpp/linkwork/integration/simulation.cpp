@@ -104,6 +104,7 @@ void Simulation::go_on_to(double start) {
     forget();
   }
   evaluated_ = finished_ = false;
+  start_ = start;
   start_step_ = static_cast<std::int64_t>(std::ceil(done - same_time));
   if (!same(start, time_of(start_step_))) return;
   given_start_ = start;

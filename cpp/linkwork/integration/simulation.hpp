@@ -48,6 +48,7 @@ class Simulation final : public Run {
   void keep(Archive& archive) override;
   void record_start() override;
   bool past_start() const override { return steps_done_ >= start_step_; }
+  double start() const override { return start_; }
   /// With the state at which a resumed run starts.
   bool begins() const { return steps_done_ == start_step_ && !std::isnan(given_start_); }
   bool natural() const { return whole_ || steps_done_ < steps_total_; }
@@ -84,7 +85,8 @@ class Simulation final : public Run {
   bool whole_ = false;           ///< the last step is not shortened
   std::int64_t steps_total_ = 0;
   std::int64_t start_step_ = 0;  ///< of a run that was resumed, the first that is not before its start
-  double given_start_ = NAN;     ///< its start, where that is the end of a step
+  double start_ = NAN;           ///< its start,
+  double given_start_ = NAN;     ///< where that is the end of a step
   BreakPoints breaks_;
   double jumped_ = 0.0;  ///< up to when the work of what jumps at breaks is counted [s]
   StoredEnergyJumps jumps_;

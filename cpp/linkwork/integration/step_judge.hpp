@@ -128,6 +128,7 @@ class StepJudge {
   void look_at_motion(const KeptStep& step, StepError& out);
   void compare_inside(const KeptStep& step, StepError& out);
   void compare_history(const KeptStep& step, StepError& out);
+  bool has_the_same_forces(double t, const VectorXd& history);
   void compare_reactions(const KeptStep& step, StepError& out);
   struct Reactions {
     Eigen::Matrix3Xd force, torque;

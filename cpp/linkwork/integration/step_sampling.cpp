@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "linkwork/assembly/force_elements.hpp"
 #include "linkwork/math/interruption.hpp"
 #include "linkwork/math/rotation.hpp"
 #include "linkwork/math/stopwatch.hpp"
@@ -17,10 +18,11 @@ constexpr int small_model = 50, most_looked_at = 500;  // bodies
 constexpr std::int64_t affordable = 50;                // steps, of 10 000
 constexpr double steeper = 1.1;                        // than the steepest so far, to be worth a copy
 constexpr std::size_t most_outliers = 4;
-constexpr std::size_t most_broken = 16, most_switched = 20;
-constexpr double same_time = 1e-9;  // relative to the step
-constexpr double far_more = 20.0;   // than the mean, for a jump of energy to be out of the ordinary
-constexpr double more = 2.0;        // energy than by any of the steps that are taken again anyway
+constexpr std::size_t most_broken = 16, most_switched = 20;  // of each group
+constexpr int most_groups = 4;                               // of switches
+constexpr double same_time = 1e-9;                           // relative to the step
+constexpr double far_more = 20.0;  // than the mean, for a jump of energy to be out of the ordinary
+constexpr double more = 2.0;       // energy than by any of the steps that are taken again anyway
 constexpr double energy_noise = 1e-13;
 constexpr double rounding = 1e-13;             // of velocities: beside, what they change in a step is none
 constexpr double at_rest = 1e-8;               // of gravity: beside, what accelerations change is none
@@ -111,12 +113,48 @@ void StepSampling::expect(std::int64_t steps) {
   width_ = std::max<std::int64_t>((steps + count - 1) / count, 1);
 }
 
-void StepSampling::begin_anew(const Dynamics& dynamics, double work) {
+void StepSampling::expect_breaks(std::vector<double> times) {
+  breaks_ = std::move(times);
+  group_of_break_.assign(breaks_.size(), 0);
+  std::vector<double> shares(breaks_.size(), -1.0);  // none: of a function that nobody knows
+  std::vector<Break> own;
+  for (const TimeFunctionPtr& signal : system_->model().signals()) {
+    if (!signal->of_time()) continue;
+    own.clear();
+    signal->add_breaks(own);
+    for (const Break& it : own) {
+      const double slack = same_time * std::abs(it.t);
+      for (auto at = std::lower_bound(breaks_.begin(), breaks_.end(), it.t - slack);
+           at != breaks_.end() && *at <= it.t + slack; ++at)
+        shares[static_cast<std::size_t>(at - breaks_.begin())] =
+            std::max(shares[static_cast<std::size_t>(at - breaks_.begin())], it.share);
+    }
+  }
+  for (std::size_t k = 0; k < breaks_.size(); ++k) {
+    double limit = 0.1;
+    char& group = group_of_break_[k];
+    for (; shares[k] >= 0.0 && shares[k] < limit && group + 1 < static_cast<int>(broken_.size()); limit *= 0.1) ++group;
+    broken_[static_cast<std::size_t>(group)].breaks += 1;
+  }
+}
+
+void StepSampling::begin_anew(const Dynamics& dynamics, const VectorXd& y, double start) {
   StepSampling fresh(dynamics);
   fresh.width_ = width_;
   fresh.breaks_ = std::move(breaks_);
+  fresh.group_of_break_ = std::move(group_of_break_);
+  for (std::size_t group = 0; group < broken_.size(); ++group) fresh.broken_[group].breaks = broken_[group].breaks;
   fresh.memory_ = memory_;
-  fresh.work_before_ = work;
+  fresh.work_before_ = y[y.size() - 1];
+  if (last_.kept() && last_.t + (1.0 - same_time) * last_.h > start) {
+    fresh.history_ = history_;
+    fresh.left_out_ = left_out_;
+    fresh.correction_length_ = correction_length_;
+    fresh.kinetic_ = kinetic_;
+    fresh.balance_ = balance_;
+    fresh.sides_ = sides_;
+    fresh.after(last_.t, last_.h, last_.y, y);
+  }
   *this = std::move(fresh);
 }
 
@@ -136,40 +174,66 @@ void StepSampling::before(const Dynamics& dynamics, const VectorXd& y, double ki
   if (const std::vector<int>& rows = dynamics.dropped().rows(); left_out_ != rows) left_out_ = rows;
 }
 
-/// A variable that was zero is the speed of a contact that has begun.
-void StepSampling::look_for_switches(const VectorXd& history, const VectorXd& switches, const VectorXd& y) {
-  const bool begun = last_.kept() && history_.size() == history.size() &&
-                     ((history_.array() == 0.0) && (history.array() != 0.0)).any();
-  const bool passed = pass_switches(switches);
-  since_switch_ = passed || begun ? 0 : since_switch_ + 1;
-  if (!last_.kept() || since_switch_ > memory_) return;
-  for (KeptStep* step : {&parts_.back().any, &parts_.back().steepest})
-    if (step->kept() && step->t == last_.t) step->switched = true;
-  keep_switched(y);
-  if (begun && switched_.back().step.t == last_.t) switched_.back().step.history_new = history;
+void StepSampling::find_groups_of_switches() {
+  const auto group = [&](int part) { return part % most_groups; };
+  const Model& model = system_->model();
+  for (const SwitchOwner& owner : owners_of_switches(model)) {
+    const Element& element = model.forces()[static_cast<std::size_t>(owner.element)];
+    group_of_switch_.push_back(group(connected_->of_bodies(element.i, element.j)));
+  }
+  for (int variable = 0; variable < system_->history_size(); ++variable)
+    group_of_history_.push_back(group(connected_->of_history(*system_, variable)));
+  switched_.resize(static_cast<std::size_t>(most_groups));
 }
 
-bool StepSampling::pass_switches(const VectorXd& switches) {
-  bool passed = false;
+void StepSampling::look_for_switches(const VectorXd& history, const VectorXd& switches, const VectorXd& y) {
+  if (switched_.empty()) find_groups_of_switches();
+  pass_switches(history, switches);
+  for (SwitchedSteps& group : switched_) {
+    if (!last_.kept() || group.since > memory_) continue;
+    for (KeptStep* step : {&parts_.back().any, &parts_.back().steepest})
+      if (step->kept() && step->t == last_.t) step->switched = true;
+    const double place = group.next_place();
+    if (place >= group.share) continue;
+    group.kept.push_back({place, {}});
+    keep(group.kept.back().step, y);
+    if (group.begun) group.kept.back().step.history_new = history;
+    group.thin_out(std::min(most_switched, most_parts_));
+  }
+}
+
+/// In which groups. A variable that was zero is the speed of a contact that has begun.
+void StepSampling::pass_switches(const VectorXd& history, const VectorXd& switches) {
   const bool known = sides_.size() == static_cast<std::size_t>(switches.size());
-  sides_.resize(switches.size());
+  for (SwitchedSteps& group : switched_) {
+    group.since += 1;
+    group.begun = false;
+  }
+  sides_.resize(static_cast<std::size_t>(switches.size()));
   for (std::size_t k = 0; k < sides_.size(); ++k) {
     const char side = switches[static_cast<Eigen::Index>(k)] > 0.0;
-    passed = passed || sides_[k] != side;
+    if (known && sides_[k] != side) switched_[static_cast<std::size_t>(group_of_switch_[k])].since = 0;
     sides_[k] = side;
   }
-  return known && passed;
+  if (!last_.kept() || history_.size() != history.size()) return;
+  for (Eigen::Index k = 0; k < history.size(); ++k) {
+    if (history_[k] != 0.0 || history[k] == 0.0) continue;
+    SwitchedSteps& group = switched_[static_cast<std::size_t>(group_of_history_[static_cast<std::size_t>(k)])];
+    group.since = 0;
+    group.begun = true;
+  }
 }
 
 /// Multiples of the golden ratio are spread evenly whichever of them are taken: of many steps those that are small.
-void StepSampling::keep_switched(const VectorXd& y_new) {
-  const double multiple = golden * static_cast<double>(switched_steps_++), place = multiple - std::floor(multiple);
-  if (place >= share_switched_) return;
-  switched_.push_back({place, {}});
-  keep(switched_.back().step, y_new);
-  while (switched_.size() > std::min(most_switched, most_parts_)) {
-    share_switched_ *= golden;
-    std::erase_if(switched_, [&](const Switched& it) { return it.place >= share_switched_; });
+double StepSampling::SwitchedSteps::next_place() {
+  const double multiple = golden * static_cast<double>(steps++);
+  return multiple - std::floor(multiple);
+}
+
+void StepSampling::SwitchedSteps::thin_out(std::size_t most) {
+  while (kept.size() > most) {
+    share *= golden;
+    std::erase_if(kept, [&](const Step& it) { return it.place >= share; });
   }
 }
 
@@ -248,16 +312,19 @@ void StepSampling::choose(RunPart& part, double change, const VectorXd& y_new) {
   else if (change > steeper * std::max(part.steepest.change, part.any.change)) keep(part.steepest, y_new);
 }
 
-/// Whether there is one in this step. At its end it is met here, where the last stage may be, and not once more where
-/// the next step begins. Of many breaks those are kept that spread over all of them.
+/// Whether there is one in this step, which belongs to the largest. At its end it is met here, where the last stage may
+/// be, and not once more where the next step begins. Of many those are kept that spread over all of them.
 bool StepSampling::meet_break(double t, double h, const VectorXd& y_new) {
-  const std::size_t every = 1 + breaks_.size() / std::min(most_broken, most_parts_), first = next_break_;
+  const std::size_t first = next_break_;
   while (next_break_ < breaks_.size() && breaks_[next_break_] <= t + (1.0 + same_time) * h) ++next_break_;
   if (breaks_[next_break_ - 1] < t - same_time * h) return false;
-  steps_with_breaks_ += 1;
-  if ((first + every - 1) / every == (next_break_ + every - 1) / every) return true;
-  broken_.emplace_back();
-  keep(broken_.back(), y_new);
+  const auto begin = group_of_break_.begin();
+  BrokenSteps& group = broken_[static_cast<std::size_t>(
+      *std::min_element(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(next_break_)))];
+  const std::int64_t every = 1 + group.breaks / static_cast<std::int64_t>(std::min(most_broken, most_parts_));
+  if (group.steps++ % every != 0) return true;
+  group.kept.emplace_back();
+  keep(group.kept.back(), y_new);
   return true;
 }
 
@@ -401,12 +468,21 @@ std::vector<RunPart> parts_of(const std::vector<KeptStep>& kept, std::int64_t co
 
 }  // namespace
 
-std::vector<RunPart> StepSampling::broken() const { return parts_of(broken_, steps_with_breaks_); }
+std::vector<RunPart> StepSampling::broken() const {
+  std::vector<RunPart> out;
+  for (const BrokenSteps& group : broken_)
+    for (RunPart& part : parts_of(group.kept, group.steps)) out.push_back(std::move(part));
+  return out;
+}
 
 std::vector<RunPart> StepSampling::switched() const {
-  std::vector<KeptStep> kept;
-  for (const Switched& it : switched_) kept.push_back(it.step);
-  return parts_of(kept, switched_steps_);
+  std::vector<RunPart> out;
+  for (const SwitchedSteps& group : switched_) {
+    std::vector<KeptStep> kept;
+    for (const SwitchedSteps::Step& it : group.kept) kept.push_back(it.step);
+    for (RunPart& part : parts_of(kept, group.steps)) out.push_back(std::move(part));
+  }
+  return out;
 }
 
 double time_sampling(const Dynamics& dynamics, std::int64_t steps) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -58,7 +59,8 @@ struct Rates {
 /// nobody knows how many steps will come, parts are joined in pairs when there are too many.
 ///
 /// Steps with breaks, those in which contacts and stops begin or end, and those that depend on such a step, stand for
-/// others of their kind, not for the smooth ones around them.
+/// others of their kind, not for the smooth ones around them: with breaks at which a function jumps about as far, in
+/// relation to its largest jump, or with contacts and stops of the same connected part.
 ///
 /// Accelerations count as differences of velocities over steps, of angular ones times a length of the connected part; in
 /// large models only some bodies are looked at. How much they change, of all bodies, and the largest come of each step.
@@ -76,13 +78,14 @@ class StepSampling {
   void expect(std::int64_t steps);
   /// Times [s], ascending, at which something is not smooth: steps that contain one are kept, too, if there are not
   /// many.
-  void expect_breaks(std::vector<double> times) { breaks_ = std::move(times); }
+  void expect_breaks(std::vector<double> times);
   const std::vector<double>& breaks() const { return breaks_; }
   /// See Integrator::memory.
   void remember(int steps) { memory_ = steps; }
 
-  /// The steps so far, and the work up to here [J], are not of the run.
-  void begin_anew(const Dynamics& dynamics, double work);
+  /// The steps so far, and the work up to here [J], are not of the run; but for the last one, to y, where it goes past
+  /// its start.
+  void begin_anew(const Dynamics& dynamics, const VectorXd& y, double start);
 
   // Of every step: `before` where `dynamics` is evaluated at its start y, and at the end of the run; then `after`, or
   // `pass_over` where the step is not one of the method's own (cut by an event, a leap over a singular pose).
@@ -124,8 +127,8 @@ class StepSampling {
 
  private:
   void look_for_switches(const VectorXd& history, const VectorXd& switches, const VectorXd& y);
-  bool pass_switches(const VectorXd& switches);
-  void keep_switched(const VectorXd& y_new);
+  void find_groups_of_switches();
+  void pass_switches(const VectorXd& history, const VectorXd& switches);
   void balance(const VectorXd& y, double kinetic, double potential);
   /// The steps with the largest of some numbers.
   struct Largest {
@@ -172,17 +175,31 @@ class StepSampling {
   Largest by_jump_, by_energy_;
   std::vector<double> breaks_;
   std::size_t next_break_ = 0;
-  std::int64_t steps_with_breaks_ = 0;
-  std::vector<KeptStep> broken_;
+  /// Of breaks that are about equally large.
+  struct BrokenSteps {
+    std::int64_t breaks = 0, steps = 0;
+    std::vector<KeptStep> kept;
+  };
+  std::array<BrokenSteps, 4> broken_;  ///< each a tenth of those before or less
+  std::vector<char> group_of_break_;
   int memory_ = 0;
   std::vector<char> sides_;  ///< of switches, positive or not, where the step begins
-  std::int64_t since_switch_ = std::numeric_limits<int>::max(), switched_steps_ = 0;
-  double share_switched_ = 1.0;  ///< of those steps that are kept, and where each stands in their order:
-  struct Switched {
-    double place;
-    KeptStep step;
+  /// Steps with switches, and those that depend on them.
+  struct SwitchedSteps {
+    std::int64_t since = std::numeric_limits<int>::max(), steps = 0;
+    bool begun = false;
+    double share = 1.0;  ///< of those steps that are kept, and where each stands in their order:
+    struct Step {
+      double place;
+      KeptStep step;
+    };
+    std::vector<Step> kept;
+
+    double next_place();
+    void thin_out(std::size_t most);
   };
-  std::vector<Switched> switched_;
+  std::vector<SwitchedSteps> switched_;  ///< of groups of connected parts
+  std::vector<int> group_of_switch_, group_of_history_;
 };
 
 /// Time that a run of so many steps spends on following them, without what they take themselves [s].

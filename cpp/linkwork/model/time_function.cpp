@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "linkwork/math/elementary.hpp"
 #include "linkwork/math/error.hpp"
@@ -93,9 +94,17 @@ class PiecewisePolynomial final : public TimeFunction {
 
   /// First and last knots, and those at which the value or a derivative jumps by more than roundoff.
   void add_breaks(std::vector<Break>& out) const override {
+    std::vector<std::pair<double, Jump>> found;
+    Jump largest{count_, 0.0};
+    for (std::size_t knot = 1; knot + 1 < breaks_.size(); ++knot) {
+      const Jump it = jump(knot);
+      if (it.order == count_) continue;
+      found.emplace_back(breaks_[knot], it);
+      if (it.order < largest.order || (it.order == largest.order && it.size > largest.size)) largest = it;
+    }
     out.push_back({breaks_.front()});
-    for (std::size_t knot = 1; knot + 1 < breaks_.size(); ++knot)
-      if (const std::size_t order = jump(knot); order < count_) out.push_back({breaks_[knot], order < smooth});
+    for (const auto& [t, it] : found)
+      out.push_back({t, it.order < smooth, it.order == largest.order ? it.size / largest.size : 0.0});
     out.push_back({breaks_.back()});
   }
 
@@ -112,9 +121,14 @@ class PiecewisePolynomial final : public TimeFunction {
 
   std::shared_ptr<const PiecewisePolynomial> shared() const { return std::make_shared<PiecewisePolynomial>(*this); }
 
-  /// The lowest derivative that jumps at a knot; as many as there are coefficients: none. Over the shorter one of the
+  struct Jump {
+    std::size_t order;
+    double size;
+  };
+
+  /// Of the lowest derivative that jumps at a knot; as many as there are coefficients: none. Over the shorter one of the
   /// two intervals a jump counts by what it makes of the value.
-  std::size_t jump(std::size_t knot) const {
+  Jump jump(std::size_t knot) const {
     const double left = breaks_[knot] - breaks_[knot - 1], right = breaks_[knot + 1] - breaks_[knot];
     const double shorter = std::min(left, right);
     std::vector<double> before(coefficients_.begin() + static_cast<std::ptrdiff_t>((knot - 1) * count_),
@@ -128,8 +142,8 @@ class PiecewisePolynomial final : public TimeFunction {
       for (std::size_t j = count_ - 1; j-- > k;) before[j] += left * before[j + 1];
     power = 1.0;
     for (std::size_t k = 0; k < count_; ++k, power *= shorter)
-      if (std::abs(after[k] - before[k]) * power > roundoff * size) return k;
-    return count_;
+      if (const double by = std::abs(after[k] - before[k]); by * power > roundoff * size) return {k, by};
+    return {count_, 0.0};
   }
 
   /// Zero at the first knot.

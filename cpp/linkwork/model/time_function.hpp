@@ -15,6 +15,7 @@ namespace linkwork {
 struct Break {
   double t;
   bool ends_step = true;
+  double share = 1.0;  ///< of the largest jump of its function; 1 where that is not known
 };
 
 class TimeFunction;
