@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import subprocess
 import sys
@@ -514,6 +515,43 @@ def test_lanes_leap_with_drivers_and_history_variables() -> None:
         assert bits(member) == bits(single)
         assert member.verdict == single.verdict
         assert member.singular_poses == single.singular_poses and len(single.singular_poses) >= 2
+
+
+def flat_parallelogram(*breaks: float) -> lw.Model:
+    """Flat at about t = 0.2016 s; a push and a spring that jump at these times."""
+    at = lw.Model(gravity=(0, 0, 0))
+    c, s, rate = math.cos(0.6), math.sin(0.6), 3.0
+    crank: dict[str, Any] = {"inertia": (0.1, 0.1, 0.1), "omega": (0, rate, 0)}
+    half = (0.5 * rate * s, 0, -0.5 * rate * c)
+    first = at.body("first", mass=1, position=(0.5 * c, 0, 0.5 * s), velocity=half, **crank)
+    last = at.body("last", mass=1, position=(2 + 0.5 * c, 0, 0.5 * s), velocity=half, **crank)
+    coupler = at.body("coupler", mass=1, inertia=(0.3, 0.3, 0.3), position=(c + 1, 0, s),
+                      velocity=(rate * s, 0, -rate * c))  # fmt: skip
+    for i, j, x, z in (("ground", first, 0, 0), (first, coupler, c, s), (coupler, last, 2 + c, s),
+                       (last, "ground", 2, 0)):  # fmt: skip
+        at.revolute(i, j, at=(x, 0, z), axis=(0, 1, 0))
+    jumps = [float(k % 2) for k in range(len(breaks) + 1)]
+    push, stiffness = (functions.piecewise_polynomial([-1, *breaks, 9], [[value] for value in values])
+                       for values in ([3.0 * k for k in jumps], [2.0 - k for k in jumps]))  # fmt: skip
+    at.force(coupler, force=(0, 0, push))
+    at.rotational_spring_damper("ground", first, at=(0, 0, 0), axis=(0, 1, 0), stiffness=stiffness)
+    return at
+
+
+@pytest.mark.parametrize("record_every", [1, 7])
+@pytest.mark.parametrize("method", ["heun", "dopri5"])
+def test_lanes_pass_breaks_beside_singular_poses_as_by_themselves(method: str, record_every: int) -> None:
+    """Before, in and after the step over the pose, at its ends, and where a leap is from break to break."""
+    once, twice = (0.2003, 0.201, 0.2014, 0.2016, 0.202, 0.2025), ((0.194, 0.203), (0.198, 0.21), (0.2, 0.22))
+    models = [flat_parallelogram(*times) for times in [*((at,) for at in once), *twice]]
+    options: dict[str, Any] = {"integrator": method, "record_every": record_every}
+    found = many(models, 0.25, 1e-3, threads=1, **options)
+    assert found.alone == {}
+    for k, model in enumerate(models):
+        member, single = found.member(k), alone(model, 0.25, 1e-3, **options)
+        assert bits(member) == bits(single)
+        assert member.verdict == single.verdict
+        assert member.singular_poses == single.singular_poses and len(single.singular_poses) == 1
 
 
 def test_a_lane_stops_at_a_singular_pose_where_that_is_asked_for() -> None:

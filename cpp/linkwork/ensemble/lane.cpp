@@ -151,14 +151,14 @@ void Lane::sample_step(double t, double h, const VectorXd& y, const VectorXd& y_
 /// The state of a step, to which a look brings the dynamics, which have else nothing to do with it.
 class Lane::StepStart final : public Arrival {
  public:
-  /// `fresh`: of the first step; `evaluated`: they are there.
-  StepStart(Dynamics& dynamics, double t, const VectorXd& y, bool fresh, bool evaluated, StageFactors* factors)
-      : dynamics_(dynamics), t_(t), y_(y), fresh_(fresh), arrived_(evaluated), factors_(factors) {}
+  /// `evaluated`: they are there.
+  StepStart(Dynamics& dynamics, double t, const VectorXd& y, bool evaluated, StageFactors* factors)
+      : dynamics_(dynamics), t_(t), y_(y), arrived_(evaluated), factors_(factors) {}
 
+  /// With the forces, which leaps and passages look at.
   const VectorXd& arrive() override {
     if (std::exchange(arrived_, true)) return y_;
-    if (fresh_) dynamics_.evaluate(t_, y_);
-    else dynamics_.begin_elsewhere(t_, y_);
+    dynamics_.evaluate(t_, y_);
     if (looked_) factorize_as_looked();
     return y_;
   }
@@ -186,24 +186,24 @@ class Lane::StepStart final : public Arrival {
   Dynamics& dynamics_;
   double t_;
   const VectorXd& y_;
-  bool fresh_, arrived_, looked_ = false;
+  bool arrived_, looked_ = false;
   StageFactors* factors_;
 };
 
 /// As Simulation does.
 void Lane::look_ahead(std::int64_t at, const FixedSteps& steps, const Speeds& speeds, const VectorXd& y,
                       StageFactors* factors) {
-  const double t = breaks_.clock(steps.time(at), steps.t_end()), h = steps.size(at);
+  const double t = steps.time(at), h = steps.size(at), clock = breaks_.clock(t, steps.t_end());
   const bool changed = std::exchange(changed_, false);
-  StepStart start(dynamics_, t, y, at == 0, recording_, changed ? nullptr : factors);
+  StepStart start(dynamics_, clock, y, recording_, changed ? nullptr : factors);
   const std::int64_t changes = dynamics_.watch().row_changes(), poses = dynamics_.watch().singular_poses();
   guarded(t, [&] {
     if (crossing_.due(t, h, speeds, false, start)) {
       const double end = dynamics_.system().model().autonomous() ? INFINITY : steps.t_end() - t;
       const double most = std::min(end, breaks_.room(t, steps.step()));
-      leaping_ = crossing_.leap(t, h, steps.step(), most, y);
+      leaping_ = crossing_.leap(clock, h, steps.step(), most, y);
       if (leaping_) begin_leap(at, steps, y);
-      else dynamics_.evaluate(t, y);
+      else dynamics_.evaluate(clock, y);
     }
     moves_ = changed || dynamics_.watch().row_changes() != changes;
     if (moves_) leave_with_drift(t);
