@@ -398,6 +398,26 @@ def driven_motion(model: lw.Model, times: np.ndarray) -> lw.Result:
 # --- fixed steps --------------------------------------------------------------------------------------------
 
 
+def test_fixed_steps_warn_of_a_pulse_that_is_at_the_end_of_one() -> None:
+    """It has an impulse of 1 N s, however short it is; breaks that rounding parts have none between them."""
+
+    def pulse(begin: float, end: float) -> lw.Model:
+        return slider(lambda t: 1 / (end - begin) if begin <= t < end else 0.0, breaks=[begin, end])
+
+    model = pulse(0.3, 0.3 + 9e-11)
+    with pytest.warns(lw.LinkworkWarning, match="force_x: the breaks at t = 0.3 s and 9e-11 s later"):
+        left_out = lw.simulate(model, 1.0, 0.1)
+    assert x_and_v(left_out)[1] == 0.0
+    assert x_and_v(lw.simulate(model, 1.0, rtol=1e-6)) == pytest.approx([0.7 / MASS, 1 / MASS], rel=1e-6)
+    by_rounding = slider(lambda t: 1.0, breaks=[0.3, 3 * 0.1])
+    members = lw.simulate_many([model, by_rounding], None, 1.0, 0.1, progress=False)
+    assert list(members.remarks) == [0] and "9e-11 s later" in members.remarks[0]
+    for begin, end in ((1.0, 1.0 + 9e-11), (0.35, 0.35 + 9e-11)):  # after the run; in a step
+        with warnings.catch_warnings():
+            warnings.filterwarnings("error", "left out")
+            lw.simulate(pulse(begin, end), 1.0, 0.1, on_inaccurate="pass")
+
+
 def test_fixed_steps_say_how_many_contain_breaks() -> None:
     force = pieces(0.0, [0.0], 0.1004, [1.0], 0.1007, [0.0], 0.5, [1.0], 0.6003, [0.0], 2.0)
     result = lw.simulate(slider(force), 1.0, 1e-3, on_inaccurate="pass")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain, pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -92,6 +93,31 @@ def check_drivers(model: Model, t_start: float, t_end: float, *, adaptive: bool)
             "which fixed steps smear over some steps; with rtol the bodies are struck at that time"
         )
     return struck
+
+
+def check_apart(model: Model, given: ArrayLike, step: float, t_start: float, t_end: float) -> None:
+    """LinkworkWarning: two breaks of one function, or of those of laws and `given`, which are not one by
+    rounding, are so as a fixed step ends at both: what acts between them is left out."""
+    functions = [(what, signal.break_points) for what, signal in model.signals]
+    functions.append(("breaks", [*model.compiled().breaks, *np.ravel(given).tolist()]))
+    found = [(what, *pair) for what, times in functions for pair in _merged(times, step, t_start, t_end)]
+    if not found:
+        return
+    what, first, last = found[0]
+    more = f" (and {len(found) - 1} more such)" if len(found) > 1 else ""
+    warn(
+        f"{what}: the breaks at t = {first:.12g} s and {last - first:.3g} s later{more} are at one end of a "
+        f"step of {step:.6g} s, and so one: what acts between them is left out; give a pulse a width that "
+        "steps resolve, or use rtol, with which steps end at both"
+    )
+
+
+def _merged(times: Iterable[float], step: float, t_start: float, t_end: float) -> list[tuple[float, float]]:
+    """Neighbors of which some time between is in the run [s]."""
+    pairs = [it for it in pairwise(sorted(times)) if it[1] > t_start and it[0] < t_end]
+    by_rounding, by_steps = (_core.BreakPoints(sorted({*chain(*pairs)})) for _ in range(2))
+    by_steps.meet_steps(t_start, step, (t_start, t_end))
+    return [(a, b) for a, b in pairs if by_rounding.after(a) < b < by_steps.after(a)]
 
 
 def struck_between_frames(model: Model, first: float, last: float) -> list[Jump]:

@@ -311,6 +311,8 @@ def what_steps(
     breaks = breakpoints.of_run(model, given["breaks"], t_start, plan.t_end)
     adaptive = isinstance(plan, schedule.Adaptive)
     struck = breakpoints.check_drivers(model, t_start, plan.t_end, adaptive=adaptive)
+    if isinstance(plan, schedule.Fixed):
+        breakpoints.check_apart(model, given["breaks"], plan.step, t_start, plan.t_end)
     method = _method(plan.usual_integrator if given["integrator"] is None else given["integrator"])
     options = cast(Options, honored(method, options))
     system, assembly = _system(model, method, options, plan, given["assemble"], start, like)
