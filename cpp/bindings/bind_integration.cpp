@@ -81,6 +81,7 @@ py::dict to_dict(const AccumulatedError& found, const System& system, bool steps
   out["local_error"] = found.local_error;
   out["reactions_by_state"] = found.reactions_by_state;
   out["yielding"] = std::isnan(found.yielding) ? 0.0 : found.yielding;
+  out["contacts_begin"] = found.contacts_begin;
   out["onset"] = found.onset;
   out["rounding"] = found.rounding;
   out["violation"] = found.violation;

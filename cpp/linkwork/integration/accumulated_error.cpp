@@ -71,6 +71,8 @@ class Accumulation {
     const double once = std::max(at_once(), error(corrections));
     out_.state = once + (judged_.rest ? away_from_rest() : judged_.resolved * state());
     out_.local_error = sum([this](const StepError& it) { return error(of(it).end); }) / out_.seconds;
+    out_.contacts_begin = std::any_of(errors_.steps.begin(), errors_.steps.end(),
+                                      [this](const StepError& it) { return of(it).contact_begins; });
     out_.onset = sum([this](const StepError& it) { return of(it).onset; }) / V_;
     const double path = sum([this](const StepError& it) { return of(it).displacement; });
     out_.rounding = sum([this](const StepError& it) { return of(it).rounding; }) / std::max(path, size_);
@@ -237,8 +239,10 @@ AccumulatedError worse(AccumulatedError a, AccumulatedError b) {
   const double reactions = std::fmax(a.reactions_by_state * a.state, b.reactions_by_state * b.state);
   const double onset = std::max(a.onset, b.onset), yielding = std::fmax(a.yielding, b.yielding);
   const double rounding = std::max(a.rounding, b.rounding);
+  const bool contacts_begin = a.contacts_begin || b.contacts_begin;
   AccumulatedError out = b.state > a.state || std::isnan(b.state) ? std::move(b) : std::move(a);
   out.reactions_by_state = reactions / out.state;
+  out.contacts_begin = contacts_begin;
   out.onset = onset;
   out.yielding = yielding;
   out.rounding = rounding;

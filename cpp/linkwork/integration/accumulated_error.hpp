@@ -29,7 +29,8 @@ struct AccumulatedError {
   double state = 0.0;               ///< over the run
   double local_error = 0.0;         ///< of the state, the mean over the run [1/s]
   double reactions_by_state = 0.0;  ///< largest of those of any part, by the state of this; NaN: not known
-  double yielding = 0.0;   ///< largest of what reactions lose as constraints yield, of any part; NaN: not known
+  double yielding = 0.0;        ///< largest of what reactions lose as constraints yield, of any part; NaN: not known
+  bool contacts_begin = false;  ///< of any part
   double onset = 0.0;      ///< of the speeds at which contacts began, added up, relative to V, the largest of any part
   double rounding = 0.0;   ///< of positions, relative to the path in space or the size where that is more, the largest
   double violation = 0.0;  ///< largest at the ends of these steps, see RelativeViolation

@@ -421,10 +421,12 @@ void StepJudge::compare_history(const KeptStep& step, StepError& out) {
     dynamics_.advance_history();
   }
   const VectorXd found = dynamics_.history();
-  if (has_the_same_forces(end, step.history_new)) return;
+  const bool counts = !has_the_same_forces(end, step.history_new);
   for (Eigen::Index k = 0; k < found.size(); ++k) {
     if (step.history_new[k] == 0.0) continue;  // it begins in the next step
     PartError& of_part = out.of_part[connected_.of_history(dynamics_.system(), k)];
+    of_part.contact_begins = true;
+    if (!counts) continue;
     of_part.onset = std::max(of_part.onset, std::abs(found[k] - step.history_new[k]));
     of_part.end.velocity = std::max(of_part.end.velocity, of_part.onset);
   }

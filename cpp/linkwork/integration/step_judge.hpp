@@ -62,7 +62,8 @@ struct PartError {
   double yielded_force = force, yielded_torque = force;     ///< of reactions where constraints yield; NaN likewise
   double load = 0.0;     ///< largest force on a body, or torque by the size of the part; looked at with reactions [N]
   double kinetic = 0.0;  ///< energy [J]
-  double onset = 0.0;    ///< of the speed at which a contact begins [m/s], also in that of the velocity
+  bool contact_begins = false;
+  double onset = 0.0;  ///< of the speed at which it does, where that counts [m/s], also in that of the velocity
   double rounding = 0.0, displacement = 0.0;  ///< of positions in space, where it is the same in many steps [m]
 };
 

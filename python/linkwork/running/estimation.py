@@ -108,7 +108,8 @@ class ErrorEstimator:
         self._options: Options = {**options, "stabilization": stabilization}
         self._plan = plan
         self._inexact = False  # the formulation
-        self._at_rest, self._carried, self._onset = MOVING, 0.0, 0.0
+        self._at_rest, self._carried = MOVING, 0.0
+        self._contacts_begin, self._onset = False, 0.0
         self._before = start.error if start is not None else 0.0
         self._energies = Energies(
             _at_rest(system.model, plan.t_end - (start.t if start is not None else 0.0))
@@ -188,7 +189,7 @@ class ErrorEstimator:
         gain = 10.0
         if isinstance(self._plan, Fixed):
             # The speed at which a contact begins is known to the first order.
-            order = 1 if self._onset > 0.0 else self._resolution().order
+            order = 1 if self._contacts_begin else self._resolution().order
             gain = (self._plan.step / self._finer(result)["step"]) ** order
         finer = Finer.of(result, found, gain / (gain - 1) if gain > 1 else 2.0)
         result._finer = finer
@@ -223,7 +224,7 @@ class ErrorEstimator:
     def _finer(self, result: Result) -> dict[str, Any]:
         breaks = result.manifest["breaks"]
         met = breaks["count"] > breaks.get("steps_with_breaks", 0)
-        return self._plan.finer(result.t, onsets=self._onset > 0.0, met=met)
+        return self._plan.finer(result.t, onsets=self._contacts_begin, met=met)
 
     def _of(
         self,
@@ -300,6 +301,7 @@ class ErrorEstimator:
             its = None if recorded is None else recorded.compiled()
             found = self._run.judge(system.compiled(), *self._compiled(), progress=report, recorded=its)
         self._carried, self._onset = found["carried"], found["onset"]
+        self._contacts_begin = found["contacts_begin"]
         self._at_rest = AtRest(found["rest_length"], found["rest_speed"])
         body = self._name(found["body"])
         return estimate(found, self._energies, self._resolution(), statistics, self._before, body)
