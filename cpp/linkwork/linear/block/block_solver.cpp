@@ -16,9 +16,9 @@ namespace linkwork::block {
 namespace {
 
 constexpr double singular_pivot = 1e-15;
-constexpr double far_apart = 1e6;
-constexpr std::size_t cached = 1 << 16;   // doubles, half of a cache of 1 MB: the rest is for D
-constexpr std::size_t slack = 2 * lanes;  // vectors may reach past the last column
+constexpr double far_apart = 1e6, far_above = 1e4;  // masses; inertances, row by row
+constexpr std::size_t cached = 1 << 16;             // doubles, half of a cache of 1 MB: the rest is for D
+constexpr std::size_t slack = 2 * lanes;            // vectors may reach past the last column
 
 class BlockSolver final : public SaddleSolver {
  public:
@@ -86,16 +86,17 @@ class BlockSolver final : public SaddleSolver {
     split_ = system.threads().threads() > 1;
     factorize_symbolically();
     no_a_.resize(0);
-    refined_ = masses_far_apart(system) || (inertance_ > far_apart && !has_inerters_along_freedoms());
-    if (!refined_) return;
+    far_apart_ = refined_ = masses_far_apart(system);
+    if (!refined_ && !(inertance_ > far_above)) return;
     for (VectorXd* velocities : {&rest_a_, &change_x_}) velocities->setZero(system.v_size());
     for (VectorXd* rows : {&rest_b_, &change_lambda_}) rows->setZero(system.row_count());
   }
 
-  /// Then nothing is a difference, however large they are; see turning_kernels.hpp.
+  /// All of them in this factorization: then nothing is a difference, however large they are; see turning_kernels.hpp.
   bool has_inerters_along_freedoms() const {
-    if (!kernels_->inerters_along_freedoms) return false;
-    const auto along = [](const TreeStep& step) { return (step.turning || step.slides) && step.scattered >= 0; };
+    const auto along = [&](const TreeStep& step) {
+      return step.rows == 6 && step.scattered >= 0 && factors_[step.storage + sign_place(6)] != 0.0;
+    };
     return std::count_if(symbolic_->steps.begin(), symbolic_->steps.end(), along) ==
            system_->row_count() - compliant_from_;
   }
@@ -292,6 +293,7 @@ class BlockSolver final : public SaddleSolver {
     const auto reorder = [&] { return let_go(smallest.row) || delay_pivot(smallest.row); };
     if (smallest.ratio < data_.breakdown && (split() || (std::isfinite(smallest.ratio) && reorder())))
       return factorize(at, e, a, b);
+    if (inertance_ > far_above) refined_ = far_apart_ || !has_inerters_along_freedoms();
     if (!(smallest_pivot_.ratio > singular_pivot))
       detail::throw_singular(*system_, "block", smallest_pivot_, smallest_pivot_.row, e);
   }
@@ -373,7 +375,7 @@ class BlockSolver final : public SaddleSolver {
   std::vector<MassFactor> mass_factors_;
   std::vector<Ballast> ballast_;
   VectorXd e_, no_a_, no_b_;
-  bool refined_ = false, split_ = false, with_ballast_ = false;
+  bool refined_ = false, far_apart_ = false, split_ = false, with_ballast_ = false;
   bool grounded_ = true;  ///< see SymbolicFactorization
   VectorXd rest_a_, rest_b_, change_x_, change_lambda_;
   Data data_{};
@@ -384,7 +386,7 @@ class BlockSolver final : public SaddleSolver {
 
 bool masses_far_apart(const System& system) {
   const MassRatios ratios(system);
-  return ratios.mass > far_apart || ratios.moment > far_apart || ratios.inertance > far_apart;
+  return ratios.mass > far_apart || ratios.moment > far_apart || ratios.inertance > far_above;
 }
 
 MassFactor mass_factor(const System& system, int body) {

@@ -11,7 +11,8 @@ namespace linkwork::block {
 /// regular with ballast, see SaddleSolver::analyze_as_it_is.
 std::unique_ptr<SaddleSolver> make_block_solver(const InstructionSet& instructions = best_instruction_set());
 
-/// Light bodies between heavy ones cost digits, which the residual brings back. Massless ones do not count.
+/// Light bodies between heavy ones cost digits, which the residual brings back, and so do inertances far above what they
+/// move that are eliminated row by row. Massless bodies do not count.
 bool masses_far_apart(const System& system);
 constexpr int most_refinements = 5;
 /// Whether after a correction of this size, in amount, comes another one.

@@ -10,7 +10,7 @@ namespace linkwork::block {
 #define LINKWORK_NAME(ISA) LINKWORK_JOIN(kernels_, ISA)
 
 extern const Kernels LINKWORK_NAME(LINKWORK_ISA);
-const Kernels LINKWORK_NAME(LINKWORK_ISA) = {&factor_branches, &factor_core,       &forward_core,
-                                             &backward_core,   &backward_branches, width > 2};
+const Kernels LINKWORK_NAME(LINKWORK_ISA) = {&factor_branches, &factor_core, &forward_core, &backward_core,
+                                             &backward_branches};
 
 }  // namespace linkwork::block

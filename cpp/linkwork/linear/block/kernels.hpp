@@ -43,6 +43,8 @@ constexpr std::ptrdiff_t step_storage(int rows) {
   const std::ptrdiff_t size = rows >= 5 ? 6 * 7 + 7 * rows + 1 : second_factors(rows) + 7 * rows;
   return (size + lanes - 1) / lanes * lanes;
 }
+/// Place of a number among them that is 0 where they are those of TreeStep, not those of turning_kernels.hpp.
+constexpr std::ptrdiff_t sign_place(int rows) { return 6 * 7 + 7 * rows; }
 /// Doubles of the factors of a body of the core with branches: L, and D^-1 L^-1 a.
 constexpr std::ptrdiff_t own_factor_size = 7 * lanes;
 /// Of a body, L^-1 D^T with and without D^-1; of a front, 8.
@@ -217,7 +219,6 @@ struct Kernels {
   /// x (6 per body) and lambda from what a forward substitution of the same a left.
   void (*backward_core)(const Data&, const NodeRange*, int count, const double* a, double* x, double* lambda);
   void (*backward_branches)(const Data&, const NodeRange*, int count, double* x, double* lambda);
-  bool inerters_along_freedoms;  ///< those of hinges and sliders are eliminated with these
 };
 
 const Kernels& kernels(const InstructionSet& instructions);

@@ -32,7 +32,7 @@ constexpr bool turns = width > 2 &&
 /// are those of TreeStep.
 template <int rows>
 struct TurningFactors {
-  static constexpr int motions = 0, multipliers = 6 * 7, sign = multipliers + 7 * rows;
+  static constexpr int motions = 0, multipliers = 6 * 7, sign = static_cast<int>(sign_place(rows));
   static_assert(sign < step_storage(rows) && sign >= second_factors(rows) + 7 * rows);
 };
 
