@@ -522,6 +522,19 @@ def test_of_many_breaks_at_which_steps_end_verdicts_leave_nothing_out() -> None:
     assert run.verdict.error < 1e-8
 
 
+def test_a_blow_of_one_function_is_seen_beside_the_noise_of_another() -> None:
+    t_end, h, blow = 5.0, 1e-2, (3.2011, 3.2041)
+    knots = np.arange(0.0, t_end + 0.1, 0.0037)
+    values = np.random.default_rng(1).uniform(-1e-6, 1e-6, (len(knots) - 1, 1))
+    model = slider(functions.piecewise_polynomial(knots, values))
+    model.force("b", force=(pieces(-1.0, [0.0], blow[0], [100.0], blow[1], [0.0], t_end + 1), 0, 0))
+    run = lw.simulate(model, t_end, h, on_inaccurate="pass")
+    given = 100.0 * (blow[1] - blow[0]) / MASS
+    error = given / np.abs(run.velocity).max()
+    assert error > 1e5, "it falls between the stages of a step"
+    assert run.verdict is not None and error < run.verdict.error < 100 * error
+
+
 def test_the_second_run_of_contacts_ends_steps_at_the_breaks_of_the_first() -> None:
     """A ball that lies softly; a push along the plane, which errors of the contact do not change."""
     model, at = lw.Model(gravity=(0, 0, -9.81)), 0.302

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "linkwork/assembly/force_elements.hpp"
 #include "linkwork/math/interruption.hpp"
 #include "linkwork/math/rotation.hpp"
 #include "linkwork/math/stopwatch.hpp"
@@ -45,6 +44,10 @@ VectorXd squared_lengths_of(const System& system) {
 std::size_t bytes_of_part(const Dynamics& dynamics) {
   return 2 * sizeof(double) *
          (2 * static_cast<std::size_t>(dynamics.y_size()) + static_cast<std::size_t>(dynamics.history().size()));
+}
+
+int groups_of(const std::vector<int>& of_each) {
+  return of_each.empty() ? 0 : 1 + *std::max_element(of_each.begin(), of_each.end());
 }
 
 double change_of(const KeptStep& step) { return step.change; }
@@ -115,27 +118,8 @@ void StepSampling::expect(std::int64_t steps) {
 
 void StepSampling::expect_breaks(std::vector<double> times) {
   breaks_ = std::move(times);
-  group_of_break_.assign(breaks_.size(), 0);
-  std::vector<double> shares(breaks_.size(), -1.0);  // none: of a function that nobody knows
-  std::vector<Break> own;
-  for (const TimeFunctionPtr& signal : system_->model().signals()) {
-    if (!signal->of_time()) continue;
-    own.clear();
-    signal->add_breaks(own);
-    for (const Break& it : own) {
-      const double slack = same_time * std::abs(it.t);
-      for (auto at = std::lower_bound(breaks_.begin(), breaks_.end(), it.t - slack);
-           at != breaks_.end() && *at <= it.t + slack; ++at)
-        shares[static_cast<std::size_t>(at - breaks_.begin())] =
-            std::max(shares[static_cast<std::size_t>(at - breaks_.begin())], it.share);
-    }
-  }
-  for (std::size_t k = 0; k < breaks_.size(); ++k) {
-    double limit = 0.1;
-    char& group = group_of_break_[k];
-    for (; shares[k] >= 0.0 && shares[k] < limit && group + 1 < static_cast<int>(broken_.size()); limit *= 0.1) ++group;
-    broken_[static_cast<std::size_t>(group)].breaks += 1;
-  }
+  group_of_break_ = groups_of_breaks(system_->model(), breaks_);
+  broken_ = StepGroups(groups_of(group_of_break_), most_parts_);
 }
 
 void StepSampling::begin_anew(const Dynamics& dynamics, const VectorXd& y, double start) {
@@ -143,7 +127,7 @@ void StepSampling::begin_anew(const Dynamics& dynamics, const VectorXd& y, doubl
   fresh.width_ = width_;
   fresh.breaks_ = std::move(breaks_);
   fresh.group_of_break_ = std::move(group_of_break_);
-  for (std::size_t group = 0; group < broken_.size(); ++group) fresh.broken_[group].breaks = broken_[group].breaks;
+  fresh.broken_ = StepGroups(groups_of(fresh.group_of_break_), most_parts_);
   fresh.memory_ = memory_;
   fresh.work_before_ = y[y.size() - 1];
   if (last_.kept() && last_.t + (1.0 - same_time) * last_.h > start) {
@@ -174,67 +158,43 @@ void StepSampling::before(const Dynamics& dynamics, const VectorXd& y, double ki
   if (const std::vector<int>& rows = dynamics.dropped().rows(); left_out_ != rows) left_out_ = rows;
 }
 
-void StepSampling::find_groups_of_switches() {
-  const auto group = [&](int part) { return part % most_groups; };
-  const Model& model = system_->model();
-  for (const SwitchOwner& owner : owners_of_switches(model)) {
-    const Element& element = model.forces()[static_cast<std::size_t>(owner.element)];
-    group_of_switch_.push_back(group(connected_->of_bodies(element.i, element.j)));
-  }
-  for (int variable = 0; variable < system_->history_size(); ++variable)
-    group_of_history_.push_back(group(connected_->of_history(*system_, variable)));
-  switched_.resize(static_cast<std::size_t>(most_groups));
-}
-
 void StepSampling::look_for_switches(const VectorXd& history, const VectorXd& switches, const VectorXd& y) {
-  if (switched_.empty()) find_groups_of_switches();
-  pass_switches(history, switches);
-  for (SwitchedSteps& group : switched_) {
-    if (!last_.kept() || group.since > memory_) continue;
-    for (KeptStep* step : {&parts_.back().any, &parts_.back().steepest})
-      if (step->kept() && step->t == last_.t) step->switched = true;
-    const double place = group.next_place();
-    if (place >= group.share) continue;
-    group.kept.push_back({place, {}});
-    keep(group.kept.back().step, y);
-    if (group.begun) group.kept.back().step.history_new = history;
-    group.thin_out(std::min(most_switched, most_parts_));
-  }
+  const bool begun = pass_switches(history, switches);
+  groups_of_step_.clear();
+  for (std::size_t group = 0; group < since_switch_.size(); ++group)
+    if (since_switch_[group] <= memory_) groups_of_step_.push_back(static_cast<int>(group));
+  if (!last_.kept() || groups_of_step_.empty()) return;
+  for (KeptStep* step : {&parts_.back().any, &parts_.back().steepest})
+    if (step->kept() && step->t == last_.t) step->switched = true;
+  KeptStep* place = switched_.take(groups_of_step_);
+  if (!place) return;
+  keep(*place, y);
+  if (begun) place->history_new = history;
 }
 
-/// In which groups. A variable that was zero is the speed of a contact that has begun.
-void StepSampling::pass_switches(const VectorXd& history, const VectorXd& switches) {
-  const bool known = sides_.size() == static_cast<std::size_t>(switches.size());
-  for (SwitchedSteps& group : switched_) {
-    group.since += 1;
-    group.begun = false;
+/// Whether a contact has begun: a variable that was zero is the speed of it.
+bool StepSampling::pass_switches(const VectorXd& history, const VectorXd& switches) {
+  if (since_switch_.empty()) {
+    groups_ = GroupsOfSwitches::of(*system_);
+    const int groups = std::max(groups_of(groups_.of_switch), groups_of(groups_.of_history));
+    switched_ = StepGroups(groups, most_parts_);
+    since_switch_.assign(static_cast<std::size_t>(groups), std::numeric_limits<int>::max());
   }
+  for (std::int64_t& since : since_switch_) since += 1;
+  const bool known = sides_.size() == static_cast<std::size_t>(switches.size());
   sides_.resize(static_cast<std::size_t>(switches.size()));
   for (std::size_t k = 0; k < sides_.size(); ++k) {
     const char side = switches[static_cast<Eigen::Index>(k)] > 0.0;
-    if (known && sides_[k] != side) switched_[static_cast<std::size_t>(group_of_switch_[k])].since = 0;
+    if (known && sides_[k] != side) since_switch_[static_cast<std::size_t>(groups_.of_switch[k])] = 0;
     sides_[k] = side;
   }
-  if (!last_.kept() || history_.size() != history.size()) return;
-  for (Eigen::Index k = 0; k < history.size(); ++k) {
+  bool begun = false;
+  for (Eigen::Index k = 0; last_.kept() && history_.size() == history.size() && k < history.size(); ++k) {
     if (history_[k] != 0.0 || history[k] == 0.0) continue;
-    SwitchedSteps& group = switched_[static_cast<std::size_t>(group_of_history_[static_cast<std::size_t>(k)])];
-    group.since = 0;
-    group.begun = true;
+    since_switch_[static_cast<std::size_t>(groups_.of_history[static_cast<std::size_t>(k)])] = 0;
+    begun = true;
   }
-}
-
-/// Multiples of the golden ratio are spread evenly whichever of them are taken: of many steps those that are small.
-double StepSampling::SwitchedSteps::next_place() {
-  const double multiple = golden * static_cast<double>(steps++);
-  return multiple - std::floor(multiple);
-}
-
-void StepSampling::SwitchedSteps::thin_out(std::size_t most) {
-  while (kept.size() > most) {
-    share *= golden;
-    std::erase_if(kept, [&](const Step& it) { return it.place >= share; });
-  }
+  return begun;
 }
 
 void StepSampling::balance(const VectorXd& y, double kinetic, double potential) {
@@ -312,19 +272,15 @@ void StepSampling::choose(RunPart& part, double change, const VectorXd& y_new) {
   else if (change > steeper * std::max(part.steepest.change, part.any.change)) keep(part.steepest, y_new);
 }
 
-/// Whether there is one in this step, which belongs to the largest. At its end it is met here, where the last stage may
-/// be, and not once more where the next step begins. Of many those are kept that spread over all of them.
+/// Whether there is one in this step. At its end it is met here, where the last stage may be, and not once more where
+/// the next step begins.
 bool StepSampling::meet_break(double t, double h, const VectorXd& y_new) {
-  const std::size_t first = next_break_;
+  const auto groups = group_of_break_.begin();
+  const auto first = groups + static_cast<std::ptrdiff_t>(next_break_);
   while (next_break_ < breaks_.size() && breaks_[next_break_] <= t + (1.0 + same_time) * h) ++next_break_;
   if (breaks_[next_break_ - 1] < t - same_time * h) return false;
-  const auto begin = group_of_break_.begin();
-  BrokenSteps& group = broken_[static_cast<std::size_t>(
-      *std::min_element(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(next_break_)))];
-  const std::int64_t every = 1 + group.breaks / static_cast<std::int64_t>(std::min(most_broken, most_parts_));
-  if (group.steps++ % every != 0) return true;
-  group.kept.emplace_back();
-  keep(group.kept.back(), y_new);
+  groups_of_step_.assign(first, groups + static_cast<std::ptrdiff_t>(next_break_));
+  if (KeptStep* place = broken_.take(groups_of_step_)) keep(*place, y_new);
   return true;
 }
 
@@ -447,42 +403,6 @@ std::vector<KeptStep> StepSampling::suspects(const std::vector<RunPart>& parts) 
   double most = 0.0;
   for (const KeptStep* step : there) most = std::max(most, step->made);
   return by_energy_.above(more * most, there);
-}
-
-namespace {
-
-/// One for each of these steps, of which there were so many.
-std::vector<RunPart> parts_of(const std::vector<KeptStep>& kept, std::int64_t count) {
-  std::vector<RunPart> out;
-  const std::int64_t each = kept.empty() ? 0 : (count - 1) / static_cast<std::int64_t>(kept.size()) + 1;
-  for (const KeptStep& step : kept) {
-    out.emplace_back();
-    out.back().steps = each;
-    out.back().t = step.t;
-    out.back().seconds = static_cast<double>(each) * step.h;
-    out.back().sums_of_changes = static_cast<double>(each) * step.changes;
-    out.back().any = step;
-  }
-  return out;
-}
-
-}  // namespace
-
-std::vector<RunPart> StepSampling::broken() const {
-  std::vector<RunPart> out;
-  for (const BrokenSteps& group : broken_)
-    for (RunPart& part : parts_of(group.kept, group.steps)) out.push_back(std::move(part));
-  return out;
-}
-
-std::vector<RunPart> StepSampling::switched() const {
-  std::vector<RunPart> out;
-  for (const SwitchedSteps& group : switched_) {
-    std::vector<KeptStep> kept;
-    for (const SwitchedSteps::Step& it : group.kept) kept.push_back(it.step);
-    for (RunPart& part : parts_of(kept, group.steps)) out.push_back(std::move(part));
-  }
-  return out;
 }
 
 double time_sampling(const Dynamics& dynamics, std::int64_t steps) {

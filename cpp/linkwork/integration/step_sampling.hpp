@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -8,25 +7,11 @@
 
 #include "linkwork/assembly/connected_components.hpp"
 #include "linkwork/formulation/dynamics.hpp"
+#include "linkwork/integration/kept_step.hpp"
 #include "linkwork/integration/state_difference.hpp"
+#include "linkwork/integration/step_groups.hpp"
 
 namespace linkwork {
-
-/// A step as a run took it, from y at t to y_new at t + h; y = (q, v, work).
-struct KeptStep {
-  double t = 0.0, h = 0.0;
-  double correction_length = 0.0;  ///< see Dynamics::correct_over
-  double change = -1.0;  ///< how much the accelerations differ from those of the step before; see StepSampling
-  VectorXd changes;      ///< the same of each of ConnectedParts [m/s^2]
-  double made = 0.0;     ///< energy, beyond rounding [J]
-  VectorXd y, y_new;
-  VectorXd history;           ///< variables of the elements, at t
-  VectorXd history_new;       ///< at t + h, of a step in which contacts begin; else empty
-  bool switched = false;      ///< see StepSampling::switched
-  std::vector<int> left_out;  ///< redundant rows, at t
-
-  bool kept() const { return h > 0.0; }
-};
 
 /// What energies came to over a run, at the ends of its steps [J].
 struct EnergyRange {
@@ -34,19 +19,6 @@ struct EnergyRange {
   double least_potential = std::numeric_limits<double>::infinity();
   double largest_potential = -std::numeric_limits<double>::infinity();
 };
-
-/// Some steps of a run, one after the other, and the two of them that are kept: one that the accelerations did not
-/// choose, and the one in which they change most.
-/// `Step`: those steps, or where they are.
-template <class Step>
-struct PartOfRun {
-  std::int64_t steps = 0;
-  double t = 0.0, seconds = 0.0;
-  VectorXd sums_of_changes;  ///< of each of ConnectedParts [m/s^2]
-  VectorXd peaks;            ///< largest acceleration of a body, of each of them [m/s^2]
-  Step any{}, steepest{};
-};
-using RunPart = PartOfRun<KeptStep>;
 
 /// Of the accelerations of a step of a mechanism that is one connected part.
 struct Rates {
@@ -59,8 +31,7 @@ struct Rates {
 /// nobody knows how many steps will come, parts are joined in pairs when there are too many.
 ///
 /// Steps with breaks, those in which contacts and stops begin or end, and those that depend on such a step, stand for
-/// others of their kind, not for the smooth ones around them: with breaks at which a function jumps about as far, in
-/// relation to its largest jump, or with contacts and stops of the same connected part.
+/// others of their kind, not for the smooth ones around them, see StepGroups.
 ///
 /// Accelerations count as differences of velocities over steps, of angular ones times a length of the connected part; in
 /// large models only some bodies are looked at. How much they change, of all bodies, and the largest come of each step.
@@ -117,18 +88,17 @@ class StepSampling {
   /// Those that made far more energy than any of `parts`, without these: some may be worse than all of them.
   std::vector<KeptStep> suspects(const std::vector<RunPart>& parts) const;
   /// The steps that contain breaks: a part of the run of its own for each that was kept.
-  std::vector<RunPart> broken() const;
+  std::vector<RunPart> broken() const { return broken_.parts(); }
   /// Of the steps in which a contact or a stop begins or ends, and of those that depend on them, some likewise: forces
   /// are not smooth there, and at which speed a contact begins is found one step late, and held from there on.
-  std::vector<RunPart> switched() const;
+  std::vector<RunPart> switched() const { return switched_.parts(); }
 
   /// How many of so many steps are taken again.
   static std::int64_t samples(std::int64_t steps, int bodies);
 
  private:
   void look_for_switches(const VectorXd& history, const VectorXd& switches, const VectorXd& y);
-  void find_groups_of_switches();
-  void pass_switches(const VectorXd& history, const VectorXd& switches);
+  bool pass_switches(const VectorXd& history, const VectorXd& switches);
   void balance(const VectorXd& y, double kinetic, double potential);
   /// The steps with the largest of some numbers.
   struct Largest {
@@ -175,31 +145,13 @@ class StepSampling {
   Largest by_jump_, by_energy_;
   std::vector<double> breaks_;
   std::size_t next_break_ = 0;
-  /// Of breaks that are about equally large.
-  struct BrokenSteps {
-    std::int64_t breaks = 0, steps = 0;
-    std::vector<KeptStep> kept;
-  };
-  std::array<BrokenSteps, 4> broken_;  ///< each a tenth of those before or less
-  std::vector<char> group_of_break_;
+  std::vector<int> group_of_break_;
+  StepGroups broken_, switched_;
   int memory_ = 0;
   std::vector<char> sides_;  ///< of switches, positive or not, where the step begins
-  /// Steps with switches, and those that depend on them.
-  struct SwitchedSteps {
-    std::int64_t since = std::numeric_limits<int>::max(), steps = 0;
-    bool begun = false;
-    double share = 1.0;  ///< of those steps that are kept, and where each stands in their order:
-    struct Step {
-      double place;
-      KeptStep step;
-    };
-    std::vector<Step> kept;
-
-    double next_place();
-    void thin_out(std::size_t most);
-  };
-  std::vector<SwitchedSteps> switched_;  ///< of groups of connected parts
-  std::vector<int> group_of_switch_, group_of_history_;
+  GroupsOfSwitches groups_;
+  std::vector<std::int64_t> since_switch_;  ///< steps, of each group
+  std::vector<int> groups_of_step_;
 };
 
 /// Time that a run of so many steps spends on following them, without what they take themselves [s].

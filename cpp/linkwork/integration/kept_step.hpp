@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "linkwork/math/types.hpp"
+
+namespace linkwork {
+
+/// A step as a run took it, from y at t to y_new at t + h; y = (q, v, work).
+struct KeptStep {
+  double t = 0.0, h = 0.0;
+  double correction_length = 0.0;  ///< see Dynamics::correct_over
+  double change = -1.0;  ///< how much the accelerations differ from those of the step before; see StepSampling
+  VectorXd changes;      ///< the same of each of ConnectedParts [m/s^2]
+  double made = 0.0;     ///< energy, beyond rounding [J]
+  VectorXd y, y_new;
+  VectorXd history;           ///< variables of the elements, at t
+  VectorXd history_new;       ///< at t + h, of a step in which contacts begin; else empty
+  bool switched = false;      ///< see StepGroups
+  std::vector<int> left_out;  ///< redundant rows, at t
+
+  bool kept() const { return h > 0.0; }
+};
+
+/// Some steps of a run, one after the other, and the two of them that are kept: one that the accelerations did not
+/// choose, and the one in which they change most.
+/// `Step`: those steps, or where they are.
+template <class Step>
+struct PartOfRun {
+  std::int64_t steps = 0;
+  double t = 0.0, seconds = 0.0;
+  VectorXd sums_of_changes;  ///< of each of ConnectedParts [m/s^2]
+  VectorXd peaks;            ///< largest acceleration of a body, of each of them [m/s^2]
+  Step any{}, steepest{};
+};
+using RunPart = PartOfRun<KeptStep>;
+
+}  // namespace linkwork
