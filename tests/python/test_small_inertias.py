@@ -120,6 +120,42 @@ def test_the_same_thin_rods_in_other_units_move_the_same() -> None:
         assert relative_error(forces / units, multipliers) <= 1e-9
 
 
+@pytest.mark.parametrize("solver", ["umfpack", "klu", "cholmod", "dense"])
+@pytest.mark.parametrize("mass", [1e-9, 1e-11, 1e-12])
+def test_what_presses_a_light_body_does_not_hide_how_it_moves(mass: float, solver: str) -> None:
+    along, across = np.array((2, 1, 2)) / 3, np.array((1, 2, -2)) / 3
+    model, at = lw.Model(gravity=9.81 * along), (0.1, 0.2, 0.3)
+    base = model.body("base", mass=1, inertia=(1, 1, 1))
+    link = model.body("link", mass=0, inertia=(0, 0, 0))
+    tip = model.body("tip", mass=mass, inertia=(0.1 * mass,) * 3, position=at)
+    model.fixed("ground", base, at=(0, 0, 0))
+    model.translational(base, link, at=(0, 0, 0), axis=along)
+    model.translational(link, tip, at=at, axis=across)
+    model.force(tip, force=np.cross(along, across) + mass * across)
+    try:
+        run = lw.simulate(model, 0.5, 1e-2, linear_solver=solver, on_inaccurate="pass")
+    except lw.SingularSystemError:
+        return
+    way = run.body("tip").position[-1] - at  # axes and forces are rounded: 2e-16 N counts
+    assert way @ along == pytest.approx(9.81 * 0.5**2 / 2, rel=3e-15 / mass)
+    assert way @ across == pytest.approx(0.5**2 / 2, rel=3e-15 / mass)
+
+
+@pytest.mark.parametrize("solver", ["umfpack", "klu", "cholmod", "dense"])
+def test_an_inerter_does_not_hide_how_a_light_body_moves(solver: str) -> None:
+    model = lw.Model(gravity=(0, 0, -9.81))
+    base = model.body("base", mass=1, inertia=(0.3, 0.4, 0.5), position=(0.3, 0.2, 0.1))
+    link = model.body("link", mass=0, inertia=(0, 0, 0), position=(0.6, 0.1, 0.2))
+    tip = model.body("tip", mass=1e-11, inertia=(1e-12,) * 3, position=(0.6, -0.2, 0.7))
+    model.revolute("ground", base, at=(0, 0, 0), axis=(0, 1, 0.2))
+    model.translational(base, link, at=(0.5, 0.5, 0), axis=(1, 2, 0.5))
+    model.translational(link, tip, at=(1, 0.5, 0), axis=(0.2, -1, 0.6))
+    model.translational_inerter(link, tip, at=(0.5, 0.5, 0), axis=(0.2, -1, 0.6), inertance=1.0)
+    tree = lw.simulate(model, 0.3, 1e-3)  # eliminated by its freedoms
+    run = lw.simulate(model, 0.3, 1e-3, linear_solver=solver)
+    assert np.abs(run.position[-1] - tree.position[-1]).max() < 1e-7
+
+
 RUNS = [
     *({"stabilization": name} for name in ("none", "sampled_baumgarte", "projection", "velocity_projection")),
     {"integrator": "hem4", "stabilization": "projection"},

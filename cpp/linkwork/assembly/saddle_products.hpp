@@ -72,12 +72,16 @@ inline auto size(int body, const double* lengths, const double* x) {
   return length<Access>(x, first) + Access::get(lengths, body) * length<Access>(x, first + 3);
 }
 
-/// M^-1 a of a body with mass, its inertia taken for what its length makes of it.
+/// Of the force and the torque on a body.
 template <class Access>
-inline auto size_of_free_motion(int body, const double* lengths, const double* mass, const double* a) {
+inline auto size_of_forces(int body, const double* lengths, const double* a) {
   const std::ptrdiff_t first = 6 * std::ptrdiff_t{body};
-  return (length<Access>(a, first) + length<Access>(a, first + 3) / Access::get(lengths, body)) /
-         Access::get(mass, 10 * std::ptrdiff_t{body});
+  return length<Access>(a, first) + length<Access>(a, first + 3) / Access::get(lengths, body);
+}
+
+template <class Access>
+inline auto mass_of(int body, const double* mass) {
+  return Access::get(mass, 10 * std::ptrdiff_t{body});
 }
 
 }  // namespace linkwork::saddle_products

@@ -12,7 +12,8 @@ namespace {
 // roundoff; what the first one may be where factors are good, because the second is the square of it.
 constexpr double exact = 1e-14, roundoff = 1e-7, roundoff_in_pose = 1e-10, shrinking = 0.5;
 constexpr double second_order = 1e-8;
-constexpr double slow = 0.1;  // conjugate gradients need fewer
+constexpr double slow = 0.1;         // conjugate gradients need fewer
+constexpr double most_growth = 1e3;  // of residuals
 constexpr int most_corrections = 30, most_accelerated = 100, patience = 3;
 
 }  // namespace
@@ -59,23 +60,25 @@ void Refinement::correct(const Evaluation& at, const ConstVector& a, const Const
 bool Refinement::refine(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x,
                         MutableVector lambda, const Nearby& nearby, Inexactness cause) {
   using Progress = Corrections::Progress;
-  const double free = size_of_free_motion(a);
-  Corrections corrections(cause, free);
+  const FreeMotion free = free_motion(a);
+  const double of_interest = cause == Inexactness::inertia ? free.of_heaviest : free.size;
+  Corrections corrections(cause, of_interest);
   for (;;) {
     correct(at, a, b, x, lambda, nearby);
     const double size = size_of(x);
     const Progress progress = corrections.judge(size, size_of(dx_));
-    if (progress == Progress::slow) return accelerate(at, a, b, x, lambda, nearby, size + free);
+    if (progress == Progress::slow) return accelerate(at, a, b, x, lambda, nearby, free);
     if (progress != Progress::going_on) return progress == Progress::converged;
   }
 }
 
 /// From a solution with r_2 = 0 but for roundoff: then r_1 . dx is the square of the residual in the norm of M^-1 on
-/// ker D, and every D^T lambda in r_1 is orthogonal to all directions. Ends where steps are nothing, or where residuals
-/// are roundoff and no longer shrink.
+/// ker D, and every D^T lambda in r_1 is orthogonal to all directions. Where it is not positive, that roundoff is what is
+/// left: dx is taken as it is, and directions begin anew. Ends where steps are nothing, or where they are roundoff and residuals no longer
+/// shrink; residuals themselves are far less than errors where M^ is far more than M.
 bool Refinement::accelerate(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x,
-                            MutableVector lambda, const Nearby& nearby, double size) {
-  double square = 0.0, least = INFINITY;
+                            MutableVector lambda, const Nearby& nearby, const FreeMotion& free) {
+  double square = 0.0, first = 0.0, least = INFINITY, size = 0.0;
   int waiting = 0;
   p_.setZero();
   p_lambda_.setZero();
@@ -83,21 +86,30 @@ bool Refinement::accelerate(const Evaluation& at, const ConstVector& a, const Co
     find_saddle_residuals(*system_, at, a, b, x, lambda, r_1_, r_2_);
     nearby(r_1_, r_2_, dx_, dlambda_);
     const double residual = size_of(dx_), before = square;
+    if (k == 0) first = residual;
+    if (!(residual <= most_growth * std::max(first, exact * free.size))) return false;
     square = r_1_.dot(dx_);
     const double beta = before > 0.0 && square > 0.0 ? square / before : 0.0;
     p_ = dx_ + beta * p_;
     p_lambda_ = dlambda_ + beta * p_lambda_;
     system_->multiply_mass(at, p_, Mp_);
     const double curvature = p_.dot(Mp_), descent = r_1_.dot(p_);
-    if (!(curvature > 0.0) || !(descent > 0.0)) return residual <= roundoff * size;
-    const double step = descent / curvature;
+    double step = descent / curvature;
+    if (!(curvature > 0.0) || !(descent > 0.0)) {
+      p_ = dx_;
+      p_lambda_ = dlambda_;
+      square = 0.0;
+      step = 1.0;
+    }
     dx_ = step * p_;
     x += dx_;
     lambda += step * p_lambda_;
     size = std::max(size, size_of(x));
     waiting = residual < shrinking * least ? 0 : waiting + 1;
     least = std::min(least, residual);
-    if (size_of(dx_) <= exact * size || (waiting == patience && residual <= roundoff * size)) return true;
+    const double change = size_of(dx_);
+    if (change <= exact * (size + free.of_heaviest)) return true;
+    if (waiting >= patience && change <= std::max(roundoff * size, exact * free.size)) return true;
   }
   return false;
 }
@@ -112,14 +124,19 @@ double Refinement::size_of(const ConstVector& x) const {
   return out;
 }
 
-/// M^-1 a, bodies without inertia taken for what their lengths make of their masses.
-double Refinement::size_of_free_motion(const ConstVector& a) const {
+Refinement::FreeMotion Refinement::free_motion(const ConstVector& a) const {
   using saddle_products::Doubles;
-  const std::vector<MassBlock>& blocks = system_->mass_blocks();
-  double out = 0.0;
-  for (int body = 0; body < system_->body_count(); ++body)
-    if (blocks[body].m > 0.0)
-      out = std::max(out, saddle_products::size_of_free_motion<Doubles>(body, lengths_.data(), &blocks[0].m, a.data()));
+  const double* masses = &system_->mass_blocks()[0].m;
+  double force = 0.0, mass = 0.0;
+  FreeMotion out;
+  for (int body = 0; body < system_->body_count(); ++body) {
+    const double m = saddle_products::mass_of<Doubles>(body, masses);
+    const double size = saddle_products::size_of_forces<Doubles>(body, lengths_.data(), a.data());
+    if (m > 0.0) out.size = std::max(out.size, size / m);
+    force = std::max(force, size);
+    mass = std::max(mass, m);
+  }
+  if (mass > 0.0) out.of_heaviest = force / mass;
   return out;
 }
 

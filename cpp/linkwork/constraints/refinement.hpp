@@ -13,7 +13,9 @@ enum class Inexactness { inertia, roundoff, singular_pose };
 /// When corrections are enough.
 class Corrections {
  public:
-  /// `free_motion`: size of M^-1 a.
+  /// `free_motion`: size of M^-1 a; where other inertias are the cause, of forces over the largest mass. What presses a
+  /// light body against its joints has a very large M^-1 a, and corrections that are nothing beside that may be far less
+  /// than errors.
   Corrections(Inexactness cause, double free_motion);
 
   /// `slow`: other inertias are so far away that it takes conjugate gradients.
@@ -66,11 +68,15 @@ class Refinement {
   int least_certain_body() const;
 
  private:
-  bool accelerate(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x,
-                  MutableVector lambda, const Nearby& nearby, double size);
   double size_of_body(const ConstVector& x, int body) const;
   double size_of(const ConstVector& x) const;
-  double size_of_free_motion(const ConstVector& a) const;
+  /// M^-1 a, bodies without mass left out, and the largest force over the largest mass.
+  struct FreeMotion {
+    double size = 0.0, of_heaviest = 0.0;
+  };
+  FreeMotion free_motion(const ConstVector& a) const;
+  bool accelerate(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x,
+                  MutableVector lambda, const Nearby& nearby, const FreeMotion& free);
 
   const System* system_ = nullptr;
   VectorXd lengths_;

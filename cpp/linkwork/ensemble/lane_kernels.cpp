@@ -197,13 +197,16 @@ void motion(const LaneEquations& at, const double* x, double* out) {
   put(out, 0, most);
 }
 
-void free_motion(const LaneEquations& at, const double* a, double* out) {
-  Native most{};
+void free_motion(const LaneEquations& at, const double* of_heaviest, const double* a, double* out) {
+  Native most{}, force{}, mass{};
   for (int body = 0; body < at.bodies; ++body) {
-    const Native size = saddle_products::size_of_free_motion<LanesWithRoots>(body, at.lengths, at.mass, a);
-    most = ((get(at.mass, 10l * body) > Native{}) & (most < size)) ? size : most;
+    const Native m = saddle_products::mass_of<LanesWithRoots>(body, at.mass);
+    const Native size = saddle_products::size_of_forces<LanesWithRoots>(body, at.lengths, a);
+    most = ((m > Native{}) & (most < size / m)) ? size / m : most;
+    force = force < size ? size : force;
+    mass = mass < m ? m : mass;
   }
-  put(out, 0, most);
+  put(out, 0, get(of_heaviest, 0) == Native{} ? most : mass > Native{} ? force / mass : Native{});
 }
 
 void add(int count, const double* chosen, const double* dx, double* x) {

@@ -26,12 +26,13 @@ void LaneRefinement::load(std::size_t l) {
   if (lengths_.empty()) {
     for (AlignedDoubles* velocities : {&r_1_, &dx_}) velocities->assign(velocity_size * structure_.bodies * width, 0.0);
     for (AlignedDoubles* rows : {&r_2_, &dlambda_}) rows->assign(structure_.multipliers() * width, 0.0);
-    for (AlignedDoubles* one : {&going_on_, &size_, &correction_}) one->assign(width, 0.0);
+    for (AlignedDoubles* one : {&going_on_, &other_, &size_, &correction_}) one->assign(width, 0.0);
     lengths_.assign(structure_.bodies * width, 1.0);
   }
   for (std::size_t lane = 0; lane < mechanisms_.size(); ++lane) {
     const auto place = static_cast<std::ptrdiff_t>(lane);
     const Dynamics& mechanism = *mechanisms_[lane];
+    other_[place] = mechanism.formulation().regularized();
     for (std::ptrdiff_t body = 0; body < structure_.bodies; ++body)
       lengths_[body * width + place] = mechanism.formulation().inertia().lengths()[body];
   }
@@ -49,11 +50,10 @@ void LaneRefinement::refine(const Inertia& inertia, const LaneSolver::Problem& p
                                 .mass = inertia.mass,
                                 .lengths = lengths_.data(),
                                 .D = problem.D};
-  kernels_.free_motion(equations, problem.a, size_.data());
+  kernels_.free_motion(equations, other_.data(), problem.a, size_.data());
   std::vector<Corrections> corrections;
   for (std::size_t l = 0; l < mechanisms_.size(); ++l) {
-    const bool other = mechanisms_[l]->formulation().regularized();
-    corrections.emplace_back(other ? Inexactness::inertia : Inexactness::roundoff, size_[l]);
+    corrections.emplace_back(other_[l] != 0.0 ? Inexactness::inertia : Inexactness::roundoff, size_[l]);
     going_on_[l] = guard.steps(static_cast<int>(l)) && refined_[l];
   }
   while (std::any_of(going_on_.begin(), going_on_.end(), [](double chosen) { return chosen != 0.0; })) {
@@ -75,10 +75,9 @@ void LaneRefinement::judge(const double* t, std::vector<Corrections>& correction
     if (progress == Progress::going_on) continue;
     going_on_[l] = 0.0;
     const int lane = static_cast<int>(l);
-    const bool other = mechanisms_[l]->formulation().regularized();
     if (progress == Progress::slow) guard.leave(lane, t[l], "very small inertias, which take conjugate gradients");
     if (progress == Progress::diverged)
-      guard.leave(lane, t[l], other ? "a motion without inertia" : "corrections that do not converge");
+      guard.leave(lane, t[l], other_[l] != 0.0 ? "a motion without inertia" : "corrections that do not converge");
   }
 }
 

@@ -40,6 +40,7 @@ class LaneRefinement {
   bool needed_ = false;
   std::vector<char> refined_;
   AlignedDoubles lengths_, r_1_, r_2_, dx_, dlambda_, going_on_, size_, correction_;
+  AlignedDoubles other_;  ///< not zero where the nearby solver has other inertias
 };
 
 }  // namespace linkwork

@@ -87,9 +87,9 @@ struct LaneKernels {
   /// r_1 = a - M x + D^T lambda, r_2 = b - D x - e lambda.
   void (*residuals)(const LaneEquations& at, const double* a, const double* b, const double* x, const double* lambda,
                     double* r_1, double* r_2);
-  /// The largest motion of a body in x; in M^-1 a.
+  /// The largest motion of a body in x; in M^-1 a, where `of_heaviest` is not zero of forces over the largest mass.
   void (*motion)(const LaneEquations& at, const double* x, double* out);
-  void (*free_motion)(const LaneEquations& at, const double* a, double* out);
+  void (*free_motion)(const LaneEquations& at, const double* of_heaviest, const double* a, double* out);
   /// x += dx in the lanes where `chosen` is not zero.
   void (*add)(int count, const double* chosen, const double* dx, double* x);
 };
