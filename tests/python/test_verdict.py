@@ -885,3 +885,30 @@ def test_a_hard_hit_of_a_light_part_is_seen_beside_one_that_often_touches_soft_s
     run = lw.simulate(model, 20.0, 2e-3, on_inaccurate="pass")
     assert abs(run.body("light").velocity[-1, 0] / speed + 1) > 0.05, "it bounces elastically"
     assert run.verdict is not None and run.verdict.level != "good"
+
+
+@pytest.mark.parametrize("integrator", ["rk4", "tsit5", "dopri5", "ab4"])
+@pytest.mark.parametrize(
+    ("above", "below", "step"), [(2000.0, 2.0, 5e-3), (1200.0, 2.0, 1e-2), (50.0, 100.0, 2e-2)]
+)
+def test_kinks_of_characteristics_that_steps_go_over(
+    above: float, below: float, step: float, integrator: str
+) -> None:
+    """A mass passes from a spring into another one: half sines."""
+    model, v = lw.Model(gravity=(0, 0, 0)), 0.3
+    body = model.body("mass", mass=1.0, inertia=(0.01,) * 3, velocity=(v, 0, 0))
+    model.translational("ground", body, at=(0, 0, 0), axis=(1, 0, 0))
+    spring = lw.functions.piecewise_polynomial([-8.0, 0.0, 8.0], [[-8 * below, below], [0.0, above]])
+    model.nonlinear_spring_damper("ground", body, at=((-9, 0, 0), (0, 0, 0)), spring=spring, free_length=9.0)
+    run = lw.simulate(model, 2.0, step, integrator, on_inaccurate="pass")
+    lanes = lw.Ensemble(model, {"mass.mass": [1.0, 1.1]})
+    found = lanes.simulate(2.0, step, integrator, on_inaccurate="pass")
+    assert found.member(0).verdict == run.verdict
+    first, other = np.pi / np.sqrt(above), np.pi / np.sqrt(below)
+    within = run.t % (first + other)
+    exact = np.where(
+        within < first, np.cos(np.sqrt(above) * within), -np.cos(np.sqrt(below) * (within - first))
+    )
+    error = np.abs(run.velocity[:, 0, 0] / v - exact).max()
+    assert error > 1e-6
+    assert error < run.verdict.error < 300 * error

@@ -1,6 +1,7 @@
 #include "linkwork/assembly/force_elements.hpp"
 
 #include <array>
+#include <utility>
 
 #include "linkwork/math/rotation.hpp"
 #include "linkwork/model/force_kind.hpp"
@@ -29,12 +30,18 @@ BodyState<double> state_of(int body, const ConstVector& q, const ConstVector& v)
 }  // namespace
 
 ForceElement::ForceElement(const System& system, int element)
-    : system_(system), element_(system.model().forces()[element]), signals_(system.model().signals().size()) {
+    : system_(system), element_(system.model().forces()[element]) {
   const Model& model = system.model();
   const std::size_t count = force_kinds()[element_.kind].info.parameters.size();
   batch_.reserve(1, count, instruction_set(0).width);
   batch_.append(element, 0, 1, model.force_parameters().data() + element_.first_parameter, count);
   batch_.attach(element_.at);
+  for (Parameter& parameter : batch_.parameters) {
+    if (parameter.signal < 0) continue;
+    functions_.push_back(model.signals()[static_cast<std::size_t>(parameter.signal)]);
+    parameter.signal = static_cast<int>(functions_.size()) - 1;
+  }
+  signals_.resize(functions_.size());
   batch_.fill_up();
   batch_.attachment = {element_.at};
   batch_.history = batch_.switches = {0};
@@ -42,10 +49,13 @@ ForceElement::ForceElement(const System& system, int element)
     if (const HistoryOwner& owner = system.history_owners()[k]; !owner.joint && owner.element == element) history_ = k;
 }
 
+void ForceElement::replace(std::size_t parameter, TimeFunctionPtr function) {
+  functions_[static_cast<std::size_t>(batch_.parameters[parameter].signal)] = std::move(function);
+}
+
 ForceElement::Said ForceElement::ask(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history) {
-  const auto& functions = system_.model().signals();
-  for (const Parameter& parameter : batch_.parameters)
-    if (const int s = parameter.signal; s >= 0 && functions[s]->of_time()) signals_[s] = functions[s]->evaluate(t);
+  for (std::size_t k = 0; k < functions_.size(); ++k)
+    if (functions_[k]->of_time()) signals_[k] = functions_[k]->evaluate(t);
   Eigen::Matrix<double, 2 * position_size, 1> its_q;
   Eigen::Matrix<double, 2 * velocity_size, 1> its_v;
   its_q << position_of(element_.i, q), position_of(element_.j, q);
@@ -54,7 +64,7 @@ ForceElement::Said ForceElement::ask(double t, const ConstVector& q, const Const
   const double last = history_ < 0 ? 0.0 : history[history_];
   double rate = 0.0, dissipated = 0.0;
   force_kinds()[element_.kind].evaluate(
-      0, batch_, 0, 1, {its_q.data(), its_v.data(), out.bodies.data(), signals_.data(), functions.data()},
+      0, batch_, 0, 1, {its_q.data(), its_v.data(), out.bodies.data(), signals_.data(), functions_.data()},
       {out.g.data(), &last, &out.history, &rate, out.switches.data(), &out.potential, &dissipated});
   return out;
 }

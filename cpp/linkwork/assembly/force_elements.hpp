@@ -30,6 +30,8 @@ class ForceElement {
   /// The energy that it stores [J].
   double potential(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history);
   const Element& element() const { return element_; }
+  /// Another function for its parameter of that place.
+  void replace(std::size_t parameter, TimeFunctionPtr function);
 
  private:
   /// What its law says, by itself.
@@ -45,7 +47,8 @@ class ForceElement {
   const System& system_;
   Element element_;
   ForceBatch batch_;
-  int history_ = -1;  ///< place of its variable
+  int history_ = -1;                        ///< place of its variable
+  std::vector<TimeFunctionPtr> functions_;  ///< its own parameters'
   std::vector<Signal<double>> signals_;
 };
 

@@ -92,7 +92,7 @@ std::vector<int> groups_of_breaks(const Model& model, const std::vector<double>&
   return out;
 }
 
-GroupsOfSwitches GroupsOfSwitches::of(const System& system) {
+GroupsOfSwitches GroupsOfSwitches::of(const System& system, const std::vector<int>& elements_with_kinks) {
   GroupsOfSwitches out;
   std::map<int, int> known;
   const auto group = [&](int element) {
@@ -102,6 +102,8 @@ GroupsOfSwitches GroupsOfSwitches::of(const System& system) {
   for (const SwitchOwner& owner : owners_of_switches(system.model())) out.of_switch.push_back(group(owner.element));
   for (const HistoryOwner& owner : system.history_owners())
     out.of_history.push_back(group(owner.joint ? -1 - owner.element : owner.element));
+  for (const int element : elements_with_kinks) out.of_kink.push_back(group(element));
+  out.count = std::min(static_cast<int>(known.size()), StepGroups::most);
   return out;
 }
 

@@ -8,8 +8,8 @@
 
 namespace linkwork {
 
-/// Steps in which something happens that others say nothing of: a break, or a contact or a stop that begins or ends.
-/// They are grouped by what happens there, and some of each group are kept, spread over all of them: a rare blow is not
+/// Steps in which something happens that others say nothing of: a break, a contact or a stop that begins or ends, the
+/// kink of a characteristic. They are grouped by what happens there, and some of each group are kept, spread over all of them: a rare blow is not
 /// lost among many slight ones, nor does it stand for them. A step of several groups belongs to the one that was rarest
 /// so far.
 class StepGroups {
@@ -46,9 +46,11 @@ std::vector<int> groups_of_breaks(const Model& model, const std::vector<double>&
 
 /// By force elements.
 struct GroupsOfSwitches {
-  std::vector<int> of_switch, of_history;  ///< of each in Evaluation::switches, of each history variable
+  int count = 0;
+  /// Of each in Evaluation::switches, of each history variable, of each of these elements.
+  std::vector<int> of_switch, of_history, of_kink;
 
-  static GroupsOfSwitches of(const System& system);
+  static GroupsOfSwitches of(const System& system, const std::vector<int>& elements_with_kinks);
 };
 
 }  // namespace linkwork

@@ -151,7 +151,8 @@ void StepSampling::before(const Dynamics& dynamics, const VectorXd& y) {
 void StepSampling::before(const Dynamics& dynamics, const VectorXd& y, double kinetic, double potential,
                           const VectorXd& switches) {
   const VectorXd& history = dynamics.history();
-  if (switches.size() > 0) look_for_switches(history, switches, y);
+  if (!kinks_) kinks_.emplace(*system_);
+  if (switches.size() > 0 || !kinks_->empty()) look_for_switches(history, switches, y);
   balance(y, kinetic, potential);
   if (history.size() > 0) history_ = history;
   correction_length_ = dynamics.correction_length();
@@ -160,6 +161,7 @@ void StepSampling::before(const Dynamics& dynamics, const VectorXd& y, double ki
 
 void StepSampling::look_for_switches(const VectorXd& history, const VectorXd& switches, const VectorXd& y) {
   const bool begun = pass_switches(history, switches);
+  if (!kinks_->empty()) pass_kinks(history, y);
   groups_of_step_.clear();
   for (std::size_t group = 0; group < since_switch_.size(); ++group)
     if (since_switch_[group] <= memory_) groups_of_step_.push_back(static_cast<int>(group));
@@ -175,10 +177,9 @@ void StepSampling::look_for_switches(const VectorXd& history, const VectorXd& sw
 /// Whether a contact has begun: a variable that was zero is the speed of it.
 bool StepSampling::pass_switches(const VectorXd& history, const VectorXd& switches) {
   if (since_switch_.empty()) {
-    groups_ = GroupsOfSwitches::of(*system_);
-    const int groups = std::max(groups_of(groups_.of_switch), groups_of(groups_.of_history));
-    switched_ = StepGroups(groups, most_parts_);
-    since_switch_.assign(static_cast<std::size_t>(groups), std::numeric_limits<int>::max());
+    groups_ = GroupsOfSwitches::of(*system_, kinks_->elements());
+    switched_ = StepGroups(groups_.count, most_parts_);
+    since_switch_.assign(static_cast<std::size_t>(groups_.count), std::numeric_limits<int>::max());
   }
   for (std::int64_t& since : since_switch_) since += 1;
   const bool known = sides_.size() == static_cast<std::size_t>(switches.size());
@@ -195,6 +196,20 @@ bool StepSampling::pass_switches(const VectorXd& history, const VectorXd& switch
     begun = true;
   }
   return begun;
+}
+
+void StepSampling::pass_kinks(const VectorXd& history, const VectorXd& y) {
+  if (!last_.kept()) return;
+  const double t = last_.t + last_.h;
+  if (pieces_.empty()) pieces_ = pieces(last_.t, last_.y, history_);
+  const std::vector<int>& now = pieces(t, y, history);
+  for (std::size_t k = 0; k < now.size(); ++k)
+    if (now[k] != pieces_[k]) since_switch_[static_cast<std::size_t>(groups_.of_kink[k])] = 0;
+  pieces_ = now;
+}
+
+const std::vector<int>& StepSampling::pieces(double t, const VectorXd& y, const VectorXd& history) {
+  return kinks_->pieces(t, y.head(q_size_), y.segment(q_size_, system_->v_size()), history);
 }
 
 void StepSampling::balance(const VectorXd& y, double kinetic, double potential) {

@@ -2,12 +2,14 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "linkwork/assembly/connected_components.hpp"
 #include "linkwork/formulation/dynamics.hpp"
 #include "linkwork/integration/kept_step.hpp"
+#include "linkwork/integration/kink_watch.hpp"
 #include "linkwork/integration/state_difference.hpp"
 #include "linkwork/integration/step_groups.hpp"
 
@@ -30,8 +32,8 @@ struct Rates {
 /// equally many steps, with two kept steps each, after the first step, where nobody knows what came before; where
 /// nobody knows how many steps will come, parts are joined in pairs when there are too many.
 ///
-/// Steps with breaks, those in which contacts and stops begin or end, and those that depend on such a step, stand for
-/// others of their kind, not for the smooth ones around them, see StepGroups.
+/// Steps with breaks, those in which contacts and stops begin or end or characteristics have kinks, and those that depend
+/// on such a step, stand for others of their kind, not for the smooth ones around them, see StepGroups.
 ///
 /// Accelerations count as differences of velocities over steps, of angular ones times a length of the connected part; in
 /// large models only some bodies are looked at. How much they change, of all bodies, and the largest come of each step.
@@ -89,8 +91,8 @@ class StepSampling {
   std::vector<KeptStep> suspects(const std::vector<RunPart>& parts) const;
   /// The steps that contain breaks: a part of the run of its own for each that was kept.
   std::vector<RunPart> broken() const { return broken_.parts(); }
-  /// Of the steps in which a contact or a stop begins or ends, and of those that depend on them, some likewise: forces
-  /// are not smooth there, and at which speed a contact begins is found one step late, and held from there on.
+  /// Of the steps in which a contact or a stop begins or ends, or a characteristic has a kink, and of those that depend
+  /// on them, some likewise: forces are not smooth there, and at which speed a contact begins is found one step late, and held from there on.
   std::vector<RunPart> switched() const { return switched_.parts(); }
 
   /// How many of so many steps are taken again.
@@ -99,6 +101,8 @@ class StepSampling {
  private:
   void look_for_switches(const VectorXd& history, const VectorXd& switches, const VectorXd& y);
   bool pass_switches(const VectorXd& history, const VectorXd& switches);
+  void pass_kinks(const VectorXd& history, const VectorXd& y);
+  const std::vector<int>& pieces(double t, const VectorXd& y, const VectorXd& history);
   void balance(const VectorXd& y, double kinetic, double potential);
   /// The steps with the largest of some numbers.
   struct Largest {
@@ -149,6 +153,8 @@ class StepSampling {
   StepGroups broken_, switched_;
   int memory_ = 0;
   std::vector<char> sides_;  ///< of switches, positive or not, where the step begins
+  std::optional<KinkWatch> kinks_;
+  std::vector<int> pieces_;  ///< between kinks, where the step begins
   GroupsOfSwitches groups_;
   std::vector<std::int64_t> since_switch_;  ///< steps, of each group
   std::vector<int> groups_of_step_;

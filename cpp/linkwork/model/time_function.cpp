@@ -63,6 +63,7 @@ class Characteristic final : public TimeFunction {
   }
   bool has_derivatives() const override { return function_->has_derivatives(); }
   bool of_time() const override { return false; }
+  void add_breaks(std::vector<Break>& out) const override { function_->add_breaks(out); }
 
  private:
   TimeFunctionPtr function_;

@@ -30,7 +30,7 @@ class TimeFunction {
   virtual bool has_derivatives() const { return true; }
   /// False for a function of something else, such as a length: it is evaluated by the elements that it belongs to.
   virtual bool of_time() const { return true; }
-  /// Appends the times at which it is not smooth, as far as they are known in advance.
+  /// Appends the times, or the other arguments, at which it is not smooth, as far as they are known in advance.
   virtual void add_breaks(std::vector<Break>& out) const { static_cast<void>(out); }
   /// Appends, for each table in it that has breaks which end no step, a function whose second derivative is what the
   /// accelerations feel: the table itself where it drives (`driven`), else its second integral. Its first derivative
