@@ -282,6 +282,7 @@ void bind_lane_runs(py::module_& module) {
           py::arg("times"))
       .def_property_readonly("t", [](const LaneRun& run) { return run.t; })
       .def_property_readonly("steps_done", [](const LaneRun& run) { return run.steps; })
+      .def_property_readonly("has_steps", [](const LaneRun& run) { return run.steps > 0; })
       .def_property_readonly("passed_touches",
                              [](const LaneRun& run) { return to_python(run.touches.passed(), run.dynamics.system()); })
       .def_property_readonly("energies", [](const LaneRun& run) { return to_python(run.sampling.energies()); })
@@ -328,10 +329,10 @@ void bind_runs(py::module_& module) {
       .def_property_readonly("history", exclusive(+[](const Run& run) { return VectorXd(run.dynamics().history()); }),
                              "Of last_state; see Dynamics.history.")
       .def_property_readonly("steps_done", &Run::steps_done)
+      .def_property_readonly("has_steps", &Run::has_steps, "Its own, or the one that it goes on inside of.")
       .def_property_readonly("steps_total", &Run::steps_total, "0 where nobody knows.")
       .def("expect_breaks", &Run::expect_breaks, py::arg("times"),
-           "Times [s], ascending, at which something is not smooth and no step ends: steps that contain one are taken "
-           "again, too, if there are not many.")
+           "Times [s], ascending, at which something is not smooth and no step ends; see StepSampling.")
       .def("judge", exclusive(&judge), py::arg("dynamics"), py::arg("method"), py::arg("other") = false,
            py::arg("progress") = py::none(), py::arg("recorded") = py::none(),
            "Takes the kept steps of the run again by `dynamics`, which is used up, and says what they were off by, "

@@ -710,6 +710,8 @@ class LaneRun:
     @property
     def energies(self) -> tuple: ...
     @property
+    def has_steps(self) -> bool: ...
+    @property
     def passed_touches(self) -> list: ...
     @property
     def steps_done(self) -> int: ...
@@ -1160,7 +1162,7 @@ class Run:
         self, times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]
     ) -> None:
         """
-        Times [s], ascending, at which something is not smooth and no step ends: steps that contain one are taken again, too, if there are not many.
+        Times [s], ascending, at which something is not smooth and no step ends; see StepSampling.
         """
     def judge(
         self,
@@ -1202,6 +1204,11 @@ class Run:
         """
     @property
     def finished(self) -> bool: ...
+    @property
+    def has_steps(self) -> bool:
+        """
+        Its own, or the one that it goes on inside of.
+        """
     @property
     def history(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
         """

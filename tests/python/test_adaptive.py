@@ -335,3 +335,34 @@ def test_a_short_first_step_makes_no_velocities_of_the_violations_it_begins_with
     assert largest(usual.q[-1] - broken.q[-1]) < 1e-6
     ended = run(mechanisms.chain(3), 0.5 + after, 1e-8, start=start)
     assert largest(ended.v[-1] - first.v[-1]) < 1e-5 + 1e3 * after
+
+
+@pytest.mark.parametrize("integrator", ["dopri5", "tsit5", "dop853"])
+def test_trial_steps_may_leave_a_table_that_the_motion_stays_in(integrator: str) -> None:
+    """Free flight between two walls: half sines of the stiffness k, at +-x."""
+    x, k, v = 0.1, 1e3, 0.4
+    model = lw.Model(gravity=(0, 0, 0))
+    ball = model.body("ball", mass=1.0, inertia=(0.01,) * 3, velocity=(v, 0, 0))
+    model.translational("ground", ball, at=(0, 0, 0), axis=(1, 0, 0))
+    walls = lw.functions.piecewise_polynomial([-9, -x, x, 9], [[-(9 - x) * k, k], [0, 0], [0, k]])
+    model.nonlinear_spring_damper("ground", ball, at=((-9, 0, 0), (0, 0, 0)), spring=walls, free_length=9.0)
+    run = lw.simulate(model, 6.0, rtol=1e-8, integrator=integrator)
+    flight, wall = 2 * x / v, np.pi / np.sqrt(k)
+    within = (run.t + x / v) % (2 * (flight + wall))
+    back = within - flight - wall
+    at_wall = v * np.cos(np.sqrt(k) * (within - flight))
+    at_other = -v * np.cos(np.sqrt(k) * (back - flight))
+    exact = np.select([within < flight, back < 0, back < flight], [v, at_wall, -v], at_other)
+    error = np.abs(run.velocity[:, 0, 0] - exact).max() / v
+    assert error < 1e-3
+    assert run.verdict is not None and run.verdict.error > 0.3 * error
+
+
+def test_a_motion_that_does_leave_its_table_is_told_so() -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    ball = model.body("ball", mass=1.0, inertia=(0.01,) * 3, velocity=(1.0, 0, 0))
+    model.translational("ground", ball, at=(0, 0, 0), axis=(1, 0, 0))
+    spring = lw.functions.piecewise_polynomial([-1, 0.5], [[0.0, 0.1]])
+    model.nonlinear_spring_damper("ground", ball, at=((-9, 0, 0), (0, 0, 0)), spring=spring, free_length=9.0)
+    with pytest.raises(lw.OptionError, match=r"leaves its table; extend it \(t = 0\.[45]\d* s\)$"):
+        lw.simulate(model, 6.0, rtol=1e-8)

@@ -912,3 +912,12 @@ def test_kinks_of_characteristics_that_steps_go_over(
     error = np.abs(run.velocity[:, 0, 0] / v - exact).max()
     assert error > 1e-6
     assert error < run.verdict.error < 300 * error
+
+
+@pytest.mark.parametrize("integrator", ["rk4", "ab4"])
+def test_a_run_of_the_rest_of_a_step_answers_for_it(integrator: str) -> None:
+    model = mechanisms.rod_pendulum()
+    first = lw.simulate(model, 0.9996, 5e-2, integrator, on_inaccurate="pass")
+    rest = lw.simulate(model, 1.0, 5e-2, integrator, start=first.snapshot(), on_inaccurate="pass")
+    assert first.verdict is not None and rest.verdict is not None
+    assert rest.verdict.error == pytest.approx(first.verdict.error, rel=0.3)

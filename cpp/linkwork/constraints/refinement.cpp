@@ -36,8 +36,8 @@ Corrections::Progress Corrections::judge(double solution, double correction) {
 }
 
 Refinement::Refinement(const System& system, const VectorXd& lengths) : system_(&system), lengths_(lengths) {
-  for (VectorXd* velocities : {&r_1_, &dx_, &p_, &Mp_}) velocities->setZero(system.v_size());
-  for (VectorXd* rows : {&r_2_, &dlambda_, &p_lambda_}) rows->setZero(system.row_count());
+  for (VectorXd* velocities : {&r_1_, &dx_, &p_, &Mp_, &off_}) velocities->setZero(system.v_size());
+  for (VectorXd* rows : {&r_2_, &dlambda_, &p_lambda_, &off_lambda_}) rows->setZero(system.row_count());
 }
 
 void find_saddle_residuals(const System& system, const Evaluation& at, const ConstVector& a, const ConstVector& b,
@@ -72,44 +72,72 @@ bool Refinement::refine(const Evaluation& at, const ConstVector& a, const ConstV
   }
 }
 
-/// From a solution with r_2 = 0 but for roundoff: then r_1 . dx is the square of the residual in the norm of M^-1 on
-/// ker D, and every D^T lambda in r_1 is orthogonal to all directions. Where it is not positive, that roundoff is what is
-/// left: dx is taken as it is, and directions begin anew. Ends where steps are nothing, or where they are roundoff and residuals no longer
-/// shrink; residuals themselves are far less than errors where M^ is far more than M.
+/// Adds what takes D x to b, and returns its size.
+double Refinement::restore(const Nearby& nearby, MutableVector x, MutableVector lambda) {
+  Mp_.setZero();
+  nearby(Mp_, r_2_, off_, off_lambda_);
+  x += off_;
+  lambda += off_lambda_;
+  return size_of(off_);
+}
+
+/// dx, dlambda for r_1, on ker D: steps along it may be as much longer as M^ is above M, so that what it is off there is
+/// taken away once more.
+void Refinement::precondition(const Evaluation& at, const Nearby& nearby) {
+  r_2_.setZero();
+  nearby(r_1_, r_2_, dx_, dlambda_);
+  system_->multiply_D(at, dx_, r_2_);
+  r_2_ = -r_2_;
+  restore(nearby, dx_, dlambda_);
+}
+
+/// Along p from here: on ker D r_1 . dx, `square`, is that of the residual in the norm of M^-1, and every D^T lambda in
+/// r_1 is orthogonal to all directions. Where it is not positive, roundoff is what is left: dx is taken as it is, and
+/// directions begin anew.
+Refinement::Step Refinement::next_step(const Evaluation& at, double& square) {
+  const double before = square;
+  square = r_1_.dot(dx_);
+  const double beta = before > 0.0 && square > 0.0 ? square / before : 0.0;
+  p_ = dx_ + beta * p_;
+  p_lambda_ = dlambda_ + beta * p_lambda_;
+  system_->multiply_mass(at, p_, Mp_);
+  const double curvature = p_.dot(Mp_), descent = r_1_.dot(p_);
+  const Step out{descent / curvature, std::pow(size_of(p_), 2) / curvature};
+  if (curvature > 0.0 && descent > 0.0) return out;
+  p_ = dx_;
+  p_lambda_ = dlambda_;
+  square = 0.0;
+  return {};
+}
+
+/// Ends where residuals are nothing, or roundoff and no longer shrink, though errors be as much larger as the longest
+/// step was, or as residual forces make of the softest direction, whichever is less.
 bool Refinement::accelerate(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x,
                             MutableVector lambda, const Nearby& nearby, const FreeMotion& free) {
-  double square = 0.0, first = 0.0, least = INFINITY, size = 0.0;
+  double square = 0.0, first = 0.0, least = INFINITY;
+  Step most{1.0, 0.0};
   int waiting = 0;
   p_.setZero();
   p_lambda_.setZero();
   for (int k = 0; k < most_accelerated; ++k) {
     find_saddle_residuals(*system_, at, a, b, x, lambda, r_1_, r_2_);
-    nearby(r_1_, r_2_, dx_, dlambda_);
-    const double residual = size_of(dx_), before = square;
+    const double restored = restore(nearby, x, lambda);
+    find_saddle_residuals(*system_, at, a, b, x, lambda, r_1_, r_2_);
+    precondition(at, nearby);
+    const double residual = size_of(dx_), size = size_of(x);
     if (k == 0) first = residual;
     if (!(residual <= most_growth * std::max(first, exact * free.size))) return false;
-    square = r_1_.dot(dx_);
-    const double beta = before > 0.0 && square > 0.0 ? square / before : 0.0;
-    p_ = dx_ + beta * p_;
-    p_lambda_ = dlambda_ + beta * p_lambda_;
-    system_->multiply_mass(at, p_, Mp_);
-    const double curvature = p_.dot(Mp_), descent = r_1_.dot(p_);
-    double step = descent / curvature;
-    if (!(curvature > 0.0) || !(descent > 0.0)) {
-      p_ = dx_;
-      p_lambda_ = dlambda_;
-      square = 0.0;
-      step = 1.0;
-    }
-    dx_ = step * p_;
+    const double by_force = residual > 0.0 ? std::abs(r_1_.dot(dx_)) / residual * most.softness : 0.0;
+    const double error = std::max(k > 0 ? std::min(most.length * residual, by_force) : residual, restored);
+    if (error <= exact * (size + free.of_heaviest)) return true;
+    const Step step = next_step(at, square);
+    most = {std::max(most.length, step.length), std::max(most.softness, step.softness)};
+    dx_ = step.length * p_;
     x += dx_;
-    lambda += step * p_lambda_;
-    size = std::max(size, size_of(x));
+    lambda += step.length * p_lambda_;
     waiting = residual < shrinking * least ? 0 : waiting + 1;
     least = std::min(least, residual);
-    const double change = size_of(dx_);
-    if (change <= exact * (size + free.of_heaviest)) return true;
-    if (waiting >= patience && change <= std::max(roundoff * size, exact * free.size)) return true;
+    if (waiting >= patience && error <= std::max(roundoff * size, exact * free.size)) return true;
   }
   return false;
 }

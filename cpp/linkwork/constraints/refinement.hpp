@@ -75,13 +75,20 @@ class Refinement {
     double size = 0.0, of_heaviest = 0.0;
   };
   FreeMotion free_motion(const ConstVector& a) const;
+  double restore(const Nearby& nearby, MutableVector x, MutableVector lambda);
+  void precondition(const Evaluation& at, const Nearby& nearby);
+  struct Step {
+    double length = 1.0;    ///< of p
+    double softness = 0.0;  ///< square of the size of p over p . M p
+  };
+  Step next_step(const Evaluation& at, double& square);
   bool accelerate(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x,
                   MutableVector lambda, const Nearby& nearby, const FreeMotion& free);
 
   const System* system_ = nullptr;
   VectorXd lengths_;
   VectorXd r_1_, r_2_, dx_, dlambda_;
-  VectorXd p_, p_lambda_, Mp_;  ///< of the conjugate gradients
+  VectorXd p_, p_lambda_, Mp_, off_, off_lambda_;  ///< of the conjugate gradients
 };
 
 }  // namespace linkwork

@@ -11,12 +11,6 @@
 namespace linkwork {
 namespace {
 
-/// What very light bodies hold between very heavy ones is the difference of large numbers.
-bool uneven(const System& system) {
-  constexpr double far_apart = 1e10;
-  return MassRatios(system).mass > far_apart;
-}
-
 /// Lagrange multipliers: the system as it stands, or for the multipliers first,
 ///   [M  D^T] {  v_dot }   {a}
 ///   [D   0 ] {-lambda } = {b}                                                      (12.3)
@@ -42,7 +36,8 @@ class Standard final : public DirectFormulation {
   }
   void require_accuracy(double relative) override {
     accuracy_ = relative;
-    refined_ = (!as_it_is_ && inertia_->refined(accuracy_)) || uneven(*system_);
+    uneven_ = saddle_->loses_digits(MassRatios(*system_));
+    refined_ = (!as_it_is_ && inertia_->refined(accuracy_)) || uneven_;
     if (refined_ || as_it_is_) refinement_ = Refinement(*system_, inertia_->lengths());
   }
   bool refines() const override { return refined_; }
@@ -100,9 +95,10 @@ class Standard final : public DirectFormulation {
     const auto cause = regularized ? Inexactness::inertia : Inexactness::roundoff;
     const bool converged = refinement_.refine(*at_, a, b, v_dot, lambda, nearby, cause);
     if (!converged && regularized) throw_free_motion();
-    if (!converged && uneven(*system_)) throw_uneven();
+    if (!converged && uneven_) throw_uneven();
   }
 
+  /// What very light bodies hold between very heavy ones is the difference of large numbers.
   [[noreturn]] void throw_uneven() const {
     ErrorDetails details;
     details.bodies = {system_->model().body_name(refinement_.least_certain_body())};
@@ -127,7 +123,7 @@ class Standard final : public DirectFormulation {
   const System* system_ = nullptr;
   const RegularizedInertia* inertia_ = nullptr;
   double accuracy_ = INFINITY;
-  bool refined_ = false, as_it_is_ = false;
+  bool refined_ = false, as_it_is_ = false, uneven_ = false;
   bool falls_back_ = false;                          ///< what was factorized last is regularized, all the same
   std::optional<MassWeightedLeastSquares> regular_;  ///< where it was needed
   Refinement refinement_;

@@ -315,9 +315,10 @@ void AdaptiveSimulation::pass_singular_pose(double h, double error) {
   accept(best_step_, 1.0);
 }
 
-/// A stage that has no solution makes the error infinite: the step may only have been too large.
+/// A stage that has no solution, or is beyond a table, makes the error infinite: the step may only have been too large.
 BodyMaximum AdaptiveSimulation::trial(double h) {
   last_failure_.clear();
+  beyond_table_ = nullptr;
   try {
     const StepSpan step = span(h);
     BodyMaximum error;
@@ -325,12 +326,13 @@ BodyMaximum AdaptiveSimulation::trial(double h) {
     const bool seen = error.value > 1.0 || breaks_.seen(stepper_.pair(), step, schedule_.tolerances.relative);
     if (!seen || (error.value <= 1.0 && violates(h))) return half_a_step();
     return error;
-  } catch (const OptionError&) {
-    throw;
+  } catch (const OptionError& error) {
+    if (error.code() != outside_table) throw;
+    beyond_table_ = std::current_exception();
   } catch (const Error& error) {
     last_failure_ = error.what();
-    return {std::numeric_limits<double>::infinity(), -1};
   }
+  return {std::numeric_limits<double>::infinity(), -1};
 }
 
 void AdaptiveSimulation::accept(double h, double error) {
@@ -369,6 +371,7 @@ void AdaptiveSimulation::throw_step_size(const BodyMaximum& error) const {
     details.bodies = {dynamics_.system().model().body_name(error.body)};
     worst = " at body '" + details.bodies.front() + "'";
   }
+  if (beyond_table_) std::rethrow_exception(beyond_table_);
   const std::string cause = last_failure_.empty() ? "" : "; the last trial failed: " + last_failure_;
   throw StepSizeError("step_size",
                       "the error" + worst + " stays above the tolerances however small the step, " + scientific(step_) +

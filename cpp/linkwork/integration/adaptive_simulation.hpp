@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <limits>
 #include <optional>
 #include <string>
@@ -190,7 +191,8 @@ class AdaptiveSimulation final : public Run {
   bool evaluated_ = false;  ///< `dynamics` is at the state that comes next: y_, or y_new when accepted
   std::optional<Dynamics::Place> away_from_;  ///< or was, and only looked elsewhere since
   std::size_t next_time_ = 0;
-  std::string last_failure_;  ///< of a stage of the last trial
+  std::string last_failure_;         ///< of a stage of the last trial
+  std::exception_ptr beyond_table_;  ///< thrown by it
   VectorXd workspace_, rates_;
   mutable VectorXd workspace_rows_;
 };

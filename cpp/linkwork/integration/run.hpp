@@ -85,6 +85,8 @@ class Run {
   virtual const VectorXd& last_state() const { return y_; }
   virtual std::int64_t steps_total() const { return 0; }  ///< 0: nobody knows
   std::int64_t steps_done() const { return steps_done_ - steps_before_; }
+  /// Whether there are steps to be judged: its own, or the one that it goes on inside of.
+  bool has_steps() const { return steps_done() > 0 || !sampling_.empty(); }
   const VectorXd& y() const { return y_; }
   const ViolationMonitor& violation_monitor() const { return violation_monitor_; }
   const StepSampling& sampling() const { return sampling_; }

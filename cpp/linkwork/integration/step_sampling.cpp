@@ -163,12 +163,15 @@ void StepSampling::look_for_switches(const VectorXd& history, const VectorXd& sw
   const bool begun = pass_switches(history, switches);
   if (!kinks_->empty()) pass_kinks(history, y);
   groups_of_step_.clear();
-  for (std::size_t group = 0; group < since_switch_.size(); ++group)
-    if (since_switch_[group] <= memory_) groups_of_step_.push_back(static_cast<int>(group));
-  if (!last_.kept() || groups_of_step_.empty()) return;
+  bool depends = false;
+  for (std::size_t group = 0; group < since_switch_.size(); ++group) {
+    depends = depends || std::min(since_switch_[group], since_kink_[group]) <= memory_;
+    if (since_switch_[group] <= memory_ || since_kink_[group] == 0) groups_of_step_.push_back(static_cast<int>(group));
+  }
+  if (!last_.kept() || !depends) return;
   for (KeptStep* step : {&parts_.back().any, &parts_.back().steepest})
     if (step->kept() && step->t == last_.t) step->switched = true;
-  KeptStep* place = switched_.take(groups_of_step_);
+  KeptStep* place = groups_of_step_.empty() ? nullptr : switched_.take(groups_of_step_);
   if (!place) return;
   keep(*place, y);
   if (begun) place->history_new = history;
@@ -180,8 +183,10 @@ bool StepSampling::pass_switches(const VectorXd& history, const VectorXd& switch
     groups_ = GroupsOfSwitches::of(*system_, kinks_->elements());
     switched_ = StepGroups(groups_.count, most_parts_);
     since_switch_.assign(static_cast<std::size_t>(groups_.count), std::numeric_limits<int>::max());
+    since_kink_ = since_switch_;
   }
-  for (std::int64_t& since : since_switch_) since += 1;
+  for (std::vector<std::int64_t>* all : {&since_switch_, &since_kink_})
+    for (std::int64_t& since : *all) since += 1;
   const bool known = sides_.size() == static_cast<std::size_t>(switches.size());
   sides_.resize(static_cast<std::size_t>(switches.size()));
   for (std::size_t k = 0; k < sides_.size(); ++k) {
@@ -198,13 +203,15 @@ bool StepSampling::pass_switches(const VectorXd& history, const VectorXd& switch
   return begun;
 }
 
+/// Of steps of a multistep method that depend on one with a kink only that counts: forces go on there without a jump, and
+/// what the others are off takes most of its error back.
 void StepSampling::pass_kinks(const VectorXd& history, const VectorXd& y) {
   if (!last_.kept()) return;
   const double t = last_.t + last_.h;
   if (pieces_.empty()) pieces_ = pieces(last_.t, last_.y, history_);
   const std::vector<int>& now = pieces(t, y, history);
   for (std::size_t k = 0; k < now.size(); ++k)
-    if (now[k] != pieces_[k]) since_switch_[static_cast<std::size_t>(groups_.of_kink[k])] = 0;
+    if (now[k] != pieces_[k]) since_kink_[static_cast<std::size_t>(groups_.of_kink[k])] = 0;
   pieces_ = now;
 }
 

@@ -87,6 +87,7 @@ class StepSampling {
   const DifferencesOfParts& corrections() const { return corrections_; }  ///< the largest; empty: none
   /// The steps in which the balance of energy jumps far more than elsewhere, as a speed, without those of `parts`.
   std::vector<KeptStep> outliers(const std::vector<RunPart>& parts) const;
+  bool empty() const { return parts_.empty(); }  ///< there was no step
   /// Those that made far more energy than any of `parts`, without these: some may be worse than all of them.
   std::vector<KeptStep> suspects(const std::vector<RunPart>& parts) const;
   /// The steps that contain breaks: a part of the run of its own for each that was kept.
@@ -156,7 +157,7 @@ class StepSampling {
   std::optional<KinkWatch> kinks_;
   std::vector<int> pieces_;  ///< between kinks, where the step begins
   GroupsOfSwitches groups_;
-  std::vector<std::int64_t> since_switch_;  ///< steps, of each group
+  std::vector<std::int64_t> since_switch_, since_kink_;  ///< steps, of each group
   std::vector<int> groups_of_step_;
 };
 

@@ -54,6 +54,7 @@ class InerterSolver final : public SaddleSolver {
   }
 
   void keep(Archive& archive) override { solver_->keep(archive); }
+  bool loses_digits(const MassRatios& ratios) const override { return solver_->loses_digits(ratios); }
   bool reordered() const override { return solver_->reordered(); }
   bool shares_work() const override { return solver_->shares_work(); }
   std::int64_t factor_nonzeros() const override { return solver_->factor_nonzeros(); }

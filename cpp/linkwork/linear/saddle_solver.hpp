@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "linkwork/assembly/mass_ratios.hpp"
 #include "linkwork/assembly/system.hpp"
 #include "linkwork/linear/linear_solver.hpp"
 
@@ -50,6 +51,8 @@ class SaddleSolver {
   /// What a factorization depends on beside its evaluation; after `analyze`.
   virtual void keep(Archive&) {}
 
+  /// Whether masses are so far apart that roundoff shows in solutions, and is to be refined.
+  virtual bool loses_digits(const MassRatios& ratios) const { return ratios.mass > 1e10; }
   /// Whether a factorization has changed the order of elimination since `analyze`.
   virtual bool reordered() const { return false; }
   /// Whether there is enough work in it for several threads, those of the system; after `analyze`.

@@ -57,7 +57,7 @@ class Characteristic final : public TimeFunction {
     try {
       return function_->evaluate(x);
     } catch (const OptionError& error) {
-      throw OptionError("outside_table",
+      throw OptionError(outside_table,
                         of_ + " has no value at " + std::to_string(x) + ": the motion leaves its table; extend it");
     }
   }

@@ -62,6 +62,7 @@ TimeFunctionPtr with_breaks(TimeFunctionPtr function, std::vector<double> times)
 /// The same function, of a coordinate or a velocity of a force element instead of time. Outside of a table an
 /// evaluation throws an OptionError, which says of what it is: the element and its parameter.
 TimeFunctionPtr characteristic(TimeFunctionPtr function, std::string of);
+inline constexpr const char* outside_table = "outside_table";  ///< code of that error
 
 /// Any functions of time; without `rate` and `acceleration` it has no derivatives.
 TimeFunctionPtr callback(std::function<double(double)> value, std::function<double(double)> rate = {},

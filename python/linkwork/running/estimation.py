@@ -154,7 +154,7 @@ class ErrorEstimator:
         steps   whether it lists those that were taken again
         report  is called with the share that is done, as each is begun
         """
-        if not self._run.steps_done:
+        if not self._run.has_steps:
             return None
         return self._of(self._system, statistics, steps=steps, report=report)
 
