@@ -304,6 +304,21 @@ void bind_measures(py::class_<Run>& run) {
                              "[s], where these do not tell it; None: steps were too long to tell.");
 }
 
+/// Where it is.
+void bind_progress(py::class_<Run>& run) {
+  run.def_property_readonly("finished", &Run::finished)
+      .def_property_readonly("t", &Run::t)
+      .def_property_readonly("last_state", exclusive(+[](const Run& run) {
+                               return VectorXd(run.last_state().head(run.last_state().size() - 1));
+                             }),
+                             "y = (q, v) at t, from which the run went on.")
+      .def_property_readonly("history", exclusive(+[](const Run& run) { return VectorXd(run.dynamics().history()); }),
+                             "Of last_state; see Dynamics.history.")
+      .def_property_readonly("steps_done", &Run::steps_done)
+      .def_property_readonly("has_steps", &Run::has_steps, "Its own, or the one that it goes on inside of.")
+      .def_property_readonly("steps_total", &Run::steps_total, "0 where nobody knows.");
+}
+
 void bind_runs(py::module_& module) {
   module.def("time_sampling", exclusive(&time_sampling), py::arg("dynamics"), py::arg("steps"),
              "Time that a run of so many steps spends on following them for its verdict [s].");
@@ -320,19 +335,10 @@ void bind_runs(py::module_& module) {
       .def("record_reactions", exclusive(+[](Run& run) { run.record_reactions(); }),
            "Frames have reaction_force and reaction_torque (k, joints, 3), too: as Dynamics.reactions finds them, for "
            "less. Before the first frame.")
-      .def_property_readonly("finished", &Run::finished)
-      .def_property_readonly("t", &Run::t)
-      .def_property_readonly("last_state", exclusive(+[](const Run& run) {
-                               return VectorXd(run.last_state().head(run.last_state().size() - 1));
-                             }),
-                             "y = (q, v) at t, from which the run went on.")
-      .def_property_readonly("history", exclusive(+[](const Run& run) { return VectorXd(run.dynamics().history()); }),
-                             "Of last_state; see Dynamics.history.")
-      .def_property_readonly("steps_done", &Run::steps_done)
-      .def_property_readonly("has_steps", &Run::has_steps, "Its own, or the one that it goes on inside of.")
-      .def_property_readonly("steps_total", &Run::steps_total, "0 where nobody knows.")
-      .def("expect_breaks", &Run::expect_breaks, py::arg("times"),
-           "Times [s], ascending, at which something is not smooth and no step ends; see StepSampling.")
+      .def(
+          "expect_breaks", &Run::expect_breaks, py::arg("times"),
+          "Times [s], ascending, at which something is not smooth and no step ends: of the steps that contain one some "
+          "are taken again, too.")
       .def("judge", exclusive(&judge), py::arg("dynamics"), py::arg("method"), py::arg("other") = false,
            py::arg("progress") = py::none(), py::arg("recorded") = py::none(),
            "Takes the kept steps of the run again by `dynamics`, which is used up, and says what they were off by, "
@@ -341,6 +347,7 @@ void bind_runs(py::module_& module) {
            "share that is done, as each step is begun. `recorded`, used up, too: by the equations of the run, where "
            "`dynamics` has exact ones.")
       .def("statistics", &run_statistics);  // by way of those of its dynamics
+  bind_progress(run);
   bind_measures(run);
   bind_checkpoints(run);
 }

@@ -1162,7 +1162,7 @@ class Run:
         self, times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]
     ) -> None:
         """
-        Times [s], ascending, at which something is not smooth and no step ends; see StepSampling.
+        Times [s], ascending, at which something is not smooth and no step ends: of the steps that contain one some are taken again, too.
         """
     def judge(
         self,

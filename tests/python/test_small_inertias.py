@@ -144,7 +144,7 @@ def test_what_presses_a_light_body_does_not_hide_how_it_moves(mass: float, force
 def test_a_light_tip_behind_a_massless_link_accelerates_as_in_the_limit(
     mass: float, first: str, solver: str
 ) -> None:
-    """A hundred times heavier tips move alike but for what they do to the base, which is that much."""
+    """Tips a hundredth as heavy move alike, but for what they do to the base: at most 100 times mass."""
 
     def accelerations(mass: float, solver: str) -> Floats:
         model = lw.Model(gravity=(1, 2, -5))

@@ -7,14 +7,14 @@
 #include <utility>
 
 #include "linkwork/assembly/force_elements.hpp"
+#include "linkwork/integration/step_parts.hpp"
 
 namespace linkwork {
 namespace {
 
 constexpr std::size_t most_of_group = 20, fewest_of_group = 2, most_of_all = 80;
 constexpr int decades = 4;
-constexpr double same_time = 1e-13;            // relative
-constexpr double golden = 0.6180339887498949;  // multiples of it are spread evenly, whichever of them are taken
+constexpr double same_time = 1e-13;  // relative
 
 int decade(double share) {
   double limit = 0.1;
@@ -34,10 +34,11 @@ KeptStep* StepGroups::take(const std::vector<int>& groups) {
   const auto steps = [this](int group) { return groups_[static_cast<std::size_t>(group)].steps; };
   const int rarest = *std::min_element(groups.begin(), groups.end(), [&](int a, int b) { return steps(a) < steps(b); });
   Group& group = groups_[static_cast<std::size_t>(rarest)];
-  const double multiple = golden * static_cast<double>(group.steps++), place = multiple - std::floor(multiple);
+  // multiples of it are spread evenly, whichever of them are taken
+  const double multiple = golden_share * static_cast<double>(group.steps++), place = multiple - std::floor(multiple);
   if (place >= group.share) return nullptr;
   while (group.kept.size() >= most_kept_) {
-    group.share *= golden;
+    group.share *= golden_share;
     std::erase_if(group.kept, [&](const Group::Step& it) { return it.place >= group.share; });
   }
   if (place >= group.share) return nullptr;

@@ -9,9 +9,9 @@
 namespace linkwork {
 
 /// Steps in which something happens that others say nothing of: a break, a contact or a stop that begins or ends, the
-/// kink of a characteristic. They are grouped by what happens there, and some of each group are kept, spread over all of them: a rare blow is not
-/// lost among many slight ones, nor does it stand for them. A step of several groups belongs to the one that was rarest
-/// so far.
+/// kink of a characteristic. They are grouped by what happens there, and some of each group are kept, spread over all
+/// of them: a rare blow is not lost among many slight ones, nor does it stand for them. A step of several groups
+/// belongs to the one that was rarest so far.
 class StepGroups {
  public:
   static constexpr int most = 32;  ///< further ones share these

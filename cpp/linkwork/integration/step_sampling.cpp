@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "linkwork/integration/step_parts.hpp"
 #include "linkwork/math/interruption.hpp"
 #include "linkwork/math/rotation.hpp"
 #include "linkwork/math/stopwatch.hpp"
@@ -17,15 +18,12 @@ constexpr int small_model = 50, most_looked_at = 500;  // bodies
 constexpr std::int64_t affordable = 50;                // steps, of 10 000
 constexpr double steeper = 1.1;                        // than the steepest so far, to be worth a copy
 constexpr std::size_t most_outliers = 4;
-constexpr std::size_t most_broken = 16, most_switched = 20;  // of each group
-constexpr int most_groups = 4;                               // of switches
-constexpr double same_time = 1e-9;                           // relative to the step
-constexpr double far_more = 20.0;  // than the mean, for a jump of energy to be out of the ordinary
-constexpr double more = 2.0;       // energy than by any of the steps that are taken again anyway
+constexpr double same_time = 1e-9;  // relative to the step
+constexpr double far_more = 20.0;   // than the mean, for a jump of energy to be out of the ordinary
+constexpr double more = 2.0;        // energy than by any of the steps that are taken again anyway
 constexpr double energy_noise = 1e-13;
-constexpr double rounding = 1e-13;             // of velocities: beside, what they change in a step is none
-constexpr double at_rest = 1e-8;               // of gravity: beside, what accelerations change is none
-constexpr double golden = 0.6180339887498949;  // spreads places evenly and in step with no period of the motion
+constexpr double rounding = 1e-13;  // of velocities: beside, what they change in a step is none
+constexpr double at_rest = 1e-8;    // of gravity: beside, what accelerations change is none
 
 /// Of each connected part, in the metric that makes v and omega comparable: mean square of the distances of joints from
 /// centers of mass.
@@ -360,7 +358,8 @@ void StepSampling::begin_part_if_full(double t) {
     parts_.reserve(2 * most_parts_ + 2);
     width_ *= 2;
   }
-  const double place = golden * static_cast<double>(parts_.size() + 1);
+  // spreads places evenly and in step with no period of the motion
+  const double place = golden_share * static_cast<double>(parts_.size() + 1);
   chosen_ = static_cast<std::int64_t>(static_cast<double>(width_) * (place - std::floor(place)));
   parts_.emplace_back();
   parts_.back().t = t;

@@ -93,7 +93,8 @@ class StepSampling {
   /// The steps that contain breaks: a part of the run of its own for each that was kept.
   std::vector<RunPart> broken() const { return broken_.parts(); }
   /// Of the steps in which a contact or a stop begins or ends, or a characteristic has a kink, and of those that depend
-  /// on them, some likewise: forces are not smooth there, and at which speed a contact begins is found one step late, and held from there on.
+  /// on them, some likewise: forces are not smooth there, and at which speed a contact begins is found one step late,
+  /// and held from there on.
   std::vector<RunPart> switched() const { return switched_.parts(); }
 
   /// How many of so many steps are taken again.
