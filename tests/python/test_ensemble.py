@@ -185,6 +185,17 @@ def test_thin_rods_are_refined_as_by_themselves(name: str, moment: float) -> Non
         assert bits(found.member(k)) == bits(alone(models[k], 0.05, 1e-3, record_every=7))
 
 
+def test_thin_rods_beside_what_is_faster_are_refined_as_by_themselves() -> None:
+    model = slender(mechanisms.bricard(), 1e-9)
+    for k, force in enumerate((1e3, 1e8)):
+        free = model.body(f"free {k}", mass=1, inertia=(1, 1, 1), position=(9, 9, k))
+        model.force(free, force=(force, 0, 0))
+    found = many(variants(model, 4, seed=3), 0.05, 1e-3, threads=1, record_every=7)
+    assert found.alone == {}
+    for k, it in enumerate(variants(model, 4, seed=3)):
+        assert bits(found.member(k)) == bits(alone(it, 0.05, 1e-3, record_every=7))
+
+
 def robot(rotors: float) -> lw.Model:
     """A torso on slides and a hinge, a leg on three hinges, another on a Cardan joint; massless links."""
     model = lw.Model(gravity=(0, 0, -9.81), name="robot")

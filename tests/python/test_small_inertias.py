@@ -177,6 +177,30 @@ def test_an_inerter_does_not_hide_how_a_light_body_moves(solver: str) -> None:
     assert np.abs(run.position[-1] - tree.position[-1]).max() < 1e-7
 
 
+@pytest.mark.parametrize("solver", ["auto", "umfpack", "klu", "cholmod", "dense"])
+@pytest.mark.parametrize("mass", [1e-7, 1e-9, 1e-11])
+def test_what_moves_beside_them_does_not_hide_how_light_bodies_move(mass: float, solver: str) -> None:
+    def accelerations(company: float) -> Floats:
+        model = lw.Model(gravity=(0, 0, -9.81))
+        base = model.body("base", mass=1, inertia=(0.3, 0.4, 0.5), position=(0.3, 0.2, 0.1))
+        link = model.body("link", mass=0, inertia=(0, 0, 0), position=(0.6, 0.1, 0.2))
+        tip = model.body("tip", mass=mass, inertia=(0.1 * mass,) * 3, position=(0.6, -0.2, 0.7))
+        model.revolute("ground", base, at=(0, 0, 0), axis=(0, 1, 0.2))
+        model.translational(base, link, at=(0.5, 0.5, 0), axis=(1, 2, 0.5))
+        model.translational(link, tip, at=(1, 0.5, 0), axis=(0.2, -1, 0.6))
+        if company:
+            free = model.body("free", mass=1, inertia=(1, 1, 1), position=(9, 9, 9))
+            model.force(free, force=(company, 0, 0))
+            held = model.body("held", mass=1, inertia=(1, 1, 1), position=(-9, 9, 9))
+            model.revolute("ground", held, at=(-9, 8, 9), axis=(0, 0, 1))
+            model.force(held, force=(-company, 0, 0))
+        state = model.compiled()
+        return lw.System(model, linear_solver=solver).accelerations(0.0, state.q0, state.v0)[0][:18]
+
+    for company in (1e5, 1e9, 1e12):
+        assert relative_error(accelerations(company), accelerations(0.0)) < 1e-12
+
+
 RUNS = [
     *({"stabilization": name} for name in ("none", "sampled_baumgarte", "projection", "velocity_projection")),
     {"integrator": "hem4", "stabilization": "projection"},

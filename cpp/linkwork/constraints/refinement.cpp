@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "linkwork/assembly/saddle_products.hpp"
+#include "linkwork/constraints/natural_size.hpp"
 
 namespace linkwork {
 namespace {
@@ -18,26 +20,27 @@ constexpr int most_corrections = 30, most_accelerated = 100, patience = 3;
 
 }  // namespace
 
-Corrections::Corrections(Inexactness cause, double free_motion)
-    : cause_(cause), free_motion_(free_motion), enough_(cause == Inexactness::roundoff ? second_order : exact) {}
+Corrections::Corrections(Inexactness cause)
+    : cause_(cause), enough_(cause == Inexactness::roundoff ? second_order : exact) {}
 
-Corrections::Progress Corrections::judge(double solution, double correction) {
+Corrections::Progress Corrections::judge(double correction) {
   const bool inertia = cause_ == Inexactness::inertia;
-  const double size = solution + free_motion_;
   count_ += 1;
-  if (correction <= enough_ * size) return Progress::converged;
+  if (correction <= enough_) return Progress::converged;
   if (!std::isfinite(correction)) return Progress::diverged;
   if (inertia && correction > slow * last_) return Progress::slow;
   const double noise = cause_ == Inexactness::singular_pose ? roundoff_in_pose : roundoff;
-  if (!inertia && correction > shrinking * last_ && correction <= noise * size) return Progress::converged;
+  if (!inertia && correction > shrinking * last_ && correction <= noise) return Progress::converged;
   last_ = correction;
   enough_ = exact;
   return count_ < most_corrections ? Progress::going_on : Progress::diverged;
 }
 
-Refinement::Refinement(const System& system, const VectorXd& lengths) : system_(&system), lengths_(lengths) {
+Refinement::Refinement(const System& system, const VectorXd& lengths)
+    : system_(&system), components_(&ConnectedComponents::of(system)), lengths_(lengths) {
   for (VectorXd* velocities : {&r_1_, &dx_, &p_, &Mp_, &off_}) velocities->setZero(system.v_size());
   for (VectorXd* rows : {&r_2_, &dlambda_, &p_lambda_, &off_lambda_}) rows->setZero(system.row_count());
+  for (VectorXd* components : {&restored_, &factors_, &anew_}) components->setZero(components_->count());
 }
 
 void find_saddle_residuals(const System& system, const Evaluation& at, const ConstVector& a, const ConstVector& b,
@@ -60,29 +63,33 @@ void Refinement::correct(const Evaluation& at, const ConstVector& a, const Const
 bool Refinement::refine(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x,
                         MutableVector lambda, const Nearby& nearby, Inexactness cause) {
   using Progress = Corrections::Progress;
-  const FreeMotion free = free_motion(a);
-  const double of_interest = cause == Inexactness::inertia ? free.of_heaviest : free.size;
-  Corrections corrections(cause, of_interest);
+  find_free_motion(a);
+  Corrections corrections(cause);
   for (;;) {
     correct(at, a, b, x, lambda, nearby);
-    const double size = size_of(x);
-    const Progress progress = corrections.judge(size, size_of(dx_));
-    if (progress == Progress::slow) return accelerate(at, a, b, x, lambda, nearby, free);
+    const Progress progress = corrections.judge(largest_correction(x, cause));
+    if (progress == Progress::slow) return accelerate(at, a, b, x, lambda, nearby);
     if (progress != Progress::going_on) return progress == Progress::converged;
   }
 }
 
-/// Adds what takes D x to b, and returns its size.
-double Refinement::restore(const Nearby& nearby, MutableVector x, MutableVector lambda) {
+double Refinement::largest_correction(const ConstVector& x, Inexactness cause) {
+  find_sizes(dx_, corrections_);
+  find_sizes(x, sizes_);
+  sizes_ += cause == Inexactness::inertia ? of_heaviest_ : free_motion_;
+  return NaturalSize::largest_ratio(corrections_, sizes_);
+}
+
+/// Adds what takes D x to b.
+void Refinement::restore(const Nearby& nearby, MutableVector x, MutableVector lambda) {
   Mp_.setZero();
   nearby(Mp_, r_2_, off_, off_lambda_);
   x += off_;
   lambda += off_lambda_;
-  return size_of(off_);
 }
 
-/// dx, dlambda for r_1, on ker D: steps along it may be as much longer as M^ is above M, so that what it is off there is
-/// taken away once more.
+/// dx, dlambda for r_1, on ker D: steps along it may be as much longer as M^ is above M, so that what it is off there
+/// is taken away once more.
 void Refinement::precondition(const Evaluation& at, const Nearby& nearby) {
   r_2_.setZero();
   nearby(r_1_, r_2_, dx_, dlambda_);
@@ -91,87 +98,144 @@ void Refinement::precondition(const Evaluation& at, const Nearby& nearby) {
   restore(nearby, dx_, dlambda_);
 }
 
-/// Along p from here: on ker D r_1 . dx, `square`, is that of the residual in the norm of M^-1, and every D^T lambda in
-/// r_1 is orthogonal to all directions. Where it is not positive, roundoff is what is left: dx is taken as it is, and
-/// directions begin anew.
-Refinement::Step Refinement::next_step(const Evaluation& at, double& square) {
-  const double before = square;
-  square = r_1_.dot(dx_);
-  const double beta = before > 0.0 && square > 0.0 ? square / before : 0.0;
-  p_ = dx_ + beta * p_;
-  p_lambda_ = dlambda_ + beta * p_lambda_;
-  system_->multiply_mass(at, p_, Mp_);
-  const double curvature = p_.dot(Mp_), descent = r_1_.dot(p_);
-  const Step out{descent / curvature, std::pow(size_of(p_), 2) / curvature};
-  if (curvature > 0.0 && descent > 0.0) return out;
-  p_ = dx_;
-  p_lambda_ = dlambda_;
-  square = 0.0;
-  return {};
+/// Components are done where residuals are nothing, or roundoff and no longer shrink, though errors be as much larger
+/// as the longest step was, or as residual forces make of the softest direction, whichever is less. False: they grow.
+bool Refinement::judge_residuals(const ConstVector& x) {
+  find_sizes(dx_, corrections_);
+  find_sizes(x, sizes_);
+  find_products(r_1_, dx_, descents_);
+  for (std::size_t component = 0; component < progress_.size(); ++component) {
+    const auto k = static_cast<Eigen::Index>(component);
+    Progress& it = progress_[component];
+    if (it.done) continue;
+    const bool begins = it.least == INFINITY;
+    const double residual = corrections_[k], size = sizes_[k];
+    if (begins) it.first = residual;
+    if (!(residual <= most_growth * std::max(it.first, exact * free_motion_[k]))) return false;
+    const double by_force = NaturalSize::ratio(std::abs(descents_[k]), residual) * it.softest;
+    const double error = std::max(begins ? residual : std::min(it.longest * residual, by_force), restored_[k]);
+    it.waiting = residual < shrinking * it.least ? 0 : it.waiting + 1;
+    it.least = std::min(it.least, residual);
+    it.done = error <= exact * (size + of_heaviest_[k]) ||
+              (it.waiting >= patience && error <= std::max(roundoff * size, exact * free_motion_[k]));
+  }
+  return true;
 }
 
-/// Ends where residuals are nothing, or roundoff and no longer shrink, though errors be as much larger as the longest
-/// step was, or as residual forces make of the softest direction, whichever is less.
+bool Refinement::done() const {
+  return std::all_of(progress_.begin(), progress_.end(), [](const Progress& it) { return it.done; });
+}
+
+/// On ker D r_1 . dx is the square of the residual in the norm of M^-1, and every D^T lambda in r_1 is orthogonal to
+/// all directions.
+void Refinement::find_directions() {
+  for (std::size_t component = 0; component < progress_.size(); ++component) {
+    const auto k = static_cast<Eigen::Index>(component);
+    const double before = std::exchange(progress_[component].square, descents_[k]);
+    factors_[k] = before > 0.0 && descents_[k] > 0.0 ? descents_[k] / before : 0.0;
+  }
+  off_ = dx_;
+  off_lambda_ = dlambda_;
+  add(factors_, p_, p_lambda_, off_, off_lambda_);
+  p_.swap(off_);
+  p_lambda_.swap(off_lambda_);
+}
+
+/// Along p from here. Where r_1 . p or p . M p is not positive, roundoff is what is left: dx is taken as it is, and
+/// directions begin anew.
+void Refinement::find_steps(const Evaluation& at) {
+  system_->multiply_mass(at, p_, Mp_);
+  find_sizes(p_, corrections_);
+  find_products(r_1_, p_, descents_);
+  find_products(p_, Mp_, curvatures_);
+  for (std::size_t component = 0; component < progress_.size(); ++component) {
+    const auto k = static_cast<Eigen::Index>(component);
+    Progress& it = progress_[component];
+    const bool descends = curvatures_[k] > 0.0 && descents_[k] > 0.0;
+    factors_[k] = !it.done && descends ? descents_[k] / curvatures_[k] : 0.0;
+    anew_[k] = !it.done && !descends ? 1.0 : 0.0;
+    if (!descends) it.square = 0.0;
+    it.longest = std::max(it.longest, factors_[k]);
+    if (descends) it.softest = std::max(it.softest, std::pow(corrections_[k], 2) / curvatures_[k]);
+  }
+}
+
 bool Refinement::accelerate(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x,
-                            MutableVector lambda, const Nearby& nearby, const FreeMotion& free) {
-  double square = 0.0, first = 0.0, least = INFINITY;
-  Step most{1.0, 0.0};
-  int waiting = 0;
+                            MutableVector lambda, const Nearby& nearby) {
+  progress_.assign(static_cast<std::size_t>(components_->count()), {});
   p_.setZero();
   p_lambda_.setZero();
   for (int k = 0; k < most_accelerated; ++k) {
     find_saddle_residuals(*system_, at, a, b, x, lambda, r_1_, r_2_);
-    const double restored = restore(nearby, x, lambda);
+    restore(nearby, x, lambda);
+    find_sizes(off_, restored_);
     find_saddle_residuals(*system_, at, a, b, x, lambda, r_1_, r_2_);
     precondition(at, nearby);
-    const double residual = size_of(dx_), size = size_of(x);
-    if (k == 0) first = residual;
-    if (!(residual <= most_growth * std::max(first, exact * free.size))) return false;
-    const double by_force = residual > 0.0 ? std::abs(r_1_.dot(dx_)) / residual * most.softness : 0.0;
-    const double error = std::max(k > 0 ? std::min(most.length * residual, by_force) : residual, restored);
-    if (error <= exact * (size + free.of_heaviest)) return true;
-    const Step step = next_step(at, square);
-    most = {std::max(most.length, step.length), std::max(most.softness, step.softness)};
-    dx_ = step.length * p_;
-    x += dx_;
-    lambda += step.length * p_lambda_;
-    waiting = residual < shrinking * least ? 0 : waiting + 1;
-    least = std::min(least, residual);
-    if (waiting >= patience && error <= std::max(roundoff * size, exact * free.size)) return true;
+    if (!judge_residuals(x)) return false;
+    if (done()) return true;
+    find_directions();
+    find_steps(at);
+    add(factors_, p_, p_lambda_, x, lambda);
+    add(anew_, dx_, dlambda_, x, lambda);
   }
   return false;
 }
 
+/// To x and lambda these times the factors of their connected components.
+void Refinement::add(const VectorXd& factors, const VectorXd& x, const VectorXd& lambda, MutableVector to_x,
+                     MutableVector to_lambda) const {
+  for (int body = 0; body < system_->body_count(); ++body)
+    to_x.segment<velocity_size>(velocity_size * body) +=
+        factors[components_->of_body(body)] * x.segment<velocity_size>(velocity_size * body);
+  for (Eigen::Index row = 0; row < lambda.size(); ++row)
+    to_lambda[row] += factors[components_->of_row(row)] * lambda[row];
+}
+
 double Refinement::size_of_body(const ConstVector& x, int body) const {
-  return saddle_products::size<saddle_products::Doubles>(body, lengths_.data(), x.data());
+  const double size = saddle_products::size<saddle_products::Doubles>(body, lengths_.data(), x.data());
+  return std::isfinite(size) ? size : INFINITY;
 }
 
-double Refinement::size_of(const ConstVector& x) const {
-  double out = 0.0;
-  for (int body = 0; body < system_->body_count(); ++body) out = std::max(out, size_of_body(x, body));
-  return out;
+void Refinement::find_sizes(const ConstVector& x, VectorXd& components) const {
+  components.setZero(components_->count());
+  for (int body = 0; body < system_->body_count(); ++body) {
+    double& largest = components[components_->of_body(body)];
+    largest = std::max(largest, size_of_body(x, body));
+  }
 }
 
-Refinement::FreeMotion Refinement::free_motion(const ConstVector& a) const {
+void Refinement::find_products(const VectorXd& x, const VectorXd& y, VectorXd& components) const {
+  components.setZero(components_->count());
+  for (int body = 0; body < system_->body_count(); ++body) {
+    const int first = velocity_size * body;
+    components[components_->of_body(body)] += x.segment<velocity_size>(first).dot(y.segment<velocity_size>(first));
+  }
+}
+
+void Refinement::find_free_motion(const ConstVector& a) {
   using saddle_products::Doubles;
   const double* masses = &system_->mass_blocks()[0].m;
-  double force = 0.0, mass = 0.0;
-  FreeMotion out;
+  for (VectorXd* components : {&free_motion_, &of_heaviest_, &sizes_}) components->setZero(components_->count());
+  VectorXd& heaviest = sizes_;
   for (int body = 0; body < system_->body_count(); ++body) {
+    const int k = components_->of_body(body);
     const double m = saddle_products::mass_of<Doubles>(body, masses);
-    const double size = saddle_products::size_of_forces<Doubles>(body, lengths_.data(), a.data());
-    if (m > 0.0) out.size = std::max(out.size, size / m);
-    force = std::max(force, size);
-    mass = std::max(mass, m);
+    const double force = saddle_products::size_of_forces<Doubles>(body, lengths_.data(), a.data());
+    if (m > 0.0) free_motion_[k] = std::max(free_motion_[k], force / m);
+    of_heaviest_[k] = std::max(of_heaviest_[k], force);
+    heaviest[k] = std::max(heaviest[k], m);
   }
-  if (mass > 0.0) out.of_heaviest = force / mass;
-  return out;
+  for (Eigen::Index k = 0; k < heaviest.size(); ++k)
+    of_heaviest_[k] = heaviest[k] > 0.0 ? of_heaviest_[k] / heaviest[k] : 0.0;
 }
 
 int Refinement::least_certain_body() const {
+  const auto part = [this](int body) {
+    return NaturalSize::ratio(size_of_body(dx_, body), sizes_[components_->of_body(body)]);
+  };
   int out = 0;
   for (int body = 1; body < system_->body_count(); ++body)
-    if (size_of_body(dx_, body) > size_of_body(dx_, out)) out = body;
+    if (part(body) > part(out)) out = body;
   return out;
 }
 

@@ -189,24 +189,31 @@ void residuals(const LaneEquations& at, const double* a, const double* b, const 
 }
 
 void motion(const LaneEquations& at, const double* x, double* out) {
-  Native most{};
+  for (int k = 0; k < at.component_count; ++k) put(out, k, Native{});
   for (int body = 0; body < at.bodies; ++body) {
-    const Native size = saddle_products::size<LanesWithRoots>(body, at.lengths, x);
-    most = most < size ? size : most;
+    const int k = at.components[body];
+    const Native size = saddle_products::size<LanesWithRoots>(body, at.lengths, x), most = get(out, k);
+    put(out, k, size - size == Native{} ? (most < size ? size : most) : splat_native(__builtin_inf()));
   }
-  put(out, 0, most);
 }
 
-void free_motion(const LaneEquations& at, const double* of_heaviest, const double* a, double* out) {
-  Native most{}, force{}, mass{};
+void free_motion(const LaneEquations& at, const double* of_heaviest, const double* a, double* scratch, double* out) {
+  double *forces = scratch, *masses = scratch + std::ptrdiff_t{width} * at.component_count;
+  for (int k = 0; k < at.component_count; ++k)
+    for (double* list : {forces, masses, out}) put(list, k, Native{});
   for (int body = 0; body < at.bodies; ++body) {
+    const int k = at.components[body];
     const Native m = saddle_products::mass_of<LanesWithRoots>(body, at.mass);
     const Native size = saddle_products::size_of_forces<LanesWithRoots>(body, at.lengths, a);
-    most = ((m > Native{}) & (most < size / m)) ? size / m : most;
-    force = force < size ? size : force;
-    mass = mass < m ? m : mass;
+    const Native most = get(out, k), force = get(forces, k), mass = get(masses, k);
+    put(out, k, ((m > Native{}) & (most < size / m)) ? size / m : most);
+    put(forces, k, force < size ? size : force);
+    put(masses, k, mass < m ? m : mass);
   }
-  put(out, 0, get(of_heaviest, 0) == Native{} ? most : mass > Native{} ? force / mass : Native{});
+  for (int k = 0; k < at.component_count; ++k) {
+    const Native mass = get(masses, k), by_heaviest = mass > Native{} ? get(forces, k) / mass : Native{};
+    put(out, k, get(of_heaviest, 0) == Native{} ? get(out, k) : by_heaviest);
+  }
 }
 
 void add(int count, const double* chosen, const double* dx, double* x) {

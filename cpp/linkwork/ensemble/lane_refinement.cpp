@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "linkwork/constraints/natural_size.hpp"
 #include "linkwork/ensemble/lane_structure.hpp"
 #include "linkwork/formulation/watched_formulation.hpp"
 
@@ -26,7 +27,9 @@ void LaneRefinement::load(std::size_t l) {
   if (lengths_.empty()) {
     for (AlignedDoubles* velocities : {&r_1_, &dx_}) velocities->assign(velocity_size * structure_.bodies * width, 0.0);
     for (AlignedDoubles* rows : {&r_2_, &dlambda_}) rows->assign(structure_.multipliers() * width, 0.0);
-    for (AlignedDoubles* one : {&going_on_, &other_, &size_, &correction_}) one->assign(width, 0.0);
+    for (AlignedDoubles* one : {&going_on_, &other_}) one->assign(width, 0.0);
+    for (AlignedDoubles* sizes : {&free_motion_, &size_, &correction_, &scratch_})
+      sizes->assign((sizes == &scratch_ ? 2 : 1) * structure_.component_count * width, 0.0);
     lengths_.assign(structure_.bodies * width, 1.0);
   }
   for (std::size_t lane = 0; lane < mechanisms_.size(); ++lane) {
@@ -49,11 +52,13 @@ void LaneRefinement::refine(const Inertia& inertia, const LaneSolver::Problem& p
                                 .inertance = inertia.inertance,
                                 .mass = inertia.mass,
                                 .lengths = lengths_.data(),
+                                .components = structure_.components.data(),
+                                .component_count = structure_.component_count,
                                 .D = problem.D};
-  kernels_.free_motion(equations, other_.data(), problem.a, size_.data());
+  kernels_.free_motion(equations, other_.data(), problem.a, scratch_.data(), free_motion_.data());
   std::vector<Corrections> corrections;
   for (std::size_t l = 0; l < mechanisms_.size(); ++l) {
-    corrections.emplace_back(other_[l] != 0.0 ? Inexactness::inertia : Inexactness::roundoff, size_[l]);
+    corrections.emplace_back(other_[l] != 0.0 ? Inexactness::inertia : Inexactness::roundoff);
     going_on_[l] = guard.steps(static_cast<int>(l)) && refined_[l];
   }
   while (std::any_of(going_on_.begin(), going_on_.end(), [](double chosen) { return chosen != 0.0; })) {
@@ -67,11 +72,18 @@ void LaneRefinement::refine(const Inertia& inertia, const LaneSolver::Problem& p
   }
 }
 
+double LaneRefinement::largest_correction(std::size_t l) const {
+  double out = 0.0;
+  for (std::size_t place = l; place < size_.size(); place += static_cast<std::size_t>(kernels_.width))
+    out = std::max(out, NaturalSize::ratio(correction_[place], size_[place] + free_motion_[place]));
+  return out;
+}
+
 void LaneRefinement::judge(const double* t, std::vector<Corrections>& corrections, LaneGuard& guard) {
   using Progress = Corrections::Progress;
   for (std::size_t l = 0; l < mechanisms_.size(); ++l) {
     if (going_on_[l] == 0.0) continue;
-    const Progress progress = corrections[l].judge(size_[l], correction_[l]);
+    const Progress progress = corrections[l].judge(largest_correction(l));
     if (progress == Progress::going_on) continue;
     going_on_[l] = 0.0;
     const int lane = static_cast<int>(l);

@@ -32,6 +32,7 @@ class LaneRefinement {
 
  private:
   void load(std::size_t l);
+  double largest_correction(std::size_t l) const;
   void judge(const double* t, std::vector<Corrections>& corrections, LaneGuard& guard);
 
   const LaneStructure& structure_;
@@ -39,8 +40,9 @@ class LaneRefinement {
   std::vector<Dynamics*> mechanisms_;
   bool needed_ = false;
   std::vector<char> refined_;
-  AlignedDoubles lengths_, r_1_, r_2_, dx_, dlambda_, going_on_, size_, correction_;
-  AlignedDoubles other_;  ///< not zero where the nearby solver has other inertias
+  AlignedDoubles lengths_, r_1_, r_2_, dx_, dlambda_, going_on_;
+  AlignedDoubles free_motion_, size_, correction_, scratch_;  ///< of each connected component
+  AlignedDoubles other_;                                      ///< not zero where the nearby solver has other inertias
 };
 
 }  // namespace linkwork

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linkwork/assembly/connected_components.hpp"
 #include "linkwork/ensemble/row_forms.hpp"
 #include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/linear/block/block_solver.hpp"
@@ -62,11 +63,14 @@ LaneStructure::LaneStructure(const Dynamics& dynamics)
       symbolic(factorize_symbolically(dynamics)),
       blocks(blocks_of(dynamics.system())),
       joint_blocks(std::ssize(dynamics.system().blocks())),
+      component_count(ConnectedComponents::of(dynamics.system()).count()),
       coordinates(static_cast<std::ptrdiff_t>(dynamics.system().element_coordinates().count())),
       history_size(dynamics.system().history_size()),
       switch_count(static_cast<int>(dynamics.system().switches().size())),
       dropped(dynamics.dropped().rows()),
       elements_(dynamics.system().model().joints()) {
+  for (int body = 0; body < bodies; ++body)
+    components.push_back(ConnectedComponents::of(dynamics.system()).of_body(body));
   find_positions(dynamics.system());
   list_joints(dynamics.system());
   find_forms();

@@ -62,6 +62,8 @@ class LaneStructure {
   std::vector<RowForm> row_forms;       ///< of symbolic.rows
   std::vector<ConstraintBlock> blocks;  ///< first those of joints, then those of inerters
   std::ptrdiff_t joint_blocks;
+  std::vector<int> components;  ///< of each body its connected component
+  int component_count;
   std::vector<Joints> joints;
   std::vector<CoordinateRows> coordinate_rows;
   std::ptrdiff_t coordinates;  ///< how many rows these are

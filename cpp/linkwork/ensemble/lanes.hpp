@@ -57,6 +57,8 @@ struct LaneEquations {
   const double* inertance = nullptr;  ///< one a row of them
   const double* mass;                 ///< 10 a body
   const double* lengths;              ///< one a body: make rotations comparable with translations
+  const int* components = nullptr;    ///< of each body its connected component, of so many:
+  int component_count = 0;
   const double* D;
 };
 
@@ -87,9 +89,11 @@ struct LaneKernels {
   /// r_1 = a - M x + D^T lambda, r_2 = b - D x - e lambda.
   void (*residuals)(const LaneEquations& at, const double* a, const double* b, const double* x, const double* lambda,
                     double* r_1, double* r_2);
-  /// The largest motion of a body in x; in M^-1 a, where `of_heaviest` is not zero of forces over the largest mass.
+  /// Of each connected component the largest motion of a body in x, as in Refinement; in M^-1 a, where `of_heaviest` is
+  /// not zero of forces over the largest mass, for which `scratch` has twice as many numbers.
   void (*motion)(const LaneEquations& at, const double* x, double* out);
-  void (*free_motion)(const LaneEquations& at, const double* of_heaviest, const double* a, double* out);
+  void (*free_motion)(const LaneEquations& at, const double* of_heaviest, const double* a, double* scratch,
+                      double* out);
   /// x += dx in the lanes where `chosen` is not zero.
   void (*add)(int count, const double* chosen, const double* dx, double* x);
 };
