@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "linkwork/math/error.hpp"
@@ -97,4 +98,30 @@ TEST_CASE("a callback has derivatives only where both are given") {
   CHECK_FALSE(callback(f, df)->has_derivatives());
   CHECK(callback(f, df, ddf)->has_derivatives());
   check_derivatives(*callback(f, df, ddf), 0.3);
+}
+
+TEST_CASE("the rate of an integral is the function, and it begins at 0 or at the end of the table next to that") {
+  const auto table = cubic_table();
+  for (const TimeFunctionPtr& f :
+       {polynomial({1, -2, 3, 0.5}), harmonic(0.7, 3.0, 0.4, 2.0), harmonic(0.7, 0.0, 0.4, 2.0), table,
+        with_breaks(table, {0.5}), sum({table, harmonic(0.7, 3.0, 0.4, 0.0)}), sum({})}) {
+    const TimeFunctionPtr integral = f->integral();
+    REQUIRE(integral);
+    CHECK(integral->evaluate(0.0).value == doctest::Approx(0.0));
+    for (const double t : {0.3, 0.9, 1.5, 2.7}) {
+      check_derivatives(*integral, t);
+      CHECK(integral->evaluate(t).rate == doctest::Approx(f->evaluate(t).value).epsilon(1e-14));
+    }
+  }
+  for (const double start : {1.5, -3.5, -1.2}) {
+    const auto integral = piecewise_polynomial({start, start + 1, start + 2}, {1, 0.5, -1, 2})->integral();
+    CHECK(integral->evaluate(std::clamp(0.0, start, start + 2)).value == doctest::Approx(0.0));
+    CHECK(integral->evaluate(start + 2).value - integral->evaluate(start).value == doctest::Approx(1.25));
+  }
+}
+
+TEST_CASE("a function of which one term has no known integral has none") {
+  const auto unknown = callback([](double t) { return t * t; });
+  CHECK_FALSE(unknown->integral());
+  CHECK_FALSE(sum({polynomial({1}), unknown})->integral());
 }

@@ -110,6 +110,47 @@ def test_a_hardening_spring_by_its_characteristic() -> None:
     assert np.abs(run(tabulated, 3.0).q - result.q).max() < 1e-9
 
 
+def test_springs_by_characteristics_store_energy_and_a_poor_run_shows_what_it_loses() -> None:
+    """A table, a number, a sum with a harmonic; free at a length that grows: g . v = -dV/dt + power."""
+    x = np.linspace(-3, 3, 61)
+    functions = lw.functions
+    for spring, potential in (
+        (functions.table(x, 30.0 * x + 20.0 * x**3), lambda x: 15.0 * x**2 + 5.0 * x**4),
+        (30.0, lambda x: 15.0 * x**2),
+        (
+            functions.polynomial(1, 30.0) + functions.harmonic(4.0, 3.0, offset=2.0),
+            lambda x: 3.0 * x + 15.0 * x**2 + 4.0 / 3.0 * (1 - np.cos(3.0 * x)),
+        ),
+    ):
+        model = lw.Model(gravity=(0, 0, 0))
+        body = ball(model, (2.0, 0, 0), velocity=(1.5, 0, 0))
+        free = functions.polynomial(2.0, 0.1)
+        points = ((0, 0, 0), (2, 0, 0))
+        model.nonlinear_spring_damper(
+            model.ground, body, at=points, spring=spring, damper=1.0, free_length=free
+        )
+        poor, good = (
+            lw.simulate(model, 1.0, 2e-2, name, on_inaccurate="pass") for name in ("heun", "dop853")
+        )
+        for found in (poor, good):
+            stretch = found.q[:, 0, 0] - 2.0 - 0.1 * found.t
+            assert found.potential_energy == pytest.approx(potential(stretch), abs=1e-12)
+        assert np.abs(good.energy_error).max() < 1e-10
+        lost = poor.energy - good.energy - np.interp(poor.t, good.t, poor.work - good.work)
+        assert np.abs(poor.energy_error - lost).max() < 1e-10
+        assert np.abs(lost).max() > 1e-5
+
+
+def test_a_spring_by_a_function_of_python_does_work() -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    body = ball(model, (2.0, 0, 0), velocity=(1.5, 0, 0))
+    points = ((0, 0, 0), (2, 0, 0))
+    model.nonlinear_spring_damper(model.ground, body, at=points, spring=lambda x: 30.0 * x)
+    found = run(model, 1.0)
+    assert not found.potential_energy.any()
+    assert found.work == pytest.approx(found.kinetic_energy - found.kinetic_energy[0], abs=1e-9)
+
+
 def test_a_motion_that_leaves_a_table_is_an_error() -> None:
     model = lw.Model(gravity=(0, 0, 0))
     body = ball(model, (2.0, 0, 0), velocity=(50.0, 0, 0))

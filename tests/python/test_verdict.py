@@ -914,6 +914,35 @@ def test_kinks_of_characteristics_that_steps_go_over(
     assert error < run.verdict.error < 300 * error
 
 
+@pytest.mark.parametrize(
+    ("integrator", "rtol", "torque", "omega"),
+    [
+        ("bs32", 1e-6, 5.86, 4.9),
+        ("dopri5", 1e-6, 3.83, 6.21),
+        ("dop853", 1e-5, 5.86, 4.9),
+        ("bs32", 1e-8, 0.87, 6.76),
+    ],
+)
+def test_a_rotor_over_teeth_is_late_by_what_energy_it_gains(
+    integrator: str, rtol: float, torque: float, omega: float
+) -> None:
+    """Steps over jumps of a sawtooth err to one side; within a tooth the motion is a sine."""
+    teeth, omega_0 = np.arange(-200.0, 201.0), np.sqrt(2 * torque)
+    sawtooth = lw.functions.piecewise_polynomial(teeth, [[-torque, 2 * torque]] * 400)
+    model = lw.Model(gravity=(0, 0, 0))
+    rotor = model.body("rotor", mass=1.0, inertia=(1, 1, 1), omega=(0, 0, omega))
+    model.revolute("ground", rotor, at=(0, 0, 0), axis=(0, 0, 1))
+    model.nonlinear_rotational_spring_damper("ground", rotor, at=(0, 0, 0), axis=(0, 0, 1), spring=sawtooth)
+    run = lw.simulate(model, 28.0, rtol=rtol, integrator=integrator, on_inaccurate="pass")
+    amplitude = np.hypot(0.5, omega / omega_0)  # the first tooth begins here
+    tooth = 2 * np.arcsin(0.5 / amplitude) / omega_0
+    passed, within = np.divmod(run.t, tooth)
+    exact = passed + 0.5 + amplitude * np.sin(omega_0 * (within - tooth / 2))
+    angle = 2 * np.arctan2(run.q[:, 0, 6], run.q[:, 0, 3])
+    error = np.abs(np.angle(np.exp(1j * (angle - exact)))).max()
+    assert run.verdict is not None and run.verdict.error > 0.5 * min(error, 1.0)
+
+
 @pytest.mark.parametrize("integrator", ["rk4", "ab4"])
 def test_a_run_of_the_rest_of_a_step_answers_for_it(integrator: str) -> None:
     model = mechanisms.rod_pendulum()

@@ -82,6 +82,13 @@ class ForceParameters<double> {
     const Parameter& parameter = given_[p];
     return parameter.signal < 0 ? parameter.constant * x : functions_[parameter.signal]->evaluate(x).value;
   }
+  /// Its integral from 0 to x, where that is known.
+  std::optional<double> integral(int p, double x) const {
+    const Parameter& parameter = given_[p];
+    if (parameter.signal < 0) return 0.5 * parameter.constant * x * x;
+    const TimeFunctionPtr integral = functions_[parameter.signal]->integral();
+    return integral ? std::optional(integral->evaluate(x).value) : std::nullopt;
+  }
 
  private:
   const Parameter* given_;

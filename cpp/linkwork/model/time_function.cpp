@@ -26,10 +26,20 @@ Signal<double> horner(const double* c, std::size_t count, double x) {
   return {f, df, 2.0 * half_ddf};
 }
 
+/// The coefficients of an antiderivative but for the first.
+void append_integrated(const double* c, std::size_t count, std::vector<double>& out) {
+  for (std::size_t k = 0; k < count; ++k) out.push_back(c[k] / static_cast<double>(k + 1));
+}
+
 class Polynomial final : public TimeFunction {
  public:
   explicit Polynomial(std::vector<double> coefficients) : coefficients_(std::move(coefficients)) {}
   Signal<double> evaluate(double t) const override { return horner(coefficients_.data(), coefficients_.size(), t); }
+  TimeFunctionPtr integral() const override {
+    std::vector<double> out{0.0};
+    append_integrated(coefficients_.data(), coefficients_.size(), out);
+    return polynomial(std::move(out));
+  }
 
  private:
   std::vector<double> coefficients_;
@@ -45,6 +55,11 @@ class Harmonic final : public TimeFunction {
     const double sine = amplitude_ * of_angle.sine;
     return {offset_ + sine, frequency_ * (amplitude_ * of_angle.cosine), -frequency_ * frequency_ * sine};
   }
+  TimeFunctionPtr integral() const override {
+    if (frequency_ == 0.0) return polynomial({0.0, evaluate(0.0).value});
+    const Harmonic cosine(amplitude_ / frequency_, frequency_, phase_ - std::numbers::pi / 2.0, 0.0);
+    return sum({polynomial({-cosine.evaluate(0.0).value, offset_}), std::make_shared<Harmonic>(cosine)});
+  }
 
  private:
   double amplitude_, frequency_, phase_, offset_;
@@ -52,7 +67,8 @@ class Harmonic final : public TimeFunction {
 
 class Characteristic final : public TimeFunction {
  public:
-  Characteristic(TimeFunctionPtr function, std::string of) : function_(std::move(function)), of_(std::move(of)) {}
+  Characteristic(TimeFunctionPtr function, std::string of)
+      : function_(std::move(function)), integral_(function_->integral()), of_(std::move(of)) {}
   Signal<double> evaluate(double x) const override {
     try {
       return function_->evaluate(x);
@@ -64,9 +80,10 @@ class Characteristic final : public TimeFunction {
   bool has_derivatives() const override { return function_->has_derivatives(); }
   bool of_time() const override { return false; }
   void add_breaks(std::vector<Break>& out) const override { function_->add_breaks(out); }
+  TimeFunctionPtr integral() const override { return integral_; }
 
  private:
-  TimeFunctionPtr function_;
+  TimeFunctionPtr function_, integral_;
   std::string of_;
 };
 
@@ -88,10 +105,11 @@ class PiecewisePolynomial final : public TimeFunction {
       throw OptionError("time_function_range", "table of a time function covers " + std::to_string(breaks_.front()) +
                                                    " to " + std::to_string(breaks_.back()) + " s, not t = " +
                                                    std::to_string(t) + " s; extend the table or shorten the run");
-    const auto after = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, t);
-    const std::size_t piece = static_cast<std::size_t>(after - breaks_.begin()) - 1;
+    const std::size_t piece = piece_at(t);
     return horner(coefficients_.data() + piece * count_, count_, t - breaks_[piece]);
   }
+
+  TimeFunctionPtr integral() const override { return integrated().shared(); }
 
   /// First and last knots, and those at which the value or a derivative jumps by more than roundoff.
   void add_breaks(std::vector<Break>& out) const override {
@@ -113,12 +131,16 @@ class PiecewisePolynomial final : public TimeFunction {
     std::vector<Break> breaks;
     add_breaks(breaks);
     if (std::all_of(breaks.begin(), breaks.end(), [](const Break& it) { return it.ends_step; })) return;
-    out.push_back(driven ? std::make_shared<PiecewisePolynomial>(*this) : integral().integral().shared());
+    out.push_back(driven ? std::make_shared<PiecewisePolynomial>(*this) : integrated().integrated().shared());
   }
 
  private:
   static constexpr std::size_t smooth = 3;   // continuous: value, first and second derivative
   static constexpr double roundoff = 1e-11;  // of the terms of a polynomial
+
+  std::size_t piece_at(double t) const {
+    return static_cast<std::size_t>(std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, t) - breaks_.begin()) - 1;
+  }
 
   std::shared_ptr<const PiecewisePolynomial> shared() const { return std::make_shared<PiecewisePolynomial>(*this); }
 
@@ -147,16 +169,22 @@ class PiecewisePolynomial final : public TimeFunction {
     return {count_, 0.0};
   }
 
-  /// Zero at the first knot.
-  PiecewisePolynomial integral() const {
+  /// Integrated piece by piece from 0, or the end next to that, in both directions.
+  PiecewisePolynomial integrated() const {
+    const std::size_t pieces = breaks_.size() - 1, each = count_ + 1;
     std::vector<double> out;
-    double value = 0.0;
-    for (std::size_t piece = 0; piece + 1 < breaks_.size(); ++piece) {
-      out.push_back(value);
-      for (std::size_t k = 0; k < count_; ++k)
-        out.push_back(coefficients_[piece * count_ + k] / static_cast<double>(k + 1));
-      value = horner(out.data() + piece * (count_ + 1), count_ + 1, breaks_[piece + 1] - breaks_[piece]).value;
+    for (std::size_t piece = 0; piece < pieces; ++piece) {
+      out.push_back(0.0);
+      append_integrated(coefficients_.data() + piece * count_, count_, out);
     }
+    const auto within = [&](std::size_t piece, double t) {
+      return horner(out.data() + piece * each, each, t - breaks_[piece]).value;
+    };
+    const double start = std::clamp(0.0, breaks_.front(), breaks_.back());
+    const std::size_t first = piece_at(start);
+    out[first * each] = 0.0 - within(first, start);
+    for (std::size_t k = first; k + 1 < pieces; ++k) out[(k + 1) * each] = within(k, breaks_[k + 1]);
+    for (std::size_t k = first; k-- > 0;) out[k * each] = out[(k + 1) * each] - within(k, breaks_[k + 1]);
     return PiecewisePolynomial(breaks_, std::move(out));
   }
 
@@ -211,6 +239,11 @@ class Sum final : public TimeFunction {
   void add_watched(bool driven, std::vector<TimeFunctionPtr>& out) const override {
     for (const TimeFunctionPtr& term : terms_) term->add_watched(driven, out);
   }
+  TimeFunctionPtr integral() const override {
+    std::vector<TimeFunctionPtr> out;
+    for (const TimeFunctionPtr& term : terms_) out.push_back(term->integral());
+    return std::find(out.begin(), out.end(), nullptr) == out.end() ? sum(std::move(out)) : nullptr;
+  }
 
  private:
   std::vector<TimeFunctionPtr> terms_;
@@ -234,6 +267,7 @@ class WithBreaks final : public TimeFunction {
   void add_watched(bool driven, std::vector<TimeFunctionPtr>& out) const override {
     function_->add_watched(driven, out);
   }
+  TimeFunctionPtr integral() const override { return function_->integral(); }
 
  private:
   TimeFunctionPtr function_;

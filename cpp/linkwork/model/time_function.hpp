@@ -32,6 +32,8 @@ class TimeFunction {
   virtual bool of_time() const { return true; }
   /// Appends the times, or the other arguments, at which it is not smooth, as far as they are known in advance.
   virtual void add_breaks(std::vector<Break>& out) const { static_cast<void>(out); }
+  /// The antiderivative that is zero at 0, or at the end of a table next to that; null where it is not known.
+  virtual TimeFunctionPtr integral() const { return nullptr; }
   /// Appends, for each table in it that has breaks which end no step, a function whose second derivative is what the
   /// accelerations feel: the table itself where it drives (`driven`), else its second integral. Its first derivative
   /// tells the integral over a step without quadrature.

@@ -728,7 +728,7 @@ class ForceMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
-        """Spring and damper between a point of a and a point of b by their characteristics: the pull is spring(l - l_0) + damper(l_dot) [N], positive in tension. Each is a function of its extension [m] or rate [m/s], such as linkwork.functions.table(x, f), or a number for a linear one. The energy in the spring counts as work.
+        """Spring and damper between a point of a and a point of b by their characteristics: the pull is spring(l - l_0) + damper(l_dot) [N], positive in tension. Each is a function of its extension [m] or rate [m/s], such as linkwork.functions.table(x, f), or a number for a linear one. Springs by numbers, tables, polynomials, harmonics and sums of these store energy; with other functions, and where they are free by a function without derivatives, what is in them counts as work.
 
             body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
             model.nonlinear_spring_damper("ground", body, at=((0, 0, 0), (1, 0, 0)))
@@ -759,7 +759,7 @@ class ForceMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Force:
-        """Spring and damper about a joint axis by their characteristics: the torque on b is -spring(theta - theta_0) - damper(theta_dot) [N m]. Each is a function of its angle [rad] or rate [rad/s], such as linkwork.functions.table(x, n), or a number for a linear one. The energy in the spring counts as work.
+        """Spring and damper about a joint axis by their characteristics: the torque on b is -spring(theta - theta_0) - damper(theta_dot) [N m]. Each is a function of its angle [rad] or rate [rad/s], such as linkwork.functions.table(x, n), or a number for a linear one. Springs by numbers, tables, polynomials, harmonics and sums of these store energy; with other functions, and where they are free by a function without derivatives, what is in them counts as work.
 
             body = model.body("body", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
             model.nonlinear_rotational_spring_damper("ground", body, at=(0, 0, 0), axis=(0, 1, 0))

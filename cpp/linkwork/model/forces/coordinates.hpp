@@ -156,7 +156,8 @@ struct LinearSpring : LawAlong<LinearSpring<Coordinate>, Coordinate> {
 };
 
 /// Spring and damper by their characteristics: parameters 0 and 1, functions of extension and rate; 2 is where the
-/// spring is free. All of its power counts as work. Evaluated one by one, as all that takes functions of the state.
+/// spring is free. A spring whose characteristic has no known integral, or that is free where it has no known rate,
+/// does work with all of its power. Evaluated one by one, as all that takes functions of the state.
 template <class Coordinate>
 struct CharacteristicSpring : LawAlong<CharacteristicSpring<Coordinate>, Coordinate> {
   static constexpr HistoryKind history = Coordinate::history;
@@ -165,8 +166,11 @@ struct CharacteristicSpring : LawAlong<CharacteristicSpring<Coordinate>, Coordin
   static Along<double> law(const ForceParameters<double>& parameters, double x, double rate,
                            HistoryVariable<double>& of_angle) {
     if (parameters.is_zero(0)) of_angle.rate = 0.0;
-    const double pull = parameters.at(0, x - parameters[2].value) + parameters.at(1, rate);
-    return {.force = -pull, .power = -pull * rate};
+    const Signal<double> free = parameters[2];
+    const double spring = parameters.at(0, x - free.value), damper = parameters.at(1, rate);
+    const std::optional<double> stored = parameters.integral(0, x - free.value);
+    if (!stored || std::isnan(free.rate)) return {.force = -(spring + damper), .power = -(spring + damper) * rate};
+    return {.force = -(spring + damper), .potential = *stored, .power = -damper * rate - spring * free.rate};
   }
 };
 

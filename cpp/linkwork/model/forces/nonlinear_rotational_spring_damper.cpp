@@ -22,8 +22,10 @@ struct NonlinearRotationalSpringDamper : CharacteristicSpring<Angle> {
             .documentation =
                 "Spring and damper about a joint axis by their characteristics: the torque on b is "
                 "-spring(theta - theta_0) - damper(theta_dot) [N m]. Each is a function of its angle [rad] or "
-                "rate [rad/s], such as linkwork.functions.table(x, n), or a number for a linear one. The "
-                "energy in the spring counts as work."};
+                "rate [rad/s], such as linkwork.functions.table(x, n), or a number for a linear one. "
+                "Springs by numbers, tables, polynomials, harmonics and sums of these store energy; with other "
+                "functions, and where they are free by a function without derivatives, what is in them counts as "
+                "work."};
   }
 };
 

@@ -26,7 +26,9 @@ struct NonlinearSpringDamper : CharacteristicSpring<Length> {
                 "Spring and damper between a point of a and a point of b by their characteristics: the pull "
                 "is spring(l - l_0) + damper(l_dot) [N], positive in tension. Each is a function of its "
                 "extension [m] or rate [m/s], such as linkwork.functions.table(x, f), or a number for a "
-                "linear one. The energy in the spring counts as work."};
+                "linear one. Springs by numbers, tables, polynomials, harmonics and sums of these store energy; with "
+                "other functions, and where they are free by a function without derivatives, what is in them counts "
+                "as work."};
   }
 };
 
