@@ -120,6 +120,13 @@ TEST_CASE("the rate of an integral is the function, and it begins at 0 or at the
   }
 }
 
+TEST_CASE("an integral has its digits near 0 however far its table reaches") {
+  const double far = 1e6, below = 60.0, above = 90.0;
+  const auto integral = piecewise_polynomial({-far, 0, far}, {-far * below, below, 0, above})->integral();
+  for (const double x : {-0.1, -1e-4, 1e-4, 0.1})
+    CHECK(integral->evaluate(x).value == doctest::Approx((x < 0 ? below : above) / 2 * x * x).epsilon(1e-14));
+}
+
 TEST_CASE("a function of which one term has no known integral has none") {
   const auto unknown = callback([](double t) { return t * t; });
   CHECK_FALSE(unknown->integral());

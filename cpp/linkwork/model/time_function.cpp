@@ -27,8 +27,8 @@ Signal<double> horner(const double* c, std::size_t count, double x) {
 }
 
 /// The coefficients of an antiderivative but for the first.
-void append_integrated(const double* c, std::size_t count, std::vector<double>& out) {
-  for (std::size_t k = 0; k < count; ++k) out.push_back(c[k] / static_cast<double>(k + 1));
+void append_integrated(const std::vector<double>& c, std::vector<double>& out) {
+  for (std::size_t k = 0; k < c.size(); ++k) out.push_back(c[k] / static_cast<double>(k + 1));
 }
 
 class Polynomial final : public TimeFunction {
@@ -37,7 +37,7 @@ class Polynomial final : public TimeFunction {
   Signal<double> evaluate(double t) const override { return horner(coefficients_.data(), coefficients_.size(), t); }
   TimeFunctionPtr integral() const override {
     std::vector<double> out{0.0};
-    append_integrated(coefficients_.data(), coefficients_.size(), out);
+    append_integrated(coefficients_, out);
     return polynomial(std::move(out));
   }
 
@@ -97,6 +97,7 @@ class PiecewisePolynomial final : public TimeFunction {
     if (coefficients_.empty() || coefficients_.size() % (breaks_.size() - 1) != 0)
       throw ModelError("time_function", "piecewise polynomial: coefficients must be a row for each interval");
     count_ = coefficients_.size() / (breaks_.size() - 1);
+    origins_.assign(breaks_.begin(), breaks_.end() - 1);
   }
 
   Signal<double> evaluate(double t) const override {
@@ -106,7 +107,7 @@ class PiecewisePolynomial final : public TimeFunction {
                                                    " to " + std::to_string(breaks_.back()) + " s, not t = " +
                                                    std::to_string(t) + " s; extend the table or shorten the run");
     const std::size_t piece = piece_at(t);
-    return horner(coefficients_.data() + piece * count_, count_, t - breaks_[piece]);
+    return horner(coefficients_.data() + piece * count_, count_, t - origins_[piece]);
   }
 
   TimeFunctionPtr integral() const override { return integrated().shared(); }
@@ -154,41 +155,57 @@ class PiecewisePolynomial final : public TimeFunction {
   Jump jump(std::size_t knot) const {
     const double left = breaks_[knot] - breaks_[knot - 1], right = breaks_[knot + 1] - breaks_[knot];
     const double shorter = std::min(left, right);
-    std::vector<double> before(coefficients_.begin() + static_cast<std::ptrdiff_t>((knot - 1) * count_),
-                               coefficients_.begin() + static_cast<std::ptrdiff_t>(knot * count_));
-    const double* after = coefficients_.data() + knot * count_;
+    std::vector<double> before = about(breaks_[knot - 1], knot - 1);
+    const std::vector<double> after = about(breaks_[knot], knot);
     double size = 0.0, power = 1.0;
     for (std::size_t k = 0; k < count_; ++k, power *= shorter) size = std::max(size, std::abs(after[k]) * power);
     power = 1.0;
     for (std::size_t k = 0; k < count_; ++k, power *= left) size = std::max(size, std::abs(before[k]) * power);
-    for (std::size_t k = 0; k + 1 < count_; ++k)  // Taylor's shift to the knot
-      for (std::size_t j = count_ - 1; j-- > k;) before[j] += left * before[j + 1];
+    shift(before, left);
     power = 1.0;
     for (std::size_t k = 0; k < count_; ++k, power *= shorter)
       if (const double by = std::abs(after[k] - before[k]); by * power > roundoff * size) return {k, by};
     return {count_, 0.0};
   }
 
-  /// Integrated piece by piece from 0, or the end next to that, in both directions.
+  /// Taylor's shift of a polynomial.
+  static void shift(std::vector<double>& c, double by) {
+    for (std::size_t k = 0; by != 0.0 && k + 1 < c.size(); ++k)
+      for (std::size_t j = c.size() - 1; j-- > k;) c[j] += by * c[j + 1];
+  }
+
+  /// Coefficients of a piece in powers of t - origin.
+  std::vector<double> about(double origin, std::size_t piece) const {
+    const auto first = coefficients_.begin() + static_cast<std::ptrdiff_t>(piece * count_);
+    std::vector<double> out(first, first + static_cast<std::ptrdiff_t>(count_));
+    shift(out, origin - origins_[piece]);
+    return out;
+  }
+
+  /// Integrated piece by piece from 0, or the end next to that, in both directions; each about its end that is nearer:
+  /// tables may reach very far on both sides.
   PiecewisePolynomial integrated() const {
-    const std::size_t pieces = breaks_.size() - 1, each = count_ + 1;
-    std::vector<double> out;
-    for (std::size_t piece = 0; piece < pieces; ++piece) {
-      out.push_back(0.0);
-      append_integrated(coefficients_.data() + piece * count_, count_, out);
-    }
-    const auto within = [&](std::size_t piece, double t) {
-      return horner(out.data() + piece * each, each, t - breaks_[piece]).value;
-    };
+    const std::size_t pieces = origins_.size(), each = count_ + 1;
     const double start = std::clamp(0.0, breaks_.front(), breaks_.back());
     const std::size_t first = piece_at(start);
-    out[first * each] = 0.0 - within(first, start);
-    for (std::size_t k = first; k + 1 < pieces; ++k) out[(k + 1) * each] = within(k, breaks_[k + 1]);
-    for (std::size_t k = first; k-- > 0;) out[k * each] = out[(k + 1) * each] - within(k, breaks_[k + 1]);
-    return PiecewisePolynomial(breaks_, std::move(out));
+    std::vector<double> origins, out;
+    for (std::size_t piece = 0; piece < pieces; ++piece) {
+      origins.push_back(piece < first ? breaks_[piece + 1] : piece > first ? breaks_[piece] : start);
+      out.push_back(0.0);
+      append_integrated(about(origins.back(), piece), out);
+    }
+    const auto at = [&](std::size_t piece, double t) {
+      return horner(out.data() + piece * each, each, t - origins[piece]).value;
+    };
+    for (std::size_t k = first + 1; k < pieces; ++k) out[k * each] = at(k - 1, breaks_[k]);
+    for (std::size_t k = first; k-- > 0;) out[k * each] = at(k + 1, breaks_[k + 1]);
+    PiecewisePolynomial integral(breaks_, std::move(out));
+    integral.origins_ = std::move(origins);
+    return integral;
   }
 
   std::vector<double> breaks_, coefficients_;
+  std::vector<double> origins_;  ///< of the powers of each piece
   std::size_t count_ = 0;
 };
 
