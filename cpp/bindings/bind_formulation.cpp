@@ -2,7 +2,9 @@
 #include <utility>
 
 #include "exclusive.hpp"
+#include "linkwork/assembly/connected_components.hpp"
 #include "linkwork/assembly/force_elements.hpp"
+#include "linkwork/constraints/length_scale.hpp"
 #include "linkwork/constraints/residuals.hpp"
 #include "linkwork/formulation/dynamics.hpp"
 #include "linkwork/formulation/formulation.hpp"
@@ -414,14 +416,28 @@ py::tuple residuals(const Dynamics& dynamics, double t, const ConstVector& q, co
     const py::gil_scoped_release release;
     found = residuals_at(system, t, q, v, dynamics.history());
   }
-  return py::make_tuple(std::move(found.Phi), std::move(found.Phi_dot), std::move(found.lengths), found.rate,
-                        found.roundoff);
+  return py::make_tuple(std::move(found.Phi), std::move(found.Phi_dot), std::move(found.lengths),
+                        std::move(found.rates), found.roundoff);
+}
+
+/// Of each body.
+py::tuple scales(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
+  const System& system = dynamics.system();
+  check_size(q, system.q_size(), "q");
+  check_size(v, system.v_size(), "v");
+  Evaluation at = system.make_evaluation();
+  system.evaluate(t, q, v, dynamics.history(), at);
+  const VectorXd of_parts = characteristic_rates(system, at, v);
+  VectorXd rates(system.body_count());
+  for (int body = 0; body < system.body_count(); ++body)
+    rates[body] = of_parts[ConnectedParts::of(system).of_body(body)];
+  return py::make_tuple(characteristic_lengths(system), std::move(rates));
 }
 
 void bind_measurements(py::class_<Dynamics>& dynamics) {
   dynamics.def("statistics", exclusive(&statistics))
       .def_property_readonly("residuals_at_start", exclusive(&residuals_at_start),
-                             "The largest parts of the size and of the speed of the mechanism that residuals of the "
+                             "The largest parts of the size and of the speed of a connected part that residuals of the "
                              "initial state are, and the roundoff.")
       .def_property_readonly(
           "passed",
@@ -542,8 +558,10 @@ void bind_formulation(py::module_& module) {
            "M (n, 6, 6), D (compressed rows), inerters (rows), inertance, Phi, Phi_t, Phi_dot, gamma, g, potential, "
            "force_power, history.")
       .def("residuals", exclusive(&residuals), py::arg("t"), py::arg("q"), py::arg("v"),
-           "(Phi, Phi_dot, row lengths, rate [1/s], roundoff): Phi / length and Phi_dot / length / rate are parts of "
-           "the size and speed of the mechanism, known to the roundoff of its positions.")
+           "(Phi, Phi_dot, row lengths, row rates [1/s], roundoff): Phi / length and Phi_dot / length / rate are parts "
+           "of the size and speed of the connected part, known to the roundoff of its positions.")
+      .def("scales", exclusive(&scales), py::arg("t"), py::arg("q"), py::arg("v"),
+           "Of each body a length [m] and a rate [1/s], those of its connected part.")
       .def("accelerations", exclusive(&accelerations), py::arg("t"), py::arg("q"), py::arg("v"),
            py::arg("history") = py::none(), "(v_dot, multipliers) of the mechanism itself, without stabilization.")
       .def("derivative", exclusive(&derivative), py::arg("t"), py::arg("y"), py::arg("history") = py::none(),

@@ -1,5 +1,6 @@
 #include "linkwork/integration/relative_violation.hpp"
 
+#include "linkwork/assembly/connected_components.hpp"
 #include "mechanisms.hpp"
 
 using namespace support;
@@ -79,4 +80,22 @@ TEST_CASE("the size is that of the arms, or the radius of gyration where joints 
       CHECK(size(arm, mass, 0.25 * mass) == doctest::Approx(gyration).epsilon(1e-12));
   CHECK(size(0.1, 1.0, 0.25) == doctest::Approx(0.1).epsilon(1e-12));
   CHECK(size(0.1, 1e-3, 1.0) == doctest::Approx(0.1).epsilon(1e-12));  // the inertia is that of a rotor elsewhere
+}
+
+TEST_CASE("velocities miss the constraints by the speed that would satisfy them, of each part by its own") {
+  Model model = four_bar();
+  const int free = model.add_body("free", body_at({9, 9, 9}));
+  const System system(model);
+  RelativeViolation relative(system);
+  VectorXd y = VectorXd::Zero(system.q_size() + system.v_size() + 1);
+  y.head(system.q_size()) = system.model().initial_q();
+  relative.largest(0.0, y, system.initial_history());
+  CHECK(relative.speeds().isZero());
+  y[system.q_size() + velocity_size * free] = 5.0;  // nothing holds it
+  y[system.q_size() + 2] = 1e-3;                    // out of the plane
+  relative.largest(0.0, y, system.initial_history());
+  const ConnectedParts& parts = ConnectedParts::of(system);
+  CHECK(relative.speeds()[parts.of_body(free)] == 0.0);
+  CHECK(relative.speeds()[parts.of_body(0)] <= 1e-3);
+  CHECK(relative.speeds()[parts.of_body(0)] > 5e-4);
 }

@@ -52,7 +52,7 @@ TEST_CASE("residuals of positions are in proportion to the way off, those of vel
   CHECK(one.Phi_dot.cwiseAbs().maxCoeff() == doctest::Approx(1e-3));
   Eigen::Index row = 0;
   one.Phi_dot.cwiseAbs().maxCoeff(&row);
-  CHECK(one.largest_velocity() == doctest::Approx(1e-3 / (one.lengths[row] * one.rate)));
+  CHECK(one.largest_velocity() == doctest::Approx(1e-3 / (one.lengths[row] * one.rates[row])));
 }
 
 TEST_CASE("a mechanism at rest does not follow a driver that begins with a speed") {
@@ -60,6 +60,18 @@ TEST_CASE("a mechanism at rest does not follow a driver that begins with a speed
   const Residuals found = of(model, model.initial_q(), VectorXd::Zero(6));
   CHECK(found.largest_position() == 0.0);
   CHECK(found.Phi_dot.cwiseAbs().maxCoeff() == doctest::Approx(0.2));
+}
+
+TEST_CASE("what moves fast beside a mechanism hides nothing") {
+  Model model = driven_rod(Vec3<double>::Zero());
+  const double alone = of(model, model.initial_q(), VectorXd::Zero(6)).largest_velocity();
+  CHECK(alone > 0.05);
+  Body fast;
+  fast.velocity = {1e6, 0.0, 0.0};
+  model.add_body("fast", fast);
+  VectorXd v = model.initial_v();
+  v.head<6>().setZero();
+  CHECK(of(model, model.initial_q(), v).largest_velocity() == alone);
 }
 
 TEST_CASE("far from the origin roundoff counts") {

@@ -36,6 +36,28 @@ def test_the_fastest_eigenvalue_is_that_of_the_oscillator(k: float, c: float, fo
     assert abs(found.eigenvalue.imag) == pytest.approx(abs(exact.imag), rel=1e-5, abs=1e-5 * abs(exact))
 
 
+@pytest.mark.parametrize("beside", [5.0, 500.0, 5e4])
+@pytest.mark.parametrize("spin", [0.0, 3.0])
+def test_what_is_larger_or_faster_beside_a_mechanism_does_not_make_it_stiff(
+    beside: float, spin: float
+) -> None:
+    """A crank of 1 mm against a spring that is far from straight within its arm: phi_ddot = f(phi)."""
+    model, mm = lw.Model(gravity=(0, 0, 0)), 1e-3
+    crank = model.body("crank", mass=1e-6, inertia=(1e-13,) * 3, position=(mm, 0, 0))
+    model.revolute("ground", crank, at=(0, 0, 0), axis=(0, 0, 1))
+    model.spring_damper("ground", crank, at=((3 * mm, 0, 0), (mm, 0, 0)), stiffness=40.0, free_length=mm)
+    alone = stiffness.fastest(lw.System(model))
+    arm = model.body("arm", mass=1e3, inertia=(1e3 * beside**2,) * 3, position=(beside, 0, 0),
+                     velocity=(0, 0, -spin * beside), omega=(0, spin, 0))  # fmt: skip
+    model.revolute("ground", arm, at=(0, 0, 0), axis=(0, 1, 0))
+    found = stiffness.fastest(lw.System(model))
+    # pull 40 N/m (l - 1 mm), l = 2 mm here: its arm about the pin grows by 3/2 mm an angle
+    rate = np.sqrt(40.0 * mm * 1.5 * mm / (1e-6 * mm**2 + 1e-13))
+    assert alone is not None and found is not None and found.body == "crank"
+    assert abs(alone.eigenvalue) == pytest.approx(rate, rel=1e-5)
+    assert abs(found.eigenvalue) == pytest.approx(rate, rel=1e-5)
+
+
 @pytest.mark.parametrize("c", [0.0, 2e4])
 def test_a_step_beyond_the_limit_of_rk4_is_refused_and_one_below_is_stable(c: float) -> None:
     """|h lambda| <= 2.828 on the imaginary axis, 2.785 on the real one."""

@@ -859,6 +859,27 @@ def test_rounding_of_places_far_away_adds_up_in_uniform_motion(
     assert ("from the origin" in result.verdict.sentence) == (result.verdict.level != "good")
 
 
+@pytest.mark.parametrize("formulation", ["standard", "augmented_lagrangian"])
+@pytest.mark.parametrize(("place", "swing", "step"), [(5e6, 1e-3, 1e-3), (5e6, 0.1, 1e-4), (4e5, 1e-3, 1e-3)])
+def test_rounding_of_places_far_away_is_an_error_of_velocities(
+    place: float, swing: float, step: float, formulation: str
+) -> None:
+    """Stabilization turns violations that are rounding into velocities: those along the rod."""
+
+    def pendulum(x: float) -> lw.Result:
+        model = lw.Model(gravity=(0, 0, -9.81))
+        pin = np.array((x, 0, 0.7 * x))
+        center = pin + np.array((np.sin(swing), 0, -np.cos(swing)))
+        rod = model.body("rod", mass=1.0, inertia=(0.1, 0.1, 0.01), position=center)
+        model.revolute("ground", rod, at=pin, axis=(0, 1, 0))
+        return lw.simulate(model, 1.0, step, formulation=formulation, on_inaccurate="pass", record_every=7)
+
+    near, far = pendulum(0.0), pendulum(place)
+    error = np.abs(far.velocity - near.velocity).max() / np.abs(near.velocity).max()
+    assert error > 1e-6
+    assert 0.3 * error < far.verdict.error < 30 * error
+
+
 def test_without_hysteresis_the_speed_at_which_contact_begins_is_no_error() -> None:
     model, up = lw.Model(gravity=(0, 0, -9.81)), (0, 0, 0.2)
     ball = model.body("ball", mass=0.1, inertia=(1e-4,) * 3, position=up)

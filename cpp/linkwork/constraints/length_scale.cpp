@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 
+#include "linkwork/assembly/connected_components.hpp"
 #include "linkwork/math/interruption.hpp"
 #include "linkwork/math/rotation.hpp"
 
@@ -169,21 +170,25 @@ double roundoff_of_positions(const System& system, const ConstVector& q) {
   return roundoff * farthest_position(system, q);
 }
 
-double characteristic_rate(const System& system, const Evaluation& at, const ConstVector& v) {
+VectorXd characteristic_rates(const System& system, const Evaluation& at, const ConstVector& v) {
   const VectorXd& lengths = characteristic_lengths(system);
-  double rate = 0.0, force = 0.0, inertia = 0.0;
+  const ConnectedParts& parts = ConnectedParts::of(system);
+  VectorXd out = VectorXd::Constant(parts.count(), at_rest), force = VectorXd::Zero(parts.count()), inertia = force;
   for (int body = 0; body < system.body_count(); ++body) {
     const auto own = v.segment<velocity_size>(velocity_size * body);
-    rate = std::max({rate, own.head<3>().norm() / lengths[body], own.tail<3>().norm()});
-    force += at.g.segment<3>(velocity_size * body).norm();
-    inertia += system.mass(body) * lengths[body];
+    const int part = parts.of_body(body);
+    out[part] = std::max({out[part], own.head<3>().norm() / lengths[body], own.tail<3>().norm()});
+    force[part] += at.g.segment<3>(velocity_size * body).norm();
+    inertia[part] += system.mass(body) * lengths[body];
   }
-  if (at.Phi_t.size() > 0) {
-    const VectorXd rows = row_lengths(system, at);
-    rate = std::max({rate, at.Phi_t.cwiseQuotient(rows).cwiseAbs().maxCoeff(),
-                     std::sqrt(at.gamma.cwiseQuotient(rows).cwiseAbs().maxCoeff())});
+  const VectorXd rows = at.Phi_t.size() > 0 ? row_lengths(system, at) : VectorXd();
+  for (Eigen::Index row = 0; row < rows.size(); ++row) {
+    double& rate = out[parts.of_row(row)];
+    rate = std::max({rate, std::abs(at.Phi_t[row]) / rows[row], std::sqrt(std::abs(at.gamma[row]) / rows[row])});
   }
-  return std::max(at_rest, inertia > 0.0 ? std::max(rate, std::sqrt(force / inertia)) : rate);
+  for (Eigen::Index part = 0; part < out.size(); ++part)
+    if (inertia[part] > 0.0) out[part] = std::max(out[part], std::sqrt(force[part] / inertia[part]));
+  return out;
 }
 
 }  // namespace linkwork

@@ -8,10 +8,10 @@ namespace linkwork {
 struct Residuals {
   VectorXd Phi, Phi_dot;
   VectorXd lengths;  ///< what divides a residual, see row_lengths
-  double rate;       ///< and with it one of Phi_dot, see characteristic_rate
+  VectorXd rates;    ///< of each row that of its part, and with it one of Phi_dot; see characteristic_rates
   double roundoff;   ///< see roundoff_of_positions
 
-  // The largest of all rows, relative to the size and to the speed of the mechanism; what is no number is passed over.
+  // The largest of all rows, relative to the size and to the speed of its part; what is no number is passed over.
   double largest_position() const;
   double largest_velocity() const;
 };

@@ -75,7 +75,8 @@ class Accumulation {
                                       [this](const StepError& it) { return of(it).contact_begins; });
     out_.onset = sum([this](const StepError& it) { return of(it).onset; }) / V_;
     const double path = sum([this](const StepError& it) { return of(it).displacement; });
-    out_.rounding = sum([this](const StepError& it) { return of(it).rounding; }) / std::max(path, size_);
+    out_.rounding =
+        std::max(sum([this](const StepError& it) { return of(it).rounding; }) / std::max(path, size_), noise() / V_);
     out_.rate = V_ / L_;
     out_.slowness = slowness();
     out_.carried = judged_.speed_as_a_whole / V_;
@@ -216,6 +217,13 @@ class Accumulation {
     double largest = 0.0;
     for (const StepError& it : errors_.steps)
       if (!it.failed) largest = std::max(largest, error(of(it).end));
+    return largest;
+  }
+
+  double noise() const {
+    double largest = 0.0;
+    for (const StepError& it : errors_.steps)
+      if (!it.failed) largest = std::max(largest, of(it).noise);
     return largest;
   }
 

@@ -32,7 +32,8 @@ struct AccumulatedError {
   double yielding = 0.0;        ///< largest of what reactions lose as constraints yield, of any part; NaN: not known
   bool contacts_begin = false;  ///< of any part
   double onset = 0.0;      ///< of the speeds at which contacts began, added up, relative to V, the largest of any part
-  double rounding = 0.0;   ///< of positions, relative to the path in space or the size where that is more, the largest
+  double rounding = 0.0;   ///< of positions, relative to the path in space or the size where that is more, and of
+                           ///< velocities that miss the constraints by it, relative to V, the largest
   double violation = 0.0;  ///< largest at the ends of these steps, see RelativeViolation
   double rate = 0.0;       ///< V / L of the part with the largest kinetic energy [1/s]
   double slowness = 1.0;   ///< of that part, 1 / kinetic energy in the mean over the run, relative to the largest

@@ -58,11 +58,12 @@ RelativeViolation::RelativeViolation(const System& system)
 // With d the displacement and phi the rotation of a body, Phi changes by D_r d + D_phi phi: the least change of both
 // that makes up for a violation is |Phi| / |(D_r, D_phi / L)| as a length, L the size of the part.
 double RelativeViolation::largest(double t, const VectorXd& y, const VectorXd& history) {
+  const ConnectedParts& parts = ConnectedParts::of(system_);
+  speeds_.setZero(parts.count());
   if (system_.row_count() == 0) return 0.0;
   system_.evaluate_constraints(t, y.head(system_.q_size()), y.segment(system_.q_size(), system_.v_size()), history,
                                at_);
   squared_.setZero(system_.row_count());
-  const ConnectedParts& parts = ConnectedParts::of(system_);
   const auto length = [&](Eigen::Index row) { return lengths_[parts.of_row(row)]; };
   for (const ConstraintBlock& block : system_.blocks()) {
     const double squared_length = length(block.row) * length(block.row);
@@ -72,9 +73,13 @@ double RelativeViolation::largest(double t, const VectorXd& y, const VectorXd& h
     }
   }
   double largest = 0.0;
-  for (Eigen::Index row = 0; row < squared_.size(); ++row)
-    if (squared_[row] > 0.0)
-      largest = std::max(largest, std::abs(at_.Phi[row]) / (length(row) * std::sqrt(squared_[row])));
+  for (Eigen::Index row = 0; row < squared_.size(); ++row) {
+    if (!(squared_[row] > 0.0)) continue;
+    const double of_motion = std::sqrt(squared_[row]);
+    double& speed = speeds_[parts.of_row(row)];
+    largest = std::max(largest, std::abs(at_.Phi[row]) / (length(row) * of_motion));
+    speed = std::max(speed, std::abs(at_.Phi_dot[row]) / of_motion);
+  }
   return largest;
 }
 

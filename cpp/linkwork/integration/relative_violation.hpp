@@ -15,6 +15,8 @@ class RelativeViolation {
   /// The largest at (t, y), y = (q, v, ...), with the history variables of special joints: by how much of its
   /// size bodies would have to be displaced, or turned [rad], to meet the equation alone.
   double largest(double t, const VectorXd& y, const VectorXd& history);
+  /// There, of each part: by which speed of bodies at least the velocities miss an equation [m/s].
+  const VectorXd& speeds() const { return speeds_; }
   const VectorXd& lengths() const { return lengths_; }
   /// Size of each connected part [m]: the longest way from a center of mass to a joint, or between two points that a
   /// joint keeps apart; without any its radius of gyration.
@@ -25,6 +27,7 @@ class RelativeViolation {
   VectorXd lengths_;
   Evaluation at_;
   VectorXd squared_;  ///< of each row
+  VectorXd speeds_;   ///< of each part
 };
 
 }  // namespace linkwork

@@ -155,12 +155,25 @@ StepError StepJudge::judge(const KeptStep& step, bool reactions, bool inside, co
   try {
     if (take_.staggered) look_at(half_a_step_later(step, out), reactions, inside, retaken, out);
     else look_at(step, reactions, inside, retaken, out);
-    out.violation = violation_.largest(span_.at(1.0), step.y_new, step.history);
+    find_violation(step, out);
   } catch (const Error&) {
     out.failed = true;
   }
   dynamics_.end_parts();
   return out;
+}
+
+/// What the velocities miss the constraints by is an error of theirs, the same in a step that is taken again: far from
+/// the origin violations of positions are rounding, which stabilization turns into velocities.
+void StepJudge::find_violation(const KeptStep& step, StepError& out) {
+  out.violation = violation_.largest(span_.at(1.0), step.y_new, step.history);
+  if (take_.staggered) return;
+  const DifferencesOfParts rounded = rounding(dynamics_.system(), step.y_new);
+  for (std::size_t part = 0; part < out.of_part.size(); ++part) {
+    const double speed = violation_.speeds()[static_cast<Eigen::Index>(part)];
+    out.of_part[part].fading.raise({0.0, 0.0, speed, 0.0});
+    out.of_part[part].noise = std::min(speed, rounded[part].position / step.h);
+  }
 }
 
 void StepJudge::look_at(const KeptStep& step, bool reactions, bool inside, const RetakenStep& retaken, StepError& out) {

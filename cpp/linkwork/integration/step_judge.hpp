@@ -51,7 +51,8 @@ SecondTake of_staggered_velocities(const ButcherTableau& other);
 /// Speeds are those that the judge's axes see, and no rounding of y counts.
 struct PartError {
   StateDifference end, inside;  ///< inside: where the first part of the step ends; zero where that was not looked at
-  StateDifference fading;       ///< what errors come to that stabilization or forces take back soon
+  StateDifference fading;       ///< what errors come to that stabilization or forces take back soon; at least what
+                                ///< velocities miss the constraints by
   StateDifference late;         ///< what half a step of staggered velocities is
   double force = std::numeric_limits<double>::quiet_NaN();  ///< of reactions [N]; NaN: not looked at
   double torque = force;                                    ///< likewise [N m]
@@ -65,6 +66,7 @@ struct PartError {
   bool contact_begins = false;
   double onset = 0.0;  ///< of the speed at which it does, where that counts [m/s], also in that of the velocity
   double rounding = 0.0, displacement = 0.0;  ///< of positions in space, where it is the same in many steps [m]
+  double noise = 0.0;                         ///< of velocities, which rounding of positions may be in a step [m/s]
 };
 
 /// All of it in the local error of one step alone.
@@ -124,6 +126,7 @@ class StepJudge {
   static void leave_out(Dynamics& dynamics, const std::vector<int>& rows);
   void finish(double t);
   void compare(const KeptStep& step, StepError& out);
+  void find_violation(const KeptStep& step, StepError& out);
   void separate_fading(const KeptStep& step, double share, StepError& out);
   void separate_damped(const KeptStep& step, StepError& out);
   void look_at_motion(const KeptStep& step, StepError& out);

@@ -106,7 +106,8 @@ class Verdict:
     yielding     of forces and torques, relative to the largest: what they lose in the states of the run where
                  constraints yield, by a penalty or by iterations that end early
     rounding     of positions, relative to the path, where it adds up: of motion that is uniform to the last
-                 digit, in steps that are short beside the distance from the origin
+                 digit, in steps that are short beside the distance from the origin; of velocities there, into
+                 which stabilization turns violations that are rounding
     body         of the connected part that the error is of; "": all bodies are one part, or it is of no one
     """
 
@@ -348,9 +349,9 @@ def verified(
 
 def _rounded_off(verdict: Verdict) -> Verdict:
     """Says so where it is rounding that makes most of the error, in each run alike."""
-    error = verdict.rounding
-    if error <= verdict.error:
+    if SAFETY * verdict.rounding < verdict.error:
         return verdict
+    error = max(verdict.rounding, verdict.error)
     sentence = f"accurate to about {_figure(error)}{_but(error, verdict.reactions)}"
     if error > GOOD:
         why = "as steps are short beside the distance from the origin, to which positions are rounded"

@@ -10,7 +10,6 @@ import numpy as np
 from linkwork.arrays import Floats
 from linkwork.equations.system import System
 from linkwork.errors import LinkworkError
-from linkwork.modeling.extent import extent
 
 #: Of Arnoldi's method: two right-hand sides each.
 ITERATIONS = 20
@@ -90,13 +89,13 @@ def stable_step(growth: Callable[[float, float], float], eigenvalue: complex, st
 
 def _reach(system: System, y: Floats) -> Floats:
     """Units of the linearization (13n,): of positions, Euler parameters, velocities, angular velocities."""
-    core = system.model.compiled()
-    count, size = core.body_count, extent(core).size
-    v = np.abs(y[7 * count :]).reshape(-1, 6)
-    *_, rate, _ = system.compiled().residuals(0.0, y[: 7 * count], y[7 * count :])
-    speed, spin = max(size * rate, v[:, :3].max()), max(rate, v[:, 3:].max())
-    pose, rate = [size] * 3 + [1.0] * 4, [speed] * 3 + [spin] * 3
-    return np.concatenate([np.tile(pose, count), np.tile(rate, count)])
+    count = system.model.body_count
+    q, v = y[: 7 * count], y[7 * count :]
+    lengths, rates = system.compiled().scales(0.0, q, v)
+    speeds, spins = np.linalg.norm(v.reshape(-1, 2, 3), axis=2).T
+    poses = np.repeat([lengths, np.ones(count)], [3, 4], axis=0)
+    motion = np.repeat([np.maximum(lengths * rates, speeds), np.maximum(rates, spins)], 3, axis=0)
+    return np.concatenate([poses.T.ravel(), motion.T.ravel()])
 
 
 def _directional(system: System, y: Floats, reach: Floats, z: Floats) -> Floats:

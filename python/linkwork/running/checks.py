@@ -135,7 +135,7 @@ class Residuals:
 
     level: str  #: "poses" or "velocities"
     value: Floats  #: [m] or [1], of velocities per second
-    relative: Floats  #: to the size of the mechanism, of velocities to its speed
+    relative: Floats  #: to the size of the connected part, of velocities to its speed
     rounding: float  #: what roundoff can make of a relative one
 
     @property
@@ -147,7 +147,7 @@ def residuals(model: Model, dynamics: _core.Dynamics, at: Snapshot | None = None
     """Of positions and of velocities; without `at` at t = 0."""
     core = model.compiled()
     t, q, v = (0.0, core.q0, core.v0) if at is None else (at.t, np.ravel(at.q), np.ravel(at.v))
-    Phi, Phi_dot, lengths, rate, roundoff = dynamics.residuals(t, q, v)
+    Phi, Phi_dot, lengths, rates, roundoff = dynamics.residuals(t, q, v)
     starts = core.joint_rows[:-1]
 
     def of(level: str, residual: Floats, scale: Floats) -> Residuals:
@@ -158,7 +158,7 @@ def residuals(model: Model, dynamics: _core.Dynamics, at: Snapshot | None = None
         value, part = (np.maximum.reduceat(x, starts) for x in (values, relative))
         return Residuals(level, value, part, RESIDUAL_TOLERANCE + roundoff)
 
-    return [of("poses", Phi, lengths), of("velocities", Phi_dot, lengths * rate)]
+    return [of("poses", Phi, lengths), of("velocities", Phi_dot, lengths * rates)]
 
 
 def joint_residuals(
