@@ -57,6 +57,22 @@ Model loops(Random& random, int bodies) {
   return model;
 }
 
+/// So many times the same mechanism of hinges between bodies.
+Model copies(const Model& model, int count) {
+  Model out;
+  const auto n = static_cast<int>(model.bodies().size());
+  for (int copy = 0; copy < count; ++copy) {
+    const std::string name = std::to_string(copy) + " ";
+    for (int k = 0; k < n; ++k) out.add_body(name + model.body_name(k), model.bodies()[k]);
+    for (std::size_t k = 0; k < model.joints().size(); ++k) {
+      const Element& it = model.joints()[k];
+      const int i = it.i == ground ? ground : it.i + copy * n;
+      out.add_joint("revolute", name + model.joint_name(static_cast<int>(k)), i, it.j + copy * n, it.at);
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 TEST_CASE("open branches of every kind of joint are solved on every instruction set") {
@@ -407,6 +423,25 @@ TEST_CASE("the same numbers give the same factors to the last bit") {
     solver.factorize_and_solve(at, e, a, b, x_again, lambda_again);
     CHECK((x_again.array() == x.array()).all());
     CHECK((lambda_again.array() == lambda.array()).all());
+  });
+}
+
+TEST_CASE("factors that are written past the caches, as those of many bodies are, have the bits of others") {
+  constexpr int count = 700;  // of 40 bodies with 640 bytes each
+  Random random(21);
+  const Model model = random_chain(random, 40, "revolute");
+  const System one(copies(model, 1)), many(copies(model, count));
+  const Evaluation at_one = evaluate_initially(one), at_many = evaluate_initially(many);
+  const VectorXd e, a = random.vector(one.v_size()), b = random.vector(one.row_count());
+  VectorXd x(one.v_size()), lambda(one.row_count()), x_many(many.v_size()), lambda_many(many.row_count());
+  for_every_instruction_set([&](SaddleSolver& solver) {
+    solver.analyze(one, at_one);
+    solver.factorize_and_solve(at_one, e, a, b, x, lambda);
+    solver.analyze(many, at_many);
+    solver.factorize_and_solve(at_many, e, a.replicate(count, 1).eval(), b.replicate(count, 1).eval(), x_many,
+                               lambda_many);
+    CHECK((x_many.array() == x.replicate(count, 1).array()).all());
+    CHECK((lambda_many.array() == lambda.replicate(count, 1).array()).all());
   });
 }
 

@@ -32,6 +32,24 @@ typedef long long NativeIndex __attribute__((vector_size(8 * width)));
 
 LINKWORK_INLINE Native load_native(const double* p) { return *reinterpret_cast<const UnalignedNative*>(p); }
 LINKWORK_INLINE void store_native(double* p, Native v) { *reinterpret_cast<UnalignedNative*>(p) = v; }
+/// To the start of a line of memory, past the caches.
+LINKWORK_INLINE void stream_native(double* to, Native v) {
+#if LINKWORK_WIDTH == 8
+  _mm512_stream_pd(to, (__m512d)v);
+#elif LINKWORK_WIDTH == 4
+  _mm256_stream_pd(to, (__m256d)v);
+#else
+  store_native(to, v);
+#endif
+}
+
+/// Before others read what was streamed.
+LINKWORK_INLINE void end_stream() {
+#if defined(__AVX__)
+  _mm_sfence();
+#endif
+}
+
 LINKWORK_INLINE Native splat_native(double x) { return x - Native{}; }
 /// Lane k in all lanes.
 LINKWORK_INLINE Native spread_native(Native v, int k) {

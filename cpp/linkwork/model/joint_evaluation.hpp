@@ -7,24 +7,6 @@
 /// fused operations, so that all of them give the same numbers to the last bit.
 namespace linkwork::simd::LINKWORK_ISA {
 
-/// To the start of a line of memory, past the caches.
-LINKWORK_INLINE void stream_native(double* to, Native v) {
-#if LINKWORK_WIDTH == 8
-  _mm512_stream_pd(to, (__m512d)v);
-#elif LINKWORK_WIDTH == 4
-  _mm256_stream_pd(to, (__m256d)v);
-#else
-  store_native(to, v);
-#endif
-}
-
-/// Before others read what was streamed.
-LINKWORK_INLINE void end_stream() {
-#if defined(__AVX__)
-  _mm_sfence();
-#endif
-}
-
 /// Numbers of which most are whole lines, which need not be read before they are written.
 inline void stream_lines(double* to, const double* from, int count) {
   constexpr int line = 8;

@@ -18,6 +18,7 @@ namespace {
 constexpr double singular_pivot = 1e-15;
 constexpr double far_apart = 1e6, far_above = 1e4;  // masses; inertances, row by row
 constexpr std::size_t cached = 1 << 16;             // doubles, half of a cache of 1 MB: the rest is for D
+constexpr std::size_t uncached = 1 << 21;           // doubles, 16 MB: the rest is for D
 constexpr std::size_t slack = 2 * lanes;            // vectors may reach past the last column
 
 class BlockSolver final : public SaddleSolver {
@@ -351,6 +352,7 @@ class BlockSolver final : public SaddleSolver {
              .scratch = scratch_.data(),
              .pivots = pivots_.data(),
              .large = factors_.size() + panels_.size() > cached,
+             .streamed = factors_.size() > uncached,
              .breakdown = s.breakdown(),
              .helpers = {}};
     if (split_) data_.helpers = {.pool = &system_->threads(), .run = &help, .scratch = scratch_places_.data()};

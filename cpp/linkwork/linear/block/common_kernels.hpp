@@ -97,10 +97,11 @@ LINKWORK_INLINE void leave_for_children(Vector x, int slot, const Data& data) {
 }
 
 /// Lines of 64 bytes, to be read, or written too. A large model does not fit into the caches, and its order is not the
-/// one that a processor guesses: what comes a few steps later is asked for in time.
-template <bool written>
+/// one that a processor guesses: what comes a few steps later is asked for in time. A core's first cache waits for some
+/// 20 lines at a time only: where more are asked for, they go to the second, which waits for more.
+template <bool written, int nearest_cache = 1>
 LINKWORK_INLINE void prefetch(const double* from, std::ptrdiff_t count) {
-  for (std::ptrdiff_t k = 0; k < count; k += lanes) __builtin_prefetch(from + k, written, 3);
+  for (std::ptrdiff_t k = 0; k < count; k += lanes) __builtin_prefetch(from + k, written, 4 - nearest_cache);
 }
 
 }  // namespace

@@ -197,6 +197,7 @@ struct Data {
   double* scratch;   ///< `scratch_columns` of the highest front
   double* pivots;    ///< of the widest front
   bool large;        ///< more than a core's own cache holds: worth to be prefetched
+  bool streamed;     ///< `factors` are more than any cache holds: they are written past them
   double breakdown;  ///< relative pivot from which no elimination should go on
   Helpers helpers;
 };

@@ -15,7 +15,7 @@
 namespace linkwork::block {
 namespace {
 
-constexpr int steps_ahead = 8;  // that are prefetched
+constexpr int steps_ahead = 8, steps_ahead_back = 16;  // that are prefetched
 
 /// Where the rows of a step stand.
 template <bool scattered>
@@ -79,7 +79,7 @@ LINKWORK_INLINE void prefetch_step(const TreeStep& step, const Data& data) {
     prefetch<false>(data.D + step.D_body, 6 * step.rows);
     prefetch<false>(data.D + step.D_parent, 6 * step.rows);
   }
-  prefetch<true>(data.factors + step.storage, step_storage(step.rows));
+  if (!streams_factors(step, data)) prefetch<true>(data.factors + step.storage, step_storage(step.rows));
   __builtin_prefetch(&data.mass[step.body]);
 }
 
@@ -283,6 +283,7 @@ SmallestPivot factor_branches(const Data& data, const NodeRange* ranges, int cou
       });
     }
   }
+  if (data.streamed) end_stream();
   return smallest;
 }
 
@@ -290,9 +291,9 @@ void backward_branches(const Data& data, const NodeRange* ranges, int count, dou
   for (const NodeRange* range = ranges + count; range-- > ranges;)
     for (std::ptrdiff_t s = range->last; s-- > range->first;) {
       const TreeStep& step = data.steps[s];
-      if (data.large && s >= range->first + steps_ahead) {
-        const TreeStep& ahead = data.steps[s - steps_ahead];
-        prefetch<false>(data.factors + ahead.storage, step_storage(ahead.rows));
+      if (data.large && s >= range->first + steps_ahead_back) {
+        const TreeStep& ahead = data.steps[s - steps_ahead_back];
+        prefetch<false, 2>(data.factors + ahead.storage, step_storage(ahead.rows));
       }
       with_rows(step, [&](auto rows, auto scattered) { backward_step<rows, scattered>(step, data, x, lambda); });
     }

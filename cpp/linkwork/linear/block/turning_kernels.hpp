@@ -36,6 +36,12 @@ struct TurningFactors {
   static_assert(sign < step_storage(rows) && sign >= second_factors(rows) + 7 * rows);
 };
 
+/// Whether the factors of a step go past the caches, as of large models those of this form do: all others come before
+/// they are read.
+LINKWORK_INLINE bool streams_factors(const TreeStep& step, const Data& data) {
+  return width > 2 && data.streamed && (step.turning || step.slides);
+}
+
 /// Numbers of a vector one by one: from memory they reach all lanes without a permutation.
 struct alignas(64) Numbers {
   double at[lanes];
@@ -351,6 +357,17 @@ LINKWORK_INLINE void store_way_back(const TurningJoint& joint, const double* D, 
   factors[At::sign] = joint.s;
 }
 
+/// Whole lines go past the caches at once: they are put together beside their place first.
+template <int rows, class StoreFactors>
+LINKWORK_INLINE void stream_factors(double* place, const StoreFactors& store_factors) {
+  constexpr auto size = static_cast<int>(step_storage(rows));
+  alignas(64) double together[size];
+  store(together + size - lanes, splat(0.0));  // the last line is not filled
+  store_factors(together);
+  LINKWORK_UNROLL for (int k = 0; k < size; k += width)
+    stream_native(place + k, load_native(together + k));
+}
+
 template <int rows, bool with_inerter>
 LINKWORK_INLINE void factor_turning_step(const TreeStep& step, const Data& data, const double* a,
                                          const TurningJoint& joint, SmallestPivot& smallest) {
@@ -369,7 +386,11 @@ LINKWORK_INLINE void factor_turning_step(const TreeStep& step, const Data& data,
   note_inertia(smallest, free.d, Kind::free ? least_pivot(joint.slides, step, data) : not_a_number, step.row);
   if (step.parent >= 0) add_to_parent_of<Kind>(step, data, a, joint, W, free);
   const double* D_inerter = with_inerter ? RowsOfTurningStep<rows, with_inerter>{step, data}.D_body(rows - 1) : nullptr;
-  store_way_back<Kind>(joint, data.D + step.D_body, D_inerter, W, free, data.factors + step.storage);
+  const auto store_factors = [&](double* factors) {
+    store_way_back<Kind>(joint, data.D + step.D_body, D_inerter, W, free, factors);
+  };
+  if (data.streamed) stream_factors<rows>(data.factors + step.storage, store_factors);
+  else store_factors(data.factors + step.storage);
 }
 
 /// False where the factors are those of another kind.
