@@ -145,7 +145,7 @@ LINKWORK_INLINE void prefetch_places(const JointArrays& joints, int first, const
   constexpr int line = 8;
   for (int joint = first; joint < first + width; ++joint) {
     const double* D_j = D + joints.D[joint] + 6 * rows;
-    for (int k = holds_point ? 6 * 3 + 3 : 0; k < 6 * rows; k += line) __builtin_prefetch(D_j + k);
+    for (int k = holds_point ? 6 * 3 + 3 : 0; k < 6 * rows; k += line) __builtin_prefetch(D_j + k, 0, 2);
     __builtin_prefetch(q + 7l * joints.body_j[joint]);
     __builtin_prefetch(force + 3l * joints.number[joint], 1);
     __builtin_prefetch(torque + 3l * joints.number[joint], 1);
