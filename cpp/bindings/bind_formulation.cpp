@@ -429,9 +429,12 @@ py::tuple scales(const Dynamics& dynamics, double t, const ConstVector& q, const
   system.evaluate(t, q, v, dynamics.history(), at);
   const VectorXd of_parts = characteristic_rates(system, at, v);
   VectorXd rates(system.body_count());
-  for (int body = 0; body < system.body_count(); ++body)
-    rates[body] = of_parts[ConnectedParts::of(system).of_body(body)];
-  return py::make_tuple(characteristic_lengths(system), std::move(rates));
+  Eigen::VectorXi parts(system.body_count());
+  for (int body = 0; body < system.body_count(); ++body) {
+    parts[body] = ConnectedParts::of(system).of_body(body);
+    rates[body] = of_parts[parts[body]];
+  }
+  return py::make_tuple(characteristic_lengths(system), std::move(rates), std::move(parts));
 }
 
 void bind_measurements(py::class_<Dynamics>& dynamics) {
@@ -561,7 +564,7 @@ void bind_formulation(py::module_& module) {
            "(Phi, Phi_dot, row lengths, row rates [1/s], roundoff): Phi / length and Phi_dot / length / rate are parts "
            "of the size and speed of the connected part, known to the roundoff of its positions.")
       .def("scales", exclusive(&scales), py::arg("t"), py::arg("q"), py::arg("v"),
-           "Of each body a length [m] and a rate [1/s], those of its connected part.")
+           "Of each body a length [m] and a rate [1/s], those of its connected part, and which part that is.")
       .def("accelerations", exclusive(&accelerations), py::arg("t"), py::arg("q"), py::arg("v"),
            py::arg("history") = py::none(), "(v_dot, multipliers) of the mechanism itself, without stabilization.")
       .def("derivative", exclusive(&derivative), py::arg("t"), py::arg("y"), py::arg("history") = py::none(),

@@ -77,7 +77,7 @@ TEST_CASE("the rate of a mechanism is that of its velocities: twice as fast, twi
   Evaluation at = system.make_evaluation();
   const auto rate = [&](double factor) {
     system.evaluate(0.0, model.initial_q(), factor * v, system.initial_history(), at);
-    return characteristic_rate(system, at, factor * v);
+    return characteristic_rates(system, at, factor * v)[0];
   };
   CHECK(rate(2.0) == doctest::Approx(2.0 * rate(1.0)).epsilon(1e-12));
   CHECK(rate(1.0) >= 3.0);

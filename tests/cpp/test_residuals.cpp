@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "support.hpp"
+#include "mechanisms.hpp"
 
 using namespace support;
 
@@ -72,6 +72,20 @@ TEST_CASE("what moves fast beside a mechanism hides nothing") {
   VectorXd v = model.initial_v();
   v.head<6>().setZero();
   CHECK(of(model, model.initial_q(), v).largest_velocity() == alone);
+}
+
+TEST_CASE("what is rounding beside the fastest part is no speed of one at rest") {
+  Model model(Vec3<double>::Zero());
+  Body rod = body_at({1.0, 0.0, 0.0});
+  rod.velocity = {6e-16, 0.0, 0.0};
+  model.add_body("rod", rod);
+  join(model, "revolute", "pin", ground, 0, {0, 0, 0});
+  const double alone = of(model).largest_velocity();
+  Body fast = body_at({5.0, 5.0, 0.0});
+  fast.velocity = {10.0, 0.0, 0.0};
+  model.add_body("fast", fast);
+  CHECK(of(model).largest_velocity() < 1e-3);
+  CHECK(of(model).largest_velocity() < 0.2 * alone);
 }
 
 TEST_CASE("far from the origin roundoff counts") {

@@ -62,3 +62,19 @@ TEST_CASE("a spring that is the same at all times stores no more at breaks of ot
   const System system(free_body());
   CHECK(!StoredEnergyJumps(system).any());
 }
+
+TEST_CASE("a free length that jumps does the work of a spring by its characteristic, too") {
+  Model model = free_body();
+  const int free = model.add_signal(piecewise_polynomial({0.0, jump, 2.0}, {free_length, 0.7}));
+  const int spring = model.add_signal(characteristic(polynomial({0.0, soft, 0.0, stiff}), "spring"));
+  const Vec3<double> o = Vec3<double>::Zero();
+  const Mat3<double> I = Mat3<double>::Identity();
+  model.add_force("nonlinear_spring_damper", "spring", ground, 0, {o, o, I, I},
+                  {{0.0, spring}, {2.0, -1}, {0.0, free}});
+  const System system(model);
+  const BreakPoints breaks(system.model(), {});
+  const auto stored = [](double x) { return soft / 2 * x * x + stiff / 4 * x * x * x * x; };
+  const StoredEnergyJumps jumps(system);
+  CHECK(jumps.work(breaks.before(jump), breaks.after(jump), at(system, 1.4, 0.0), VectorXd()) ==
+        doctest::Approx(stored(0.7) - stored(0.4)).epsilon(1e-12));
+}

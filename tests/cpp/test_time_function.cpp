@@ -127,6 +127,12 @@ TEST_CASE("an integral has its digits near 0 however far its table reaches") {
     CHECK(integral->evaluate(x).value == doctest::Approx((x < 0 ? below : above) / 2 * x * x).epsilon(1e-14));
 }
 
+TEST_CASE("an integral of a harmonic has its digits near 0") {
+  const auto integral = harmonic(30.0, 2.0, 0.0, 0.0)->integral();
+  for (const double x : {1e-8, -1e-6, 1e-3})
+    CHECK(integral->evaluate(x).value == doctest::Approx(30.0 * std::sin(x) * std::sin(x)).epsilon(1e-15));
+}
+
 TEST_CASE("a function of which one term has no known integral has none") {
   const auto unknown = callback([](double t) { return t * t; });
   CHECK_FALSE(unknown->integral());

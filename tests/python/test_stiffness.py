@@ -58,6 +58,26 @@ def test_what_is_larger_or_faster_beside_a_mechanism_does_not_make_it_stiff(
     assert abs(found.eigenvalue) == pytest.approx(rate, rel=1e-5)
 
 
+@pytest.mark.parametrize("place", [(0, 0, 0), (10, 7, 3)])
+@pytest.mark.parametrize("beside", [False, True])
+@pytest.mark.parametrize(("k", "c"), [(1e3, 10.0), (1e9, 10.0), (1e3, 0.0)])
+def test_the_fastest_eigenvalue_at_rest_is_that_of_the_springs(
+    k: float, c: float, beside: bool, place: tuple[float, float, float]
+) -> None:
+    """A ball on three pairs of springs that are free: 2 k and 2 c along each axis; turning takes none of them."""
+    for seed in range(5):
+        model = lw.Model(gravity=(0, 0, 0))
+        axes = np.linalg.qr(np.random.default_rng(seed).standard_normal((3, 3)))[0]
+        ball = model.body("ball", mass=1.0, inertia=(0.1,) * 3, position=place)
+        for axis in [*axes, *-axes]:
+            model.spring_damper("ground", ball, at=(place + axis, place), stiffness=k, damping=c)
+        if beside:
+            model.body("spinner", mass=1.0, inertia=(0.1, 0.2, 0.3), position=(50, 0, 0), omega=(1, 2, 3))
+        found = stiffness.fastest(lw.System(model))
+        assert found is not None and found.body == "ball"
+        assert abs(found.eigenvalue) == pytest.approx(max(abs(np.roots([1, 2 * c, 2 * k]))), rel=1e-4)
+
+
 @pytest.mark.parametrize("c", [0.0, 2e4])
 def test_a_step_beyond_the_limit_of_rk4_is_refused_and_one_below_is_stable(c: float) -> None:
     """|h lambda| <= 2.828 on the imaginary axis, 2.785 on the real one."""

@@ -12,7 +12,8 @@
 namespace linkwork {
 namespace {
 
-constexpr double at_rest = 1e-12;  // [1/s]: slower, and nothing moves but by roundoff
+constexpr double at_rest = 1e-12;         // [1/s]: slower, and nothing moves but by roundoff
+constexpr double at_rest_beside = 1e-12;  // the same, relative to the fastest part
 
 constexpr double roundoff = 64 * std::numeric_limits<double>::epsilon();
 constexpr double least_row = 0.1;  // of natural size 1
@@ -188,7 +189,7 @@ VectorXd characteristic_rates(const System& system, const Evaluation& at, const 
   }
   for (Eigen::Index part = 0; part < out.size(); ++part)
     if (inertia[part] > 0.0) out[part] = std::max(out[part], std::sqrt(force[part] / inertia[part]));
-  return out;
+  return out.cwiseMax(at_rest_beside * (out.size() > 0 ? out.maxCoeff() : 0.0));
 }
 
 }  // namespace linkwork

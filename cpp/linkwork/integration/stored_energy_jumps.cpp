@@ -34,12 +34,13 @@ VectorXd with_signs_of(const VectorXd& like, VectorXd y, int bodies) {
 StoredEnergyJumps::StoredEnergyJumps(const System& system) : system_(system) {
   const Model& model = system.model();
   for (std::size_t k = 0; k < model.forces().size(); ++k) {
-    const auto& parameters = force_kinds()[model.forces()[k].kind].info.parameters;
+    const std::size_t count = force_kinds()[model.forces()[k].kind].info.parameters.size();
     Element found{static_cast<int>(k), {}};
-    for (std::size_t p = 0; p < parameters.size(); ++p) {
+    for (std::size_t p = 0; p < count; ++p) {
       const int signal = model.force_parameters()[model.forces()[k].first_parameter + p].signal;
-      if (signal >= 0 && parameters[p].takes == Takes::differentiable)
-        found.functions.push_back(model.signals()[static_cast<std::size_t>(signal)]);
+      if (signal < 0) continue;
+      const TimeFunctionPtr& function = model.signals()[static_cast<std::size_t>(signal)];
+      if (function->of_time() && function->has_derivatives()) found.functions.push_back(function);
     }
     if (!found.functions.empty()) elements_.push_back(std::move(found));
   }

@@ -45,6 +45,26 @@ class Polynomial final : public TimeFunction {
   std::vector<double> coefficients_;
 };
 
+/// From 0, where the two cosines that it is the difference of are equal.
+class IntegratedHarmonic final : public TimeFunction {
+ public:
+  IntegratedHarmonic(double amplitude, double frequency, double phase, double offset)
+      : amplitude_(amplitude), frequency_(frequency), phase_(phase), offset_(offset) {}
+
+  Signal<double> evaluate(double t) const override {
+    const double half = 0.5 * frequency_ * t;
+    const elementary::SineAndCosine of_half = elementary::sine_and_cosine(half);
+    const elementary::SineAndCosine of_middle = elementary::sine_and_cosine(half + phase_);
+    const elementary::SineAndCosine of_angle = elementary::sine_and_cosine(frequency_ * t + phase_);
+    const double way = half == 0.0 ? t : of_half.sine / half * t;
+    return {offset_ * t + amplitude_ * (way * of_middle.sine), offset_ + amplitude_ * of_angle.sine,
+            frequency_ * (amplitude_ * of_angle.cosine)};
+  }
+
+ private:
+  double amplitude_, frequency_, phase_, offset_;
+};
+
 class Harmonic final : public TimeFunction {
  public:
   Harmonic(double amplitude, double frequency, double phase, double offset)
@@ -56,9 +76,7 @@ class Harmonic final : public TimeFunction {
     return {offset_ + sine, frequency_ * (amplitude_ * of_angle.cosine), -frequency_ * frequency_ * sine};
   }
   TimeFunctionPtr integral() const override {
-    if (frequency_ == 0.0) return polynomial({0.0, evaluate(0.0).value});
-    const Harmonic cosine(amplitude_ / frequency_, frequency_, phase_ - std::numbers::pi / 2.0, 0.0);
-    return sum({polynomial({-cosine.evaluate(0.0).value, offset_}), std::make_shared<Harmonic>(cosine)});
+    return std::make_shared<IntegratedHarmonic>(amplitude_, frequency_, phase_, offset_);
   }
 
  private:
