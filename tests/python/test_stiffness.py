@@ -64,7 +64,7 @@ def test_what_is_larger_or_faster_beside_a_mechanism_does_not_make_it_stiff(
 def test_the_fastest_eigenvalue_at_rest_is_that_of_the_springs(
     k: float, c: float, beside: bool, place: tuple[float, float, float]
 ) -> None:
-    """A ball on three pairs of springs that are free: 2 k and 2 c along each axis; turning takes none of them."""
+    """A ball on three pairs of springs that are free: 2 k and 2 c along each axis."""
     for seed in range(5):
         model = lw.Model(gravity=(0, 0, 0))
         axes = np.linalg.qr(np.random.default_rng(seed).standard_normal((3, 3)))[0]
