@@ -33,6 +33,12 @@ TEST_CASE("those that accelerations have turned have not, nor those of rest") {
   CHECK(!begun(vector(1e-6, 0)).left_branch(vector(0, 0.1), vector(0, 3)));
 }
 
+TEST_CASE("velocities differ by the branch where half of them does") {
+  CHECK(Passage::differ(vector(0.1, 0), vector(0, 0.1)));
+  CHECK(!Passage::differ(vector(0.1, 0.04), vector(0.1, 0)));
+  CHECK(!Passage::differ(vector(0, 0), vector(0, 0)));
+}
+
 TEST_CASE("a passage is over when the motion has come away from the pose") {
   Passage passage;
   CHECK(!passage.over());

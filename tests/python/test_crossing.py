@@ -692,3 +692,80 @@ def test_rest_far_from_the_origin_is_left_by_the_branch_on_which_reactions_are_f
     model = folded_parallelogram(masses, away=1e6)
     result = lw.simulate(model, 0.2, 1e-3, progress=False)
     assert result.omega[-1, [0, 2], 1] == pytest.approx(fall(masses, 0.0, 0.2), rel=1e-5)
+
+
+#: Lengths [m] of crank, coupler and ground: with a rocker as long as the coupler they pass a singular pose.
+BARS = (0.3, 0.6, 0.9)
+
+
+def pin_of_rocker(crank: Any, rocker: float) -> Any:
+    """Where coupler and rocker meet [m], shape (n, 2), at angles of the crank [rad]: on one side for all."""
+    length, coupler, ground = BARS
+    start = length * np.stack([np.cos(crank), np.sin(crank)], axis=-1)
+    across = np.array([ground, 0.0]) - start
+    apart = np.linalg.norm(across, axis=-1, keepdims=True)
+    along = (apart**2 + coupler**2 - rocker**2) / (2 * apart)
+    normal = np.stack([-across[..., 1], across[..., 0]], axis=-1)
+    return start + (along * across + np.sqrt(coupler**2 - along**2) * normal) / apart
+
+
+def four_bar_beside_its_line(excess: float, rate: float) -> lw.Model:
+    """The rocker is longer than the coupler by `excess` [m]; the crank turns at `rate` [rad/s]."""
+    turn, z = 0.7, np.array([0.0, 0.0, 1.0])
+    at = np.zeros((4, 3))
+    at[1, :2] = BARS[0] * np.cos(turn), BARS[0] * np.sin(turn)
+    at[2, :2] = pin_of_rocker(turn, BARS[1] + excess)
+    at[3, 0] = BARS[2]
+    speed = rate * np.cross(z, at[1])
+    across = np.cross(z, [at[2] - at[1], at[2] - at[3]])[:, :2].T
+    coupler, rocker = np.linalg.solve(across * [1, -1], -speed[:2])
+    speeds = (np.zeros(3), speed, rocker * np.cross(z, at[2] - at[3]), np.zeros(3))
+    model, names = lw.Model(gravity=(0, 0, 0)), ("crank", "coupler", "rocker")
+    for k, (name, omega) in enumerate(zip(names, (rate, coupler, rocker), strict=True)):
+        model.body(
+            name,
+            mass=1.0,
+            inertia=(0.01, 0.03, 0.03),
+            position=(at[k] + at[k + 1]) / 2,
+            orientation=lw.rotation.from_axes(x=at[k + 1] - at[k], y=np.cross(z, at[k + 1] - at[k])),
+            velocity=(speeds[k] + speeds[k + 1]) / 2,
+            omega=omega * z,
+        )
+    for a, b, pin in zip(("ground", *names), (*names, "ground"), at, strict=True):
+        model.revolute(a, b, at=pin, axis=z)
+    return model
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        {"rtol": 1e-8},
+        {"rtol": 1e-8, "integrator": "dop853", "stabilization": "projection"},
+        {"rtol": 1e-8, "integrator": "tsit5", "stabilization": "none"},
+        {"step": 1e-4},
+    ],
+    ids=str,
+)
+@pytest.mark.parametrize("excess", [1e-5, 3e-6, 1e-6])
+def test_a_mechanism_that_passes_a_singular_pose_at_a_distance_bends_there(
+    excess: float, options: dict[str, Any]
+) -> None:
+    """It is never on one line: its motion is the only one, though velocities turn as if to another branch."""
+    result = lw.simulate(four_bar_beside_its_line(excess, 8.0), 1.0, progress=False, **options)
+    assert result.t[-1] == 1.0
+    assert not result.singular_poses
+    crank, rocker = result.body("crank").position, result.body("rocker").position
+    pin = pin_of_rocker(np.arctan2(crank[:, 1], crank[:, 0]), BARS[1] + excess)
+    turns = np.cumsum(np.abs(np.diff(np.arctan2(crank[:, 1], crank[:, 0]))) > np.pi)
+    assert turns[-1] >= 1
+    assert 2 * rocker[:, :2] - [BARS[2], 0] == pytest.approx(pin, abs=1e-6)
+    assert abs(result.energy_error).max() < 1e-5 * result.kinetic_energy[0]
+
+
+@pytest.mark.parametrize(("excess", "step"), [(1e-6, 2e-3), (1e-7, 1e-3)])
+def test_steps_that_leave_a_bend_beside_a_singular_pose_are_said_to_be_too_long(
+    excess: float, step: float
+) -> None:
+    with pytest.raises(lw.SingularSystemError, match="beside a singular pose.*shorter step") as error:
+        lw.simulate(four_bar_beside_its_line(excess, 8.0), 1.0, step, progress=False)
+    assert len(error.value.joints) == 4

@@ -301,8 +301,19 @@ void Crossing::check_passage(double t, Arrival& state) {
   const VectorXd v = of_loops(state.arrive().segment(system.q_size(), system.v_size()));
   VectorXd v_dot(system.v_size()), lambda(system.row_count());
   dynamics_.accelerations(v_dot, lambda);
-  if (passage_.left_branch(v, of_loops(v_dot))) throw_left_branch(t);
+  if (passage_.left_branch(v, of_loops(v_dot))) compare_with_motion(t, v);
   passage_.forget();
+}
+
+/// With these velocities after the passage: the motion of a mechanism that passes a singular pose at a distance bends
+/// as if it went over to another branch.
+void Crossing::compare_with_motion(double t, const VectorXd& v) {
+  const Dynamics::Place place = dynamics_.place();
+  ResolvedMotion motion(dynamics_, step_);
+  const bool resolved = motion.follow(passage_.begun(), passage_.y(), t);
+  const auto its_v = motion.y().segment(dynamics_.system().q_size(), v.size());
+  if (!resolved || Passage::differ(v, of_loops(its_v))) throw_left_branch(t, motion, resolved);
+  dynamics_.return_to(place);
 }
 
 /// Where the pose is by the least singular value, which goes linearly to zero toward it, and when to look again. It

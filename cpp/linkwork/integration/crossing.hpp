@@ -10,6 +10,7 @@
 #include "linkwork/integration/interpolant.hpp"
 #include "linkwork/integration/passage.hpp"
 #include "linkwork/integration/recorder.hpp"
+#include "linkwork/integration/resolved_motion.hpp"
 #include "linkwork/integration/singular_pose_search.hpp"
 #include "linkwork/integration/touch_search.hpp"
 
@@ -171,8 +172,8 @@ class Crossing final : public Interpolant {
   [[noreturn]] void throw_not_left(double t) const;
   [[noreturn]] void throw_several_motions(double t) const;
   [[noreturn]] void throw_no_motion(double t) const;
-  [[noreturn]] void throw_in_this_pose(double t, const char* code, const std::string& does,
-                                       const std::string& why) const;
+  [[noreturn]] void throw_in_this_pose(double t, const char* code, const std::string& does, const std::string& why,
+                                       const std::string& where = "in") const;
   void keep_rows_good(Arrival& state);
   Speeds speeds(const ConstVector& v) const;
   double largest_rate(const Speeds& speeds) const;
@@ -191,7 +192,8 @@ class Crossing final : public Interpolant {
   VectorXd of_loops(const ConstVector& v) const;
   void check_passage(double t, Arrival& state);
   void begin_passage(double t, const VectorXd& y, double ahead);
-  [[noreturn]] void throw_left_branch(double t);
+  void compare_with_motion(double t, const VectorXd& v);
+  [[noreturn]] void throw_left_branch(double t, const ResolvedMotion& motion, bool resolved);
   double best_length(const Search& search);
   double limit(const Search& search, double h);
   double allowed_length(const Search& search, double h);

@@ -234,13 +234,14 @@ double Crossing::switches_in_leap() {
   return part < 1.0 ? part * leap_.h : INFINITY;
 }
 
-void Crossing::throw_in_this_pose(double t, const char* code, const std::string& does, const std::string& why) const {
+void Crossing::throw_in_this_pose(double t, const char* code, const std::string& does, const std::string& why,
+                                  const std::string& where) const {
   ErrorDetails details;
   details.time = t;
   for (const int joint : joints_) details.joints.push_back(dynamics_.system().model().joint_name(joint));
-  throw SingularSystemError(
-      code, "the mechanism " + does + " in a singular pose of " + quoted(details.joints, ", ", named) + ", " + why,
-      details);
+  const std::string of = details.joints.empty() ? "" : " of " + quoted(details.joints, ", ", named);
+  throw SingularSystemError(code, "the mechanism " + does + " " + where + " a singular pose" + of + ", " + why,
+                            details);
 }
 
 void Crossing::throw_no_branch(double t) const {
@@ -255,12 +256,17 @@ void Crossing::throw_not_left(double t) const {
                      "that pose");
 }
 
-void Crossing::throw_left_branch(double t) {
+void Crossing::throw_left_branch(double t, const ResolvedMotion& motion, bool resolved) {
   const System& system = dynamics_.system();
-  const TimedPose before{t, passage_.y().head(system.q_size()), dynamics_.history()};
-  joints_ = examine_pose(system, before, dynamics_.dropped().rows(), near_pose_passed).joints;
-  throw_in_this_pose(t, "singular_pose", "went over to another branch",
-                     "which no leap led over; begin elsewhere, or give another step or other tolerances");
+  const VectorXd q = motion.nearest_y().head(system.q_size());
+  const TimedPose nearest{motion.nearest_t(), q, dynamics_.history()};
+  joints_ = examine_pose(system, nearest, dynamics_.dropped().rows(), near_pose_passed).joints;
+  if (!resolved)
+    throw_in_this_pose(t, "singular_pose", "went over to another branch",
+                       "which no leap led over; begin elsewhere, or give another step or other tolerances",
+                       motion.in_pose() ? "in" : "beside");
+  throw_in_this_pose(t, "singular_pose", "left its motion",
+                     "which bends there within a step; give a shorter step or smaller tolerances", "beside");
 }
 
 void Crossing::throw_several_motions(double t) const {

@@ -1,5 +1,7 @@
 #include "linkwork/integration/passage.hpp"
 
+#include <algorithm>
+
 namespace linkwork {
 namespace {
 
@@ -12,7 +14,7 @@ constexpr double resolved = 1e-6;  // of the accelerations: what is beside the v
 
 void Passage::begin(double t, const VectorXd& y, const VectorXd& v, double ahead) {
   if (open()) return;
-  t_ = t;
+  begun_ = t_ = t;
   y_ = y;
   v_ = v;
   turned_ = 0.0;
@@ -25,6 +27,10 @@ bool Passage::left_branch(const VectorXd& v, const VectorXd& v_dot) const {
   VectorXd rest = v_ - along * along.dot(v_);
   if (beside.norm() > resolved * v_dot.norm()) rest -= beside * (beside.dot(rest) / beside.squaredNorm());
   return rest.norm() > other * v_.norm();
+}
+
+bool Passage::differ(const VectorXd& v, const VectorXd& other_v) {
+  return !((v - other_v).norm() <= other * std::max(v.norm(), other_v.norm()));
 }
 
 }  // namespace linkwork
