@@ -477,7 +477,7 @@ class Dynamics:
         v: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
     ) -> tuple:
         """
-        (Phi, Phi_dot, row lengths, rate [1/s], roundoff): Phi / length and Phi_dot / length / rate are parts of the size and speed of the mechanism, known to the roundoff of its positions.
+        (Phi, Phi_dot, row lengths, row rates [1/s], roundoff): Phi / length and Phi_dot / length / rate are parts of the size and speed of the connected part, known to the roundoff of its positions.
         """
     def right_hand_side_times(
         self,
@@ -487,6 +487,15 @@ class Dynamics:
     ) -> dict:
         """
         Times of so many right-hand sides at y = (q, v), together [s]: evaluate, assemble, factorize, solve, reactions, and the whole, which may be less than their sum.
+        """
+    def scales(
+        self,
+        t: typing.SupportsFloat | typing.SupportsIndex,
+        q: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+        v: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
+    ) -> tuple:
+        """
+        Of each body a length [m] and a rate [1/s], those of its connected part, and which part that is.
         """
     def statistics(self) -> dict: ...
     @property
@@ -524,7 +533,7 @@ class Dynamics:
     @property
     def residuals_at_start(self) -> tuple:
         """
-        The largest parts of the size and of the speed of the mechanism that residuals of the initial state are, and the roundoff.
+        The largest parts of the size and of the speed of a connected part that residuals of the initial state are, and the roundoff.
         """
     @property
     def row_count(self) -> int: ...
