@@ -83,3 +83,19 @@ def check(mechanism: Mechanism, t: float, q: Floats, v: Floats) -> None:
 def slope(f: Callable[[float], Floats], h: float = 5e-4) -> Floats:
     """The derivative at 0 by differences of fourth order."""
     return (8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h)
+
+
+@pytest.mark.parametrize("formulation", ["standard", "augmented_lagrangian"])
+@pytest.mark.parametrize("length", [1.0, 0.01, 1e-4])
+def test_a_driver_that_begins_at_rest_has_next_to_no_acceleration_then(
+    length: float, formulation: str
+) -> None:
+    """Just behind its start that is 1e-320, of which no digits are known."""
+    model = lw.Model(gravity=(0, 0, 0))
+    inertia = (0.1 * length**2,) * 3
+    rod = model.body("rod", mass=1.0, inertia=inertia, position=(0.5 * length, 0, 0))
+    model.revolute("ground", rod, at=(0, 0, 0), axis=(0, 1, 0))
+    turn = lw.functions.cycloidal(1e-4, start=0.0, duration=0.45)
+    model.angle_driver("ground", rod, at=(0, 0, 0), axis=(0, 1, 0), angle=turn)
+    run = lw.simulate(model, 0.5, 1e-3, formulation=formulation)
+    assert 2 * np.arcsin(run.q[-1, 0, 5]) == pytest.approx(1e-4, abs=1e-10)

@@ -13,6 +13,7 @@ constexpr double exact_free_motion = 1e-13;            // changes, relative to M
 constexpr double force_margin = 100.0;                 // multipliers are known so much less than accelerations
 constexpr double at_rest = 0.01;      // of the largest terms: those of rows between bodies that are hardly accelerated
 constexpr double unresisted = 1e-11;  // what D makes of a motion, D^T of multipliers, of natural size 1
+constexpr double nothing = 1e-290;    // residuals that are not known to digits, as of b just behind a driver's start
 constexpr double shrinking = 0.5;
 constexpr double weakly_resisted = 1e-5;  // likewise: nearly singular
 // Small steps are the end if there are some: quick motions, if they are large, hide the slow one that the next step is
@@ -149,7 +150,7 @@ void ConjugateResiduals::find_residuals_of_terms(const Evaluation& at, const Con
   residuals_.setZero(rates_.size());
   for (Eigen::Index row = 0; row < terms_.size(); ++row) {
     const int component = components_->of_row(row);
-    const double floor = at_rest * rates_[component] * row_lengths_[row];
+    const double floor = at_rest * rates_[component] * row_lengths_[row] + nothing;
     residuals_[component] =
         std::max(residuals_[component], NaturalSize::ratio(std::abs(r_2_[row]), terms_[row] + floor));
   }

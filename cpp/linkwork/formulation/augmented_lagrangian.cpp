@@ -119,13 +119,26 @@ class AugmentedLagrangian final : public Formulation {
       details.residuals = {{details.joints.front(), residual}};
       where = "; the largest residual is at " + system_->model().describe_row(static_cast<int>(row));
     }
+    throw NotConvergedError("augmented_lagrangian",
+                            "augmented Lagrangian: " + what_is_left() + " after " + std::to_string(iterations) +
+                                " iterations" + where + "; " + remedy(),
+                            details);
+  }
+
+  bool motion_is_found() const { return iterations_.last_change <= *options_.tolerance; }
+
+  std::string what_is_left() const {
+    if (motion_is_found()) return "accelerations no longer change, residuals of constraints are left";
     char number[32];
     std::snprintf(number, sizeof number, "%.1e", iterations_.last_change);
-    throw NotConvergedError("augmented_lagrangian",
-                            "augmented Lagrangian: relative change " + std::string(number) + " after " +
-                                std::to_string(iterations) + " iterations" + where +
-                                "; raise penalty or max_iterations, or use formulation 'standard'",
-                            details);
+    return "relative change " + std::string(number);
+  }
+
+  std::string remedy() const {
+    if (motion_is_found())
+      return "here constraints contradict each other, the pose is singular, or masses are very far apart: begin in "
+             "another pose, leave out joints that others imply, or raise max_iterations";
+    return "raise penalty or max_iterations, or use formulation 'standard'";
   }
 
   const System* system_ = nullptr;
