@@ -103,9 +103,10 @@ def _elastic_rates(system: System, q: Floats, v: Floats, lengths: Floats, parts:
     """Of each body that of its part [1/s]: what is at rest and in balance has no other."""
     step = np.random.default_rng(2).standard_normal((len(lengths), 7))
     step[:, :3] *= lengths[:, None]
-    forth, back = (
-        system.compiled().accelerations(0.0, q + sign * DIFFERENCE * step.ravel(), v)[0] for sign in (1, -1)
-    )
+    accelerations = system.compiled().accelerations
+    step *= DIFFERENCE
+    forth = accelerations(0.0, q + step.ravel(), v)[0]
+    back = accelerations(0.0, q - step.ravel(), v)[0]
     change = np.linalg.norm((forth - back).reshape(-1, 2, 3), axis=2) / (2 * DIFFERENCE)
     squares = np.zeros(len(lengths))
     np.maximum.at(squares, parts, np.maximum(change[:, 0] / lengths, change[:, 1]))
