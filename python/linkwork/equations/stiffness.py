@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from linkwork.arrays import Floats
+from linkwork.arrays import Floats, Indices
 from linkwork.equations.system import System
 from linkwork.errors import LinkworkError
 
@@ -99,7 +99,7 @@ def _reach(system: System, y: Floats) -> Floats:
     return np.concatenate([poses.T.ravel(), motion.T.ravel()])
 
 
-def _elastic_rates(system: System, q: Floats, v: Floats, lengths: Floats, parts: Floats) -> Floats:
+def _elastic_rates(system: System, q: Floats, v: Floats, lengths: Floats, parts: Indices) -> Floats:
     """Of each body that of its part [1/s]: what is at rest and in balance has no other."""
     step = np.random.default_rng(2).standard_normal((len(lengths), 7))
     step[:, :3] *= lengths[:, None]
