@@ -324,61 +324,6 @@ std::vector<std::tuple<int, std::vector<int>, std::string>> groups(const Dynamic
   return out;
 }
 
-constexpr std::size_t listed_joints = 16;
-
-py::list crossings(const Dynamics& dynamics) {
-  py::list out;
-  for (const SingularityCrossing& it : dynamics.watch().crossings()) {
-    std::vector<std::string> joints;
-    for (std::size_t k = 0; k < std::min<std::size_t>(it.joints.size(), listed_joints); ++k)
-      joints.push_back(dynamics.system().model().joint_name(it.joints[k]));
-    py::dict one;
-    one["t"] = it.t;
-    one["pivot"] = it.pivot;
-    one["joints"] = joints;
-    one["rows_changed"] = it.rows_changed;
-    one["fallback_evaluations"] = it.fallback_evaluations;
-    out.append(one);
-  }
-  return out;
-}
-
-py::dict statistics(const Dynamics& dynamics) {
-  const DynamicsStatistics& cost = dynamics.statistics();
-  const IterationStatistics& iterations = dynamics.iterations();
-  py::dict out;
-  out["evaluations"] = cost.evaluations;
-  out["factorizations"] = cost.factorizations;
-  out["solves"] = cost.solves;
-  out["evaluate_time"] = cost.evaluate_time;
-  out["factorize_time"] = cost.factorize_time;
-  out["assemble_time"] = dynamics.assemble_time();
-  out["solve_time"] = cost.solve_time;
-  out["smallest_pivot"] = cost.smallest_pivot;
-  out["singular_poses"] = dynamics.watch().singular_poses();
-  out["row_changes"] = dynamics.watch().row_changes();
-  out["singularity_crossings"] = crossings(dynamics);
-  out["factor_nonzeros"] = dynamics.factorization_cost().factor_nonzeros;
-  out["iterations"] = iterations.iterations;
-  out["most_iterations"] = iterations.most;
-  out["accelerated_solves"] = iterations.accelerated;
-  out["stagnations"] = iterations.stagnations;
-  out["iteration_change"] = iterations.last_change;
-  out["iteration_residual"] = iterations.last_residual;
-  out["worst_iteration_residual"] = iterations.worst_residual;
-  return out;
-}
-
-py::dict factorization_cost(const Dynamics& dynamics) {
-  const FactorizationCost cost = dynamics.factorization_cost();
-  py::dict out;
-  out["matrix_nonzeros"] = cost.matrix_nonzeros;
-  out["factor_nonzeros"] = cost.factor_nonzeros;
-  out["flops"] = cost.flops;
-  out["bytes"] = cost.bytes;
-  return out;
-}
-
 py::dict right_hand_side_times(Dynamics& dynamics, double t, const ConstVector& y, int repeats) {
   const VectorXd full = with_work(dynamics, y);
   RightHandSideTimes times;
@@ -425,6 +370,7 @@ py::tuple scales(const Dynamics& dynamics, double t, const ConstVector& q, const
   const System& system = dynamics.system();
   check_size(q, system.q_size(), "q");
   check_size(v, system.v_size(), "v");
+  check_moment(system, t, q, v);
   Evaluation at = system.make_evaluation();
   system.evaluate(t, q, v, dynamics.history(), at);
   const VectorXd of_parts = characteristic_rates(system, at, v);
@@ -438,23 +384,17 @@ py::tuple scales(const Dynamics& dynamics, double t, const ConstVector& q, const
 }
 
 void bind_measurements(py::class_<Dynamics>& dynamics) {
-  dynamics.def("statistics", exclusive(&statistics))
+  dynamics
       .def_property_readonly("residuals_at_start", exclusive(&residuals_at_start),
                              "The largest parts of the size and of the speed of a connected part that residuals of the "
                              "initial state are, and the roundoff.")
-      .def_property_readonly(
-          "passed",
-          +[](const Dynamics& it) { return py::make_tuple(it.watch().singular_poses(), it.watch().row_changes()); },
-          "How many singular poses were passed, and how often other rows became the redundant ones.")
       .def("force_element", &force_element, py::arg("element"), py::arg("t"), py::arg("q"), py::arg("v"),
            py::arg("v_dot"), py::arg("history"),
            "(force, torque (k, 3) on the second body, power that goes into the motion, potential, what its history "
            "variable becomes (k,)) of a force element at k times and states, each with its history variables.")
       .def("kinetic_energies", &kinetic_energies, py::arg("q"), py::arg("v"), "(k,) [J] at k states.")
       .def("constraint_rates", &constraint_rates, py::arg("t"), py::arg("q"), py::arg("v"), py::arg("rows"),
-           "Phi_t (k, rows) of some equations at k times and states.")
-      .def("factorization_cost", exclusive(&factorization_cost),
-           "matrix_nonzeros (lower triangle), factor_nonzeros, flops, bytes of the last factorization; None: unknown.");
+           "Phi_t (k, rows) of some equations at k times and states.");
 }
 
 void bind_times(py::class_<Dynamics>& dynamics) {
@@ -578,6 +518,7 @@ void bind_formulation(py::module_& module) {
            "(row, rows that imply it, both in words) of the first redundant rows.");
   bind_history(dynamics);
   bind_measurements(dynamics);
+  bind_statistics(dynamics);
   bind_times(dynamics);
 }
 

@@ -10,6 +10,7 @@
 
 namespace linkwork {
 
+class Dynamics;
 class System;
 struct Frames;
 
@@ -30,6 +31,7 @@ void bind_model(py::module_& module);
 void bind_assembler(py::module_& module);
 void bind_options(py::module_& module);
 void bind_formulation(py::module_& module);
+void bind_statistics(py::class_<Dynamics>& dynamics);
 void bind_integration(py::module_& module);
 void bind_driven_motion(py::module_& module);
 void bind_ensemble(py::module_& module);

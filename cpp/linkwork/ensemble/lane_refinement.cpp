@@ -28,8 +28,9 @@ void LaneRefinement::load(std::size_t l) {
     for (AlignedDoubles* velocities : {&r_1_, &dx_}) velocities->assign(velocity_size * structure_.bodies * width, 0.0);
     for (AlignedDoubles* rows : {&r_2_, &dlambda_}) rows->assign(structure_.multipliers() * width, 0.0);
     for (AlignedDoubles* one : {&going_on_, &other_}) one->assign(width, 0.0);
-    for (AlignedDoubles* sizes : {&free_motion_, &size_, &correction_, &scratch_})
-      sizes->assign((sizes == &scratch_ ? 2 : 1) * structure_.component_count * width, 0.0);
+    for (AlignedDoubles* sizes : {&free_motion_, &size_, &correction_})
+      sizes->assign(structure_.component_count * width, 0.0);
+    scratch_.assign(2 * structure_.component_count * width, 0.0);
     lengths_.assign(structure_.bodies * width, 1.0);
   }
   for (std::size_t lane = 0; lane < mechanisms_.size(); ++lane) {

@@ -34,11 +34,13 @@ VectorXd with_signs_of(const VectorXd& like, VectorXd y, int bodies) {
 StoredEnergyJumps::StoredEnergyJumps(const System& system) : system_(system) {
   const Model& model = system.model();
   for (std::size_t k = 0; k < model.forces().size(); ++k) {
-    const std::size_t count = force_kinds()[model.forces()[k].kind].info.parameters.size();
+    const auto& parameters = force_kinds()[model.forces()[k].kind].info.parameters;
+    const bool by_characteristic = std::any_of(parameters.begin(), parameters.end(),
+                                               [](const auto& it) { return it.takes == Takes::characteristic; });
     Element found{static_cast<int>(k), {}};
-    for (std::size_t p = 0; p < count; ++p) {
+    for (std::size_t p = 0; p < parameters.size(); ++p) {
       const int signal = model.force_parameters()[model.forces()[k].first_parameter + p].signal;
-      if (signal < 0) continue;
+      if (signal < 0 || !(by_characteristic || parameters[p].takes == Takes::differentiable)) continue;
       const TimeFunctionPtr& function = model.signals()[static_cast<std::size_t>(signal)];
       if (function->of_time() && function->has_derivatives()) found.functions.push_back(function);
     }

@@ -349,7 +349,7 @@ def verified(
 
 def _rounded_off(verdict: Verdict) -> Verdict:
     """Says so where it is rounding that makes most of the error, in each run alike."""
-    if not 0.0 < verdict.rounding or not verdict.error <= SAFETY * verdict.rounding:
+    if verdict.rounding == 0.0 or not verdict.error <= SAFETY * verdict.rounding:
         return verdict
     error = max(verdict.rounding, verdict.error)
     sentence = f"accurate to about {_figure(error)}{_but(error, verdict.reactions)}"
