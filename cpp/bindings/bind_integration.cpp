@@ -100,6 +100,10 @@ py::dict to_dict(const AccumulatedError& found, const System& system, bool steps
   out["rest_length"] = length;
   out["rest_speed"] = speed;
   out["rest_energy"] = found.rest_energy;
+  py::list energies;
+  for (const EnergyOfPart& it : found.energies)
+    energies.append(py::make_tuple(it.body, it.error, it.lasting, it.rate, it.slowness));
+  out["energies"] = energies;
   return out;
 }
 

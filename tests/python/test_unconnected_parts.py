@@ -126,3 +126,44 @@ def test_verdicts_of_lanes_are_those_of_single_runs() -> None:
         verdict = verdict_of(found.member(k))
         assert verdict == verdict_of(alone(model, 1.0, 5e-3))
         assert verdict.body == "small"
+
+
+def swinging(name: str, mass: float, length: float) -> Any:
+    def add(model: lw.Model) -> None:
+        sine, cosine = np.sin(1.5), -np.cos(1.5)
+        model.body(name, mass=mass, inertia=(mass * length**2 / 12,) * 3,
+                   position=(length + length / 2 * sine, 0, length / 2 * cosine))  # fmt: skip
+        model.revolute("ground", name, at=(length, 0, 0), axis=(0, 1, 0))
+
+    return add
+
+
+def weight_on_a_spring(model: lw.Model) -> None:
+    model.body("weight", mass=0.01, inertia=(1e-5,) * 3, position=(2, 0, 0), velocity=(0, 0, 1))
+    model.translational("ground", "weight", at=(2, 0, 0), axis=(0, 0, 1))
+    model.nonlinear_spring_damper("ground", "weight", at=((2, 0, -1), (2, 0, 0)), free_length=1.0,
+                                  spring=lw.functions.polynomial(0, 1, 0, 40))  # fmt: skip
+
+
+def of_a_hinge_with_inertia(model: lw.Model) -> None:
+    swinging("rotor", 0.01, 0.1)(model)
+    model.rotational_inerter("ground", "rotor", at=(0.1, 0, 0), axis=(0, 1, 0), inertance=1e-4)
+
+
+@pytest.mark.parametrize(("integrator", "step"), [("rk4", 0.015), ("heun", 2e-3), ("rk3", 8e-3)])
+@pytest.mark.parametrize(
+    "part", [swinging("pendulum", 0.01, 0.1), weight_on_a_spring, of_a_hinge_with_inertia]
+)
+def test_energy_that_a_small_part_loses_counts_as_if_it_were_alone(
+    part: Any, integrator: str, step: float
+) -> None:
+    """A motion of tenths of a second is late by what it loses; a tonne on 20 m has all of the energy."""
+
+    def judged(*parts: Any) -> lw.Verdict:
+        how: dict[str, Any] = {"step": step, "integrator": integrator, "record_every": 5}
+        model = made(*parts, gravity=9.81)
+        return verdict_of(lw.simulate(model, 20.0, progress=False, on_inaccurate="pass", **how))
+
+    single, both = judged(part), judged(part, swinging("arm", 1000, 20))
+    assert both.energy == pytest.approx(single.energy, rel=0.2)
+    assert both.error == pytest.approx(single.error, rel=0.2)

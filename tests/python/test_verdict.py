@@ -25,7 +25,7 @@ from random_mechanisms import make
 _NUMBERS: dict[str, Any] = {
     "taken": 1, "failed": 0, "kinetic_share": 1.0, "rest_energy": 1.0, "violation": 0.0, "seconds": 1.0,
     "rate": 1.0, "slowness": 1.0, "state": 1e-3, "local_error": 1e-3, "rounding": 0.0, "yielding": 0.0,
-    "steps": [(0.0, 1e-3, 1e-6, None)],
+    "steps": [(0.0, 1e-3, 1e-6, None)], "energies": [], "body": -1,
 }  # fmt: skip
 
 
@@ -91,6 +91,19 @@ def test_a_drift_of_the_energy_delays_slow_passages_most(name: str, integrator: 
     assert result.verdict is not None
     true = true_error(model, result)
     assert true < result.verdict.error < 20 * true
+
+
+@pytest.mark.parametrize(("integrator", "step"), [("rk4", 0.02), ("heun", 2e-3)])
+@pytest.mark.parametrize("damping", [0.1, 0.5, 2.0])
+def test_a_motion_that_has_settled_is_not_late(integrator: str, step: float, damping: float) -> None:
+    model = lw.Model(gravity=(0, 0, -9.81))
+    model.body("rod", mass=1, inertia=(1 / 12,) * 3, position=(np.sin(1.2) / 2, 0, -np.cos(1.2) / 2))
+    model.revolute("ground", "rod", at=(0, 0, 0), axis=(0, 1, 0))
+    model.rotational_spring_damper("ground", "rod", at=(0, 0, 0), axis=(0, 1, 0), damping=damping)
+    result = quick(model, 60.0, step=step, integrator=integrator, record_every=5)
+    true = true_error(model, result)
+    assert result.verdict is not None
+    assert true < result.verdict.error < 300 * true
 
 
 def test_energy_that_comes_and_goes_lasts_less_than_a_drift() -> None:

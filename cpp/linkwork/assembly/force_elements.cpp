@@ -62,10 +62,10 @@ ForceElement::Said ForceElement::ask(double t, const ConstVector& q, const Const
   its_v << velocity_of(element_.i, v), velocity_of(element_.j, v);
   Said out{{state_of(0, its_q, its_v), state_of(1, its_q, its_v)}};
   const double last = history_ < 0 ? 0.0 : history[history_];
-  double rate = 0.0, dissipated = 0.0;
+  double rate = 0.0;
   force_kinds()[element_.kind].evaluate(
       0, batch_, 0, 1, {its_q.data(), its_v.data(), out.bodies.data(), signals_.data(), functions_.data()},
-      {out.g.data(), &last, &out.history, &rate, out.switches.data(), &out.potential, &dissipated});
+      {out.g.data(), &last, &out.history, &rate, out.switches.data(), &out.potential, &out.power});
   return out;
 }
 
@@ -81,6 +81,12 @@ std::array<double, 2 * velocity_size> ForceElement::forces(double t, const Const
 
 double ForceElement::potential(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history) {
   return ask(t, q, v, history).potential;
+}
+
+ForceElement::Energy ForceElement::energy(double t, const ConstVector& q, const ConstVector& v,
+                                          const ConstVector& history) {
+  const Said said = ask(t, q, v, history);
+  return {said.potential, said.power};
 }
 
 ForceOnBody ForceElement::evaluate(double t, const ConstVector& q, const ConstVector& v, const ConstVector& v_dot,

@@ -29,6 +29,11 @@ class ForceElement {
                                                const ConstVector& history);
   /// The energy that it stores [J].
   double potential(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history);
+  /// The same, and the power of the part of its force that has no potential [W].
+  struct Energy {
+    double potential, power;
+  };
+  Energy energy(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history);
   const Element& element() const { return element_; }
   /// Another function for its parameter of that place.
   void replace(std::size_t parameter, TimeFunctionPtr function);
@@ -39,7 +44,7 @@ class ForceElement {
     std::array<BodyState<double>, 2> bodies;
     std::array<double, 2 * velocity_size> g{};
     std::array<double, 2> switches{};
-    double history = 0.0, potential = 0.0;
+    double history = 0.0, potential = 0.0, power = 0.0;
   };
   Said ask(double t, const ConstVector& q, const ConstVector& v, const ConstVector& history);
   void add_inertia(const BodyState<double>* bodies, const ConstVector& v_dot, double* g) const;

@@ -6,17 +6,19 @@
 namespace linkwork {
 namespace {
 
-constexpr double growth = 5.0;     // characteristic times L / V in which an error of a velocity moves positions
-constexpr double steep = 10.0;     // times the mean of its part: a change of accelerations out of the ordinary
-constexpr double slowest = 0.1;    // pace from which errors along the path grow
-constexpr double unloaded = 1e-9;  // of forces, or of those of the motion: reactions below are rounding
-constexpr double still = 1e-6;     // relative to L, or to L / duration: below nothing moves, what is left is rounding
+constexpr double growth = 5.0;         // characteristic times L / V in which an error of a velocity moves positions
+constexpr double steep = 10.0;         // times the mean of its part: a change of accelerations out of the ordinary
+constexpr double slowest = 0.1;        // pace from which errors along the path grow
+constexpr double unloaded = 1e-9;      // of forces, or of those of the motion: reactions below are rounding
+constexpr double least_energy = 1e-9;  // of a mechanism, relative to its amount
+constexpr double still = 1e-6;  // relative to L, or to L / duration: below nothing moves, what is left is rounding
 
 /// A part of a run with the steps that are known of it: one, or two, the second the steepest.
 struct KnownPart {
   const RunPart* part;
   const StepError* first;
   const StepError* last;
+  double remaining = 1.0;            ///< share of the energy of all bodies that forces have not taken away
   double share = 1.0, weight = 1.0;  ///< in a connected part
 
   KnownPart(const RunPart& of, const StepError& step) : part(&of), first(&step), last(&step) {}
@@ -53,6 +55,23 @@ std::vector<KnownPart> known_parts(const RunErrors& errors) {
   std::stable_sort(out.begin(), out.end(),
                    [](const KnownPart& a, const KnownPart& b) { return a.part->t < b.part->t; });
   return out;
+}
+
+double kinetic_energy(const StepError& step) {
+  double sum = 0.0;
+  for (const PartError& part : step.of_part) sum += part.kinetic;
+  return sum;
+}
+
+/// Above the least potential V of all these: with T + V = W + constant it is W - min (W - T).
+void find_what_remains(std::vector<KnownPart>& parts) {
+  double least = INFINITY, most = 0.0;
+  for (const KnownPart& part : parts) least = std::min(least, part.first->work - kinetic_energy(*part.first));
+  for (KnownPart& part : parts) {
+    const double there = part.first->work - least;
+    most = std::max(most, there);
+    if (most > 0.0) part.remaining = there / most;
+  }
 }
 
 /// In one connected part.
@@ -96,13 +115,19 @@ class Accumulation {
     return std::max(it.acceleration, L_ * it.spin_rate) * size_ / (V_ * V_);
   }
 
-  /// An error of the energy is a share of it that is larger where there is less, and delays; but where motion turns.
+  /// An error of the energy is a share of it that is larger where there is less, and delays; but where motion turns, or
+  /// where forces took that energy away: as much was taken of the error. It counts as far as motion is fast once more.
   double slowness() const {
-    double sum = 0.0, seconds = 0.0;
-    for (const KnownPart& part : parts_) {
-      const double turns = turning(*part.first), share = of(*part.first).kinetic / judged_.kinetic;
-      sum += part.part->seconds / std::clamp(std::fmax(share, turns * turns), slowest * slowest, 1.0);
-      seconds += part.part->seconds;
+    const auto share = [this](const StepError& it) {
+      const double turns = turning(it);
+      return std::fmax(of(it).kinetic / judged_.kinetic, turns * turns);
+    };
+    double sum = 0.0, seconds = 0.0, later = 0.0;
+    for (auto part = parts_.rbegin(); part != parts_.rend(); ++part) {
+      const double remaining = judged_.energy ? 1.0 : part->remaining, step = part->part->seconds;
+      later = std::fmin(std::fmax(later, std::fmax(share(*part->first), share(*part->last))), 1.0);
+      sum += step * std::sqrt(later) / std::clamp(share(*part->first) / remaining, slowest * slowest, 1.0);
+      seconds += step;
     }
     return seconds > 0.0 ? sum / seconds : 1.0;
   }
@@ -132,7 +157,7 @@ class Accumulation {
     missed_ = all / known;
     V_ = still * L_ / out_.seconds;
     for (const StepError& it : errors_.steps)
-      if (!it.failed) V_ = std::max(V_, of(it).speed);
+      if (!it.failed) V_ = std::max(V_, judged_.fastest * of(it).speed);
     size_ = std::max(std::min(L_, missed_ * path), still * L_);
     if (!judged_.rest) return;
     V_ = std::max(V_, judged_.rest->speed);
@@ -257,6 +282,12 @@ AccumulatedError worse(AccumulatedError a, AccumulatedError b) {
   return out;
 }
 
+/// As errors of energies are weighed over the whole run.
+double relative(const EnergyMade& it, double kinetic) {
+  const double scale = std::max({kinetic + it.in_inerters, it.exchanged, it.rest, least_energy * it.amount});
+  return it.largest > 0.0 ? it.largest / scale : 0.0;
+}
+
 /// Whose the energy is, most of all.
 std::size_t most_energetic(const std::vector<JudgedPart>& parts) {
   const auto less = [](const JudgedPart& a, const JudgedPart& b) { return a.kinetic < b.kinetic; };
@@ -280,16 +311,22 @@ AccumulatedError accumulate(const RunErrors& errors) {
   std::vector<KnownPart> known = known_parts(errors);
   const std::vector<JudgedPart>& parts = errors.connected_parts;
   const std::size_t energetic = most_energetic(parts);
+  find_what_remains(known);
   double rate = 0.0, slowness = 1.0;
+  std::vector<EnergyOfPart> energies;
   for (std::size_t part = 0; part < parts.size() && !known.empty(); ++part) {
     AccumulatedError own = Accumulation(errors, known, part).result();
     own.body = parts.size() > 1 ? parts[part].first_body : -1;
+    if (const std::optional<EnergyMade>& it = parts[part].energy)
+      energies.push_back(
+          {parts[part].first_body, relative(*it, parts[part].kinetic), it->lasting, own.rate, own.slowness});
     if (part == energetic) rate = own.rate, slowness = own.slowness;
     out = part == 0 ? std::move(own) : worse(std::move(out), std::move(own));
   }
   out.rate = rate;
   out.slowness = slowness;
   out.kinetic_share = errors.kinetic_share;
+  out.energies = std::move(energies);
   for (const StepError& step : errors.steps) out.failed += step.failed ? 1 : 0;
   note_rest(parts, out);
   return out;

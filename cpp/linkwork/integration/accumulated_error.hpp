@@ -18,6 +18,14 @@ struct RestScales {
   double length = 0.0, speed = 0.0;  ///< [m, m/s]; zero: it moves
 };
 
+/// Energy that the run made or lost in a connected part of which that is known, see EnergyMade.
+struct EnergyOfPart {
+  int body = 0;           ///< the first of it
+  double error = 0.0;     ///< relative to its kinetic energy and to what it exchanged
+  double lasting = 1.0;   ///< see EnergyMade
+  double rate, slowness;  ///< see AccumulatedError
+};
+
 /// What the local errors of a run come to over it, in the connected part where that is most. Poses are relative to L,
 /// half of the box in which centers of mass of the part move or its size, or to the path where that is shorter;
 /// velocities to V, its largest speed; reactions to its largest. Box, path and speeds are those in MovingAxes. Where
@@ -36,12 +44,14 @@ struct AccumulatedError {
                            ///< velocities that miss the constraints by it, relative to V, the largest
   double violation = 0.0;  ///< largest at the ends of these steps, see RelativeViolation
   double rate = 0.0;       ///< V / L of the part with the largest kinetic energy [1/s]
-  double slowness = 1.0;   ///< of that part, 1 / kinetic energy in the mean over the run, relative to the largest
+  double slowness = 1.0;   ///< of that part, 1 / kinetic energy in the mean over the run, relative to the largest; less
+                           ///< where forces took that energy away
   double seconds = 0.0;    ///< that the parts of the run took
   double kinetic_share = 1.0;    ///< see StepJudge
   double carried = 0.0;          ///< speed of the part as a whole, relative to V
   double rest_energy = 0.0;      ///< that of Rest, where all parts rest [J]
   std::vector<RestScales> rest;  ///< of each connected part
+  std::vector<EnergyOfPart> energies;
 };
 
 /// Each of the connected parts is judged as if it were alone.

@@ -83,6 +83,7 @@ bool AdaptiveSimulation::apply(const Event& event, Occurrence& occurrence) {
   accept_history();
   dynamics_.take_sides(switches_.least());
   y_[size] += energy() - before;
+  sampling_.strike();
   occurrence.after = y_.head(size);
   occurrence.energies.after = energies();
   return changed.ends;
@@ -111,6 +112,7 @@ void AdaptiveSimulation::strike(const VectorXd& Phi_t_before) {
   Strike strike{t_, dynamics_.evaluation().potential, {y_, kinetic_energy()}, {}};
   projection().velocities(clock(), y_);
   y_[y_.size() - 1] += energy() - before;
+  sampling_.strike();
   strike.after = {y_, kinetic_energy()};
   if (!resumed() || t_ > start_) strikes_.push_back(std::move(strike));
 }

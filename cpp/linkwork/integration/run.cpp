@@ -156,6 +156,7 @@ void Run::take_up_rows(double t, RedundancyExamination found) {
   projection().velocities(t, y_);
   dynamics_.evaluate(t, y_);
   y_[y_.size() - 1] += energy() - before;
+  sampling_.strike();
   contradiction_ = {};  // so near to where they were redundant it could not be told from this
   forget();
 }

@@ -1,6 +1,7 @@
 #include "linkwork/integration/run_judge.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -61,7 +62,8 @@ const RetakenStep& of_step(std::size_t step, const RetakenSteps& retaken) {
 }  // namespace
 
 RunJudge::RunJudge(const StepSampling& sampling, Dynamics& dynamics, SecondTake take)
-    : dynamics_(dynamics),
+    : sampling_(sampling),
+      dynamics_(dynamics),
       lengths_(RelativeViolation::lengths_of(dynamics.system())),
       speeds_(VectorXd::Zero(lengths_.size())),
       every_inside_(sampling.steps() <= few_steps ? 1 : every_inside),
@@ -100,6 +102,36 @@ void RunJudge::see_from_moving_axes() {
   judge_.move_with(std::move(axes), std::move(arms));
 }
 
+/// The motion may have been fast for a while between two kept steps only.
+void RunJudge::look_at_speeds() {
+  const auto relative = [](double in_run, double at_steps) {
+    return at_steps > 0.0 && std::isfinite(in_run) ? std::sqrt(std::max(in_run / at_steps, 1.0)) : 1.0;
+  };
+  if (lengths_.size() == 1) {
+    double kinetic = 0.0;
+    for (const KeptStep* step : kept_)
+      kinetic = std::max(
+          {kinetic, kinetic_energy(*step, step->t, step->y), kinetic_energy(*step, step->t + step->h, step->y_new)});
+    out_.connected_parts[0].fastest = relative(sampling_.energies().kinetic, kinetic);
+    return;
+  }
+  VectorXd speeds = VectorXd::Zero(lengths_.size());
+  for (const KeptStep* step : kept_)
+    speeds = speeds.cwiseMax(sampling_.squared_speeds(step->y)).cwiseMax(sampling_.squared_speeds(step->y_new));
+  for (Eigen::Index k = 0; k < speeds.size(); ++k)
+    out_.connected_parts[k].fastest = relative(sampling_.fastest()[k], speeds[k]);
+}
+
+/// Seen from the ground, inerters included.
+double RunJudge::kinetic_energy(const KeptStep& step, double t, const VectorXd& y) {
+  const System& system = dynamics_.system();
+  if (!system.inerters().empty()) {
+    dynamics_.set_history(step.history);
+    dynamics_.evaluate(t, y);
+  }
+  return system.kinetic_energy(dynamics_.evaluation(), y.segment(system.q_size(), system.v_size()));
+}
+
 /// Of a state, relative to the size and the speed of the part at all the steps.
 double RunJudge::size(const StepError& error, std::size_t part) const {
   const StateDifference& end = error.of_part[part].end;
@@ -129,6 +161,7 @@ void RunJudge::judge(const RetakenSteps& retaken) {
       speeds_[static_cast<Eigen::Index>(part)] =
           std::max(speeds_[static_cast<Eigen::Index>(part)], it.of_part[part].speed);
   acquit_suspects();
+  look_at_speeds();
   find_worst();
 }
 
@@ -200,9 +233,12 @@ RunErrors RunJudge::judge_worst(const RetakenSteps& retaken) {
     if (before > 0.0 && after > before) out_.connected_parts[of_part.part].resolved = after / before;
   }
   out_.kinetic_share = judge_.kinetic_share();
-  for (std::size_t part = 0; part < out_.connected_parts.size(); ++part)
-    out_.connected_parts[part].kinetic = judge_.kinetic_energies()[static_cast<Eigen::Index>(part)];
+  for (std::size_t k = 0; k < out_.connected_parts.size(); ++k) {
+    JudgedPart& part = out_.connected_parts[k];
+    part.kinetic = part.fastest * part.fastest * judge_.kinetic_energies()[static_cast<Eigen::Index>(k)];
+  }
   look_for_rest();
+  if (!sampling_.struck()) look_at_energies();
   return std::move(out_);
 }
 
@@ -218,6 +254,12 @@ void RunJudge::look_for_rest() {
     }
     out_.connected_parts[part].rest = std::move(found[part]);
   }
+}
+
+void RunJudge::look_at_energies() {
+  std::vector<std::optional<EnergyMade>> found = find_energies_made(dynamics_, kept_, lengths_);
+  for (std::size_t part = 0; part < found.size(); ++part)
+    if (!out_.connected_parts[part].rest) out_.connected_parts[part].energy = std::move(found[part]);
 }
 
 RunErrors judge_run(const StepSampling& sampling, Dynamics& dynamics, SecondTake take, JudgeProgress progress,

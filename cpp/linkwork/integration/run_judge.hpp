@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "linkwork/integration/energies_made.hpp"
 #include "linkwork/integration/rest.hpp"
 #include "linkwork/integration/step_judge.hpp"
 
@@ -13,10 +14,12 @@ namespace linkwork {
 /// What there is to know of a connected part in a run.
 struct JudgedPart {
   int first_body = 0;
-  double length = 1.0;            ///< half of the box in which its centers of mass move, or its size [m]
-  double speed_as_a_whole = 0.0;  ///< of its MovingAxes [m/s]
-  double kinetic = 0.0;           ///< largest energy at the kept steps, as these see it [J]
-  std::optional<Rest> rest;       ///< where there is no motion
+  double length = 1.0;               ///< half of the box in which its centers of mass move, or its size [m]
+  double speed_as_a_whole = 0.0;     ///< of its MovingAxes [m/s]
+  double fastest = 1.0;              ///< largest speed in the run, relative to that at the kept steps
+  double kinetic = 0.0;              ///< largest energy in the run, as these axes see it [J]
+  std::optional<Rest> rest;          ///< where there is no motion
+  std::optional<EnergyMade> energy;  ///< where the balance of the run does not tell it
   /// By how much the errors of its worst steps are larger than what a first look said of them, at least 1: where
   /// something is not smooth, or steps are very long, two parts of a step are not as much better as Richardson has it.
   double resolved = 1.0;
@@ -42,7 +45,7 @@ using JudgeProgress = std::function<void(double)>;
 /// that are worst. Each part is seen from axes that move with it, and judged as if it were alone.
 class RunJudge {
  public:
-  /// `dynamics` and `take` as in StepJudge.
+  /// `dynamics` and `take` as in StepJudge; `sampling` is looked at until it has judged.
   RunJudge(const StepSampling& sampling, Dynamics& dynamics, SecondTake take);
 
   /// What is to be taken again, and how often the parts of those steps are divided.
@@ -60,13 +63,17 @@ class RunJudge {
 
  private:
   void see_from_moving_axes();
+  void look_at_speeds();
+  double kinetic_energy(const KeptStep& step, double t, const VectorXd& y);
   double size(const StepError& error, std::size_t part) const;
   std::vector<std::size_t> worst_of(std::size_t part) const;
   void acquit_suspects();
   void find_worst();
   void look_for_rest();
+  void look_at_energies();
   StepError judge_next(std::size_t k, int divisions, bool reactions, bool inside, const RetakenStep& retaken);
 
+  const StepSampling& sampling_;
   Dynamics& dynamics_;
   VectorXd lengths_, speeds_;  ///< of the connected parts
   std::size_t every_inside_;

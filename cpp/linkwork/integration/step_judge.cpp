@@ -378,6 +378,7 @@ void StepJudge::look_at_motion(const KeptStep& step, StepError& out) {
     of_part.displacement = std::max(of_part.displacement, a.segment<3>(v).norm() * step.h);
     of_part.spin_rate = std::max(of_part.spin_rate, rate(v + 3));
   }
+  out.work = a[a.size() - 1];
   const VectorXd kinetic = kinetic_energies_of(seen_);
   for (Eigen::Index k = 0; k < kinetic.size(); ++k) {
     out.of_part[static_cast<std::size_t>(k)].kinetic = kinetic[k];

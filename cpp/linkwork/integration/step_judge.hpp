@@ -74,6 +74,7 @@ struct StepError {
   double t = 0.0, h = 0.0;
   std::vector<PartError> of_part;  ///< of each of ConnectedParts
   double violation = 0.0;          ///< of positions where the step ended, see RelativeViolation
+  double work = 0.0;               ///< up to there, of all forces that have no potential [J]
   bool failed = false;             ///< it could not be taken again in parts: nothing else but t and h is known
 };
 

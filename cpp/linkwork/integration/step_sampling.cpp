@@ -92,6 +92,7 @@ StepSampling::StepSampling(const Dynamics& dynamics)
       sums_of_changes_(changes_),
       largest_(changes_),
       speeds_(changes_),
+      fastest_(changes_),
       usual_changes_(changes_),
       system_(&dynamics.system()),
       connected_(&ConnectedParts::of(dynamics.system())) {
@@ -308,7 +309,6 @@ bool StepSampling::meet_break(double t, double h, const VectorXd& y_new) {
 double StepSampling::look_at_rates(double h, const VectorXd& y, const VectorXd& y_new) {
   changes_.setZero();
   largest_.setZero();
-  speeds_.setZero();
   const double per_second = 1.0 / h;
   for (int body = 0; body < body_count_; body += every_body_) {
     const int part = connected_->of_body(body);
@@ -318,13 +318,25 @@ double StepSampling::look_at_rates(double h, const VectorXd& y, const VectorXd& 
     const double squared = squared_lengths_[part];
     changes_[part] += other.head<3>().squaredNorm() + squared * other.tail<3>().squaredNorm();
     largest_[part] = std::max(largest_[part], rate.head<3>().squaredNorm() + squared * rate.tail<3>().squaredNorm());
-    speeds_[part] =
-        std::max(speeds_[part], y.segment<3>(v).squaredNorm() + squared * y.segment<3>(v + 3).squaredNorm());
     rates_.segment<6>(own) = rate;
   }
   changes_ = changes_.cwiseSqrt();
   largest_ = largest_.cwiseSqrt();
-  return changes_.size() == 1 ? changes_[0] : change_by_means(h);
+  if (changes_.size() == 1) return changes_[0];
+  speeds_ = squared_speeds(y);
+  fastest_ = fastest_.cwiseMax(speeds_);
+  return change_by_means(h);
+}
+
+VectorXd StepSampling::squared_speeds(const VectorXd& y) const {
+  VectorXd out = VectorXd::Zero(squared_lengths_.size());
+  for (int body = 0; body < body_count_; body += every_body_) {
+    const int part = connected_->of_body(body);
+    const Eigen::Index v = q_size_ + velocity_size * body;
+    out[part] =
+        std::max(out[part], y.segment<3>(v).squaredNorm() + squared_lengths_[part] * y.segment<3>(v + 3).squaredNorm());
+  }
+  return out;
 }
 
 /// The means are held in a part of the run, so that steps there compare as they would without what is beside. Of what

@@ -80,10 +80,18 @@ class StepSampling {
   /// The run found its state y off by so much, and went on from another one.
   void correct(const VectorXd& y, const VectorXd& corrected);
 
+  /// An event, a driver that jumps or another choice of rows changed the state, and its energy.
+  void strike() { struck_ = true; }
+  bool struck() const { return struck_; }
+
   /// The parts with what is to be taken again of them: of short runs less than what was kept.
   std::vector<RunPart> parts() const;
   std::int64_t steps() const { return steps_; }  ///< that `after` was told of
   const EnergyRange& energies() const { return energies_; }
+  /// Largest squared speed of each connected part where steps began, turning included, see squared_speeds; where there
+  /// is but one, energies tell how fast it was.
+  const VectorXd& fastest() const { return fastest_; }
+  VectorXd squared_speeds(const VectorXd& y) const;
   const DifferencesOfParts& corrections() const { return corrections_; }  ///< the largest; empty: none
   /// The steps in which the balance of energy jumps far more than elsewhere, as a speed, without those of `parts`.
   std::vector<KeptStep> outliers(const std::vector<RunPart>& parts) const;
@@ -134,6 +142,7 @@ class StepSampling {
   // Of the connected parts:
   VectorXd changes_, sums_of_changes_;  ///< of this step, of all compared ones
   VectorXd largest_, speeds_;           ///< largest acceleration of a body [m/s^2], squared speed
+  VectorXd fastest_;                    ///< of all steps
   VectorXd usual_changes_;              ///< mean up to the part of the run; 0: none yet
   double compared_steps_ = 0.0;
   VectorXd history_;
@@ -146,6 +155,7 @@ class StepSampling {
   EnergyRange energies_;
   double work_before_ = 0.0;
   DifferencesOfParts corrections_;
+  bool struck_ = false;
   double sum_of_jumps_ = 0.0;
   KeptStep last_;  ///< without y_new, which `before` will see; h = 0: none
   Largest by_jump_, by_energy_;

@@ -24,7 +24,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal, NamedTuple
 
@@ -271,22 +271,22 @@ def estimate(
     method: Method,
     statistics: Mapping[str, Any],
     before: float = 0.0,
-    body: str = "",
+    name: Callable[[int], str] = lambda body: "",
 ) -> Verdict:
-    """From what `_core.Run.judge` found; `body`: the name of the one there."""
+    """From what `_core.Run.judge` found; `name`: of a body, by its index."""
     taken = found["taken"]
     if not taken:
         why = "no step could be taken again" if found["failed"] else "no step was one of the method's own"
         return without_steps(why, energies, statistics, found["violation"], before)
-    energy, replaced = energies.error(found["kinetic_share"], found["rest_energy"])
+    (energy, delay, late), violation = _made(found, energies), found["violation"]
     by_steps = before + SAFETY * _known(found["state"])
-    delay, violation = energy * _delay(found, energies.lasting, replaced), found["violation"]
     state = max(by_steps, before + max(delay, VIOLATED * violation))
     ratio, failed, yielding = found["reactions_by_state"], found["failed"], found["yielding"]
     accumulated = state * ratio if math.isfinite(ratio) else 0.0 if yielding > 0 else None
     reactions = None if accumulated is None else accumulated + yielding
     error, steps = max(state, energy, yielding), tuple(itertools.starmap(StepEstimate, found["steps"]))
-    body = body if by_steps >= error else ""
+    made = max(before + delay, energy)
+    body = name(found["body"] if by_steps >= error else late if made >= error else -1)
     verdict = Verdict(
         level=_level(error),
         sentence=_sentence(error, violation, state, method, before, steps, body) + _but(error, reactions),
@@ -438,16 +438,34 @@ def _counts(statistics: Mapping[str, Any]) -> dict[str, Any]:
     return {**counts, "contradictions": len(statistics.get("contradiction", {}).get("joints", ()))}
 
 
-def _delay(found: Mapping[str, Any], lasting: float, replaced: float) -> float:
+class _Made(NamedTuple):
+    """Energy that a run made or lost, where that is most: in all of it, or in a connected part of its own."""
+
+    error: float
+    delay: float  #: what a state is off by, as the motion is late
+    body: int  #: the first of that part; -1: of all
+
+
+def _made(found: Mapping[str, Any], energies: Energies) -> _Made:
+    whole, replaced = energies.error(found["kinetic_share"], found["rest_energy"])
+    all_of_it = (-1, whole, energies.lasting, found["rate"], found["slowness"], replaced)
+    made = [
+        _Made(error, error * _delay(found["seconds"], *pace), body)
+        for body, error, *pace in (all_of_it, *found["energies"])
+    ]
+    worst = max(made, key=lambda it: max(it.error, it.delay))
+    return _Made(max(it.error for it in made), max(it.delay for it in made), worst.body)
+
+
+def _delay(duration: float, lasting: float, rate: float, slowness: float, replaced: float = 0.0) -> float:
     """What a state is off by as a run makes or loses energy, relative to that.
 
     It is late by half the integral over time of the share of the kinetic energy that is made, at the largest
     speed; what is `replaced` by work is no longer there. One that goes around but once or twice has no part
     where it is slow time and again.
     """
-    duration, rate = float(found["seconds"]), float(found["rate"])
     turns = 0.25 * min(duration, duration / replaced if replaced > 0 else duration) * rate
-    slowness = min(SAFETY * float(found["slowness"]), turns**2 / 2)
+    slowness = min(SAFETY * slowness, turns**2 / 2)
     return turns * slowness * lasting if turns > 1 else 0.0
 
 

@@ -303,8 +303,7 @@ class ErrorEstimator:
         self._carried, self._onset = found["carried"], found["onset"]
         self._contacts_begin = found["contacts_begin"]
         self._at_rest = AtRest(found["rest_length"], found["rest_speed"])
-        body = self._name(found["body"])
-        return estimate(found, self._energies, self._resolution(), statistics, self._before, body)
+        return estimate(found, self._energies, self._resolution(), statistics, self._before, self._name)
 
     def _name(self, body: int) -> str:
         return self._system.model.compiled().body_name(body) if body >= 0 else ""

@@ -1,0 +1,164 @@
+#include "linkwork/integration/energies_made.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linkwork/assembly/connected_components.hpp"
+#include "linkwork/assembly/force_elements.hpp"
+#include "linkwork/model/force_kind.hpp"
+
+namespace linkwork {
+namespace {
+
+constexpr double rounding_of_energy = 1e-12;           // relative to it
+constexpr double made_at_start = 2.0;                  // of an integral over time, relative to that of a drift
+constexpr double stays = 1e-10, hardly_falls = 1e-12;  // of the size of a part in a run: it is at rest
+
+/// Whether all its functions are of a coordinate, and tell what is stored.
+bool may_conserve(const Model& model, const Element& force) {
+  const ForceKind& kind = force_kinds()[force.kind];
+  if (kind.switches > 0) return false;
+  for (std::size_t p = 0; p < kind.info.parameters.size(); ++p) {
+    const int signal = model.force_parameters()[force.first_parameter + p].signal;
+    if (signal < 0) continue;
+    const TimeFunctionPtr& function = model.signals()[static_cast<std::size_t>(signal)];
+    if (function->of_time() || !function->integral()) return false;
+  }
+  return true;
+}
+
+/// Of all parts at once. Energies are tables of a column for each part, a row for each state, by time.
+class EnergySearch {
+ public:
+  EnergySearch(Dynamics& dynamics, const std::vector<const KeptStep*>& steps, const VectorXd& lengths)
+      : dynamics_(dynamics),
+        system_(dynamics.system()),
+        connected_(ConnectedParts::of(system_)),
+        lengths_(lengths),
+        conserves_(static_cast<std::size_t>(connected_.count()), true) {
+    for (const KeptStep* step : steps) {
+      states_.push_back({step->t, &step->y, step});
+      states_.push_back({step->t + step->h, &step->y_new, step});
+    }
+    std::stable_sort(states_.begin(), states_.end(), [](const State& a, const State& b) { return a.t < b.t; });
+  }
+
+  std::vector<std::optional<EnergyMade>> result() {
+    std::vector<std::optional<EnergyMade>> out(conserves_.size());
+    leave_out_what_works();
+    if (conserves_.size() < 2 || states_.empty() || !any()) return out;
+    const auto rows = static_cast<Eigen::Index>(states_.size());
+    for (MatrixXd* table : {&kinetic_, &in_inerters_, &potential_}) table->setZero(rows, connected_.count());
+    mass_.setZero(connected_.count());
+    for (int body = 0; body < system_.body_count(); ++body) mass_[connected_.of_body(body)] += system_.mass(body);
+    add_bodies();
+    if (!system_.inerters().empty()) add_inerters();
+    add_forces();
+    for (std::size_t part = 0; part < out.size(); ++part)
+      if (conserves_[part]) out[part] = made(static_cast<Eigen::Index>(part));
+    return out;
+  }
+
+ private:
+  struct State {
+    double t;
+    const VectorXd* y;
+    const KeptStep* step;
+  };
+
+  bool any() const { return std::find(conserves_.begin(), conserves_.end(), true) != conserves_.end(); }
+  auto q(const VectorXd& y) const { return y.head(system_.q_size()); }
+  auto v(const VectorXd& y) const { return y.segment(system_.q_size(), system_.v_size()); }
+
+  void leave_out_what_works() {
+    const Model& model = system_.model();
+    for (const int row : system_.driven_rows()) conserves_[connected_.of_row(row)] = false;
+    for (const Element& force : model.forces())
+      if (!may_conserve(model, force)) conserves_[connected_.of_bodies(force.i, force.j)] = false;
+  }
+
+  void add_bodies() {
+    const Vec3<double>& gravity = system_.model().gravity();
+    for (std::size_t k = 0; k < states_.size(); ++k) {
+      const VectorXd& y = *states_[k].y;
+      for (int body = 0; body < system_.body_count(); ++body) {
+        const auto row = static_cast<Eigen::Index>(k);
+        const int part = connected_.of_body(body);
+        const auto its_v = v(y).segment<velocity_size>(velocity_size * body);
+        const double turning = its_v.tail<3>().dot(system_.inertia(body) * its_v.tail<3>());
+        kinetic_(row, part) += 0.5 * (system_.mass(body) * its_v.head<3>().squaredNorm() + turning);
+        potential_(row, part) -= system_.mass(body) * gravity.dot(y.segment<3>(position_size * body));
+      }
+    }
+  }
+
+  void add_inerters() {
+    const Inerters& inerters = system_.inerters();
+    for (std::size_t k = 0; k < states_.size(); ++k) {
+      dynamics_.set_history(states_[k].step->history);
+      dynamics_.evaluate(states_[k].t, *states_[k].y);
+      const VectorXd its_v = v(*states_[k].y);
+      for (std::size_t i = 0; i < inerters.count(); ++i) {
+        const double rate = inerters.rate(i, dynamics_.evaluation().D.data(), its_v.data());
+        const auto [first, second] = inerters.bodies(i);
+        in_inerters_(static_cast<Eigen::Index>(k), connected_.of_bodies(first, second)) +=
+            0.5 * inerters.inertance(i) * rate * rate;
+      }
+    }
+    kinetic_ += in_inerters_;
+  }
+
+  /// A part with one that does work in any of these states is none to look at.
+  void add_forces() {
+    const std::vector<Element>& forces = system_.model().forces();
+    for (std::size_t f = 0; f < forces.size(); ++f) {
+      const int part = connected_.of_bodies(forces[f].i, forces[f].j);
+      if (!conserves_[part]) continue;
+      ForceElement element(system_, static_cast<int>(f));
+      for (std::size_t k = 0; k < states_.size() && conserves_[part]; ++k) {
+        const auto [t, y, step] = states_[k];
+        const auto [stored, working] = element.energy(t, q(*y), v(*y), step->history);
+        potential_(static_cast<Eigen::Index>(k), part) += stored;
+        if (working != 0.0) conserves_[part] = false;
+      }
+    }
+  }
+
+  EnergyMade made(Eigen::Index part) const {
+    EnergyMade out;
+    const auto kinetic = kinetic_.col(part), potential = potential_.col(part);
+    const VectorXd made = (kinetic + potential).array() - (kinetic[0] + potential[0]);
+    double integral = 0.0, largest_integral = 0.0;
+    for (Eigen::Index k = 1; k < made.size(); ++k) {
+      integral += 0.5 * (made[k] + made[k - 1]) * (states_[k].t - states_[k - 1].t);
+      largest_integral = std::max(largest_integral, std::abs(integral));
+    }
+    out.exchanged = potential.maxCoeff() - potential.minCoeff();
+    out.in_inerters = in_inerters_.col(part).maxCoeff();
+    out.amount = std::max(kinetic.maxCoeff(), potential.cwiseAbs().maxCoeff());
+    const double seconds = states_.back().t - states_.front().t, speed = stays * lengths_[part] / seconds;
+    out.rest = mass_[part] * (0.5 * speed * speed + system_.model().gravity().norm() * hardly_falls * lengths_[part]);
+    const double most = made.cwiseAbs().maxCoeff(), drift = 0.5 * most * seconds;
+    out.largest = std::max(most - rounding_of_energy * out.amount, 0.0);
+    if (drift > 0.0) out.lasting = std::min(largest_integral / drift, made_at_start);
+    return out;
+  }
+
+  Dynamics& dynamics_;
+  const System& system_;
+  const ConnectedParts& connected_;
+  const VectorXd& lengths_;
+  std::vector<bool> conserves_;
+  std::vector<State> states_;
+  MatrixXd kinetic_, in_inerters_, potential_;
+  VectorXd mass_;  ///< of each part [kg]
+};
+
+}  // namespace
+
+std::vector<std::optional<EnergyMade>> find_energies_made(Dynamics& dynamics, const std::vector<const KeptStep*>& steps,
+                                                          const VectorXd& lengths) {
+  return EnergySearch(dynamics, steps, lengths).result();
+}
+
+}  // namespace linkwork

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "linkwork/formulation/dynamics.hpp"
+#include "linkwork/integration/kept_step.hpp"
+
+namespace linkwork {
+
+/// Energy that a run made or lost in a connected part whose forces and constraints do no work, where it is a constant
+/// of the exact motion.
+struct EnergyMade {
+  double largest = 0.0;      ///< beyond rounding [J]
+  double lasting = 1.0;      ///< its integral over time, relative to that of a drift to the largest; at most 2
+  double exchanged = 0.0;    ///< what the potential changes by [J]
+  double in_inerters = 0.0;  ///< largest kinetic energy of inerters [J]
+  double amount = 0.0;       ///< largest of kinetic energy and potential [J]
+  double rest = 0.0;         ///< as little is that of a part at rest [J]
+};
+
+/// Of each of ConnectedParts, at the ends of these steps, beside the first; none: there may be work, of a driver, a
+/// damper, a contact, a function of time or of the user's own. Nothing is looked at where there is but one part: of that
+/// the balance of the whole run tells. `lengths`: sizes [m].
+std::vector<std::optional<EnergyMade>> find_energies_made(Dynamics& dynamics, const std::vector<const KeptStep*>& steps,
+                                                          const VectorXd& lengths);
+
+}  // namespace linkwork
