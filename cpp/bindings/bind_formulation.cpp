@@ -341,14 +341,14 @@ py::dict right_hand_side_times(Dynamics& dynamics, double t, const ConstVector& 
   return out;
 }
 
-py::tuple residuals_at_start(const Dynamics& dynamics) {
+double residual_at_start(const Dynamics& dynamics) {
   const Model& model = dynamics.system().model();
   Residuals found;
   {
     const py::gil_scoped_release release;
     found = residuals_at(dynamics.system(), 0.0, model.initial_q(), model.initial_v(), dynamics.history());
   }
-  return py::make_tuple(found.largest_position(), found.largest_velocity(), found.roundoff);
+  return found.largest_beyond_roundoff();
 }
 
 py::tuple residuals(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {
@@ -362,7 +362,7 @@ py::tuple residuals(const Dynamics& dynamics, double t, const ConstVector& q, co
     found = residuals_at(system, t, q, v, dynamics.history());
   }
   return py::make_tuple(std::move(found.Phi), std::move(found.Phi_dot), std::move(found.lengths),
-                        std::move(found.rates), found.roundoff);
+                        std::move(found.rates), std::move(found.roundoff));
 }
 
 /// Of each body.
@@ -385,9 +385,9 @@ py::tuple scales(const Dynamics& dynamics, double t, const ConstVector& q, const
 
 void bind_measurements(py::class_<Dynamics>& dynamics) {
   dynamics
-      .def_property_readonly("residuals_at_start", exclusive(&residuals_at_start),
-                             "The largest parts of the size and of the speed of a connected part that residuals of the "
-                             "initial state are, and the roundoff.")
+      .def_property_readonly("residual_at_start", exclusive(&residual_at_start),
+                             "The largest part of the size or of the speed of a connected part that a residual of the "
+                             "initial state is, above roundoff.")
       .def("force_element", &force_element, py::arg("element"), py::arg("t"), py::arg("q"), py::arg("v"),
            py::arg("v_dot"), py::arg("history"),
            "(force, torque (k, 3) on the second body, power that goes into the motion, potential, what its history "
@@ -501,8 +501,8 @@ void bind_formulation(py::module_& module) {
            "M (n, 6, 6), D (compressed rows), inerters (rows), inertance, Phi, Phi_t, Phi_dot, gamma, g, potential, "
            "force_power, history.")
       .def("residuals", exclusive(&residuals), py::arg("t"), py::arg("q"), py::arg("v"),
-           "(Phi, Phi_dot, row lengths, row rates [1/s], roundoff): Phi / length and Phi_dot / length / rate are parts "
-           "of the size and speed of the connected part, known to the roundoff of its positions.")
+           "(Phi, Phi_dot, row lengths, row rates [1/s], roundoff), all of each row: Phi / length and Phi_dot / length "
+           "/ rate are parts of the size and speed of the connected part, known to the roundoff of its positions.")
       .def("scales", exclusive(&scales), py::arg("t"), py::arg("q"), py::arg("v"),
            "Of each body a length [m] and a rate [1/s], those of its connected part, and which part that is.")
       .def("accelerations", exclusive(&accelerations), py::arg("t"), py::arg("q"), py::arg("v"),

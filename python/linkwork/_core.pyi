@@ -477,7 +477,7 @@ class Dynamics:
         v: typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"],
     ) -> tuple:
         """
-        (Phi, Phi_dot, row lengths, row rates [1/s], roundoff): Phi / length and Phi_dot / length / rate are parts of the size and speed of the connected part, known to the roundoff of its positions.
+        (Phi, Phi_dot, row lengths, row rates [1/s], roundoff), all of each row: Phi / length and Phi_dot / length / rate are parts of the size and speed of the connected part, known to the roundoff of its positions.
         """
     def right_hand_side_times(
         self,
@@ -531,9 +531,9 @@ class Dynamics:
         How many singular poses were passed, and how often other rows became the redundant ones.
         """
     @property
-    def residuals_at_start(self) -> tuple:
+    def residual_at_start(self) -> float:
         """
-        The largest parts of the size and of the speed of a connected part that residuals of the initial state are, and the roundoff.
+        The largest part of the size or of the speed of a connected part that a residual of the initial state is, above roundoff.
         """
     @property
     def row_count(self) -> int: ...

@@ -96,6 +96,19 @@ struct CharacteristicLengths {
   VectorXd of_bodies;
 };
 
+/// Of each connected part, see farthest_position.
+VectorXd farthest_positions(const System& system, const ConstVector& q) {
+  const VectorXd& lengths = characteristic_lengths(system);
+  const ConnectedParts& parts = ConnectedParts::of(system);
+  VectorXd most = VectorXd::Zero(parts.count());
+  for (int body = 0; body < system.body_count(); ++body) {
+    double& own = most[parts.of_body(body)];
+    if (const BlockRange blocks = system.body_blocks(body); blocks.begin() != blocks.end())
+      own = std::max(own, q.segment<3>(position_size * body).norm() / lengths[body]);
+  }
+  return most;
+}
+
 }  // namespace
 
 const VectorXd& characteristic_lengths(const System& system) {
@@ -159,16 +172,16 @@ std::vector<char> rows_of_rotations(const System& system, const Evaluation& at) 
 }
 
 double farthest_position(const System& system, const ConstVector& q) {
-  const VectorXd& lengths = characteristic_lengths(system);
-  double most = 0.0;
-  for (int body = 0; body < system.body_count(); ++body)
-    if (const BlockRange blocks = system.body_blocks(body); blocks.begin() != blocks.end())
-      most = std::max(most, q.segment<3>(position_size * body).norm() / lengths[body]);
-  return most;
+  const VectorXd of_parts = farthest_positions(system, q);
+  return of_parts.size() > 0 ? of_parts.maxCoeff() : 0.0;
 }
 
 double roundoff_of_positions(const System& system, const ConstVector& q) {
   return roundoff * farthest_position(system, q);
+}
+
+VectorXd roundoff_of_parts(const System& system, const ConstVector& q) {
+  return roundoff * farthest_positions(system, q);
 }
 
 VectorXd characteristic_rates(const System& system, const Evaluation& at, const ConstVector& v) {

@@ -30,6 +30,8 @@ double farthest_position(const System& system, const ConstVector& q);
 
 /// What the roundoff of positions far from the origin does to residuals, relative to the size of the mechanism.
 double roundoff_of_positions(const System& system, const ConstVector& q);
+/// The same of each connected part.
+VectorXd roundoff_of_parts(const System& system, const ConstVector& q);
 
 /// A rate of each connected part [1/s]: of its velocities and drivers at a whole evaluation, and what its forces would
 /// give it on a way of its own length. What moves beside it, however fast, says nothing of it.

@@ -11,17 +11,26 @@
 namespace linkwork {
 namespace {
 
-double largest(const VectorXd& residual, const VectorXd& sizes) {
+/// Relative to the size of each row, less what is allowed in it.
+double largest(const VectorXd& residual, const VectorXd& sizes, const VectorXd& allowed) {
   double most = 0.0;
   for (Eigen::Index row = 0; row < residual.size(); ++row)
-    if (const double amount = std::abs(residual[row]); amount > 0.0) most = std::max(most, amount / sizes[row]);
+    if (const double amount = std::abs(residual[row]); amount > 0.0)
+      most = std::max(most, amount / sizes[row] - allowed[row]);
   return most;
+}
+
+double largest(const VectorXd& residual, const VectorXd& sizes) {
+  return largest(residual, sizes, VectorXd::Zero(residual.size()));
 }
 
 }  // namespace
 
 double Residuals::largest_position() const { return largest(Phi, lengths); }
 double Residuals::largest_velocity() const { return largest(Phi_dot, lengths.cwiseProduct(rates)); }
+double Residuals::largest_beyond_roundoff() const {
+  return std::max(largest(Phi, lengths, roundoff), largest(Phi_dot, lengths.cwiseProduct(rates), roundoff));
+}
 
 Residuals residuals_at(const System& system, double t, const ConstVector& q, const ConstVector& v,
                        const ConstVector& history) {
@@ -31,12 +40,16 @@ Residuals residuals_at(const System& system, double t, const ConstVector& q, con
   look_for_interruption();
   VectorXd lengths = row_lengths(system, at);
   look_for_interruption();
-  const VectorXd of_parts = characteristic_rates(system, at, v);
-  VectorXd rates(lengths.size());
-  for (Eigen::Index row = 0; row < rates.size(); ++row) rates[row] = of_parts[ConnectedParts::of(system).of_row(row)];
+  const VectorXd rates_of_parts = characteristic_rates(system, at, v);
+  const VectorXd roundoffs = roundoff_of_parts(system, q);
+  VectorXd rates(lengths.size()), roundoff(lengths.size());
+  for (Eigen::Index row = 0; row < rates.size(); ++row) {
+    const int part = ConnectedParts::of(system).of_row(row);
+    rates[row] = rates_of_parts[part];
+    roundoff[row] = roundoffs[part];
+  }
   look_for_interruption();
-  const double roundoff = roundoff_of_positions(system, q);
-  return {std::move(at.Phi), std::move(at.Phi_dot), std::move(lengths), std::move(rates), roundoff};
+  return {std::move(at.Phi), std::move(at.Phi_dot), std::move(lengths), std::move(rates), std::move(roundoff)};
 }
 
 }  // namespace linkwork

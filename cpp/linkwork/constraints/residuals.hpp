@@ -7,13 +7,15 @@ namespace linkwork {
 /// By how much a state violates the constraints, and what that is relative to.
 struct Residuals {
   VectorXd Phi, Phi_dot;
-  VectorXd lengths;  ///< what divides a residual, see row_lengths
-  VectorXd rates;    ///< of each row that of its part, and with it one of Phi_dot; see characteristic_rates
-  double roundoff;   ///< see roundoff_of_positions
+  VectorXd lengths;   ///< what divides a residual, see row_lengths
+  VectorXd rates;     ///< of each row that of its part, and with it one of Phi_dot; see characteristic_rates
+  VectorXd roundoff;  ///< of each row that of its part, see roundoff_of_positions
 
   // The largest of all rows, relative to the size and to the speed of its part; what is no number is passed over.
   double largest_position() const;
   double largest_velocity() const;
+  /// Of both, above what roundoff may make of it.
+  double largest_beyond_roundoff() const;
 };
 
 Residuals residuals_at(const System& system, double t, const ConstVector& q, const ConstVector& v,

@@ -71,7 +71,7 @@ class Equations:
         self.rank = self.dynamics.rank()
         self.length = _size(self.core)
         found = self.dynamics.residuals(0.0, self.core.q0, self.core.v0)
-        self.row_lengths, _, self.rounding = found[2:]
+        self.row_lengths, self.rounding = found[2], float(np.max(found[4], initial=0.0))
         self.joint_of_row = np.repeat(np.arange(self.core.joint_count), np.diff(self.core.joint_rows))
         self.holonomic = self._holonomic()
         self._still = np.zeros(6 * self.core.body_count)

@@ -136,7 +136,7 @@ class Residuals:
     level: str  #: "poses" or "velocities"
     value: Floats  #: [m] or [1], of velocities per second
     relative: Floats  #: to the size of the connected part, of velocities to its speed
-    rounding: float  #: what roundoff can make of a relative one
+    rounding: Floats  #: what roundoff can make of a relative one
 
     @property
     def unit(self) -> str:
@@ -153,10 +153,10 @@ def residuals(model: Model, dynamics: _core.Dynamics, at: Snapshot | None = None
     def of(level: str, residual: Floats, scale: Floats) -> Residuals:
         values = np.abs(residual)
         if not len(starts):
-            return Residuals(level, np.zeros(0), np.zeros(0), 0.0)
+            return Residuals(level, np.zeros(0), np.zeros(0), np.zeros(0))
         relative = np.divide(values, scale, out=np.zeros(len(values)), where=values > 0)
-        value, part = (np.maximum.reduceat(x, starts) for x in (values, relative))
-        return Residuals(level, value, part, RESIDUAL_TOLERANCE + roundoff)
+        rounding = RESIDUAL_TOLERANCE + roundoff
+        return Residuals(level, *(np.maximum.reduceat(x, starts) for x in (values, relative, rounding)))
 
     return [of("poses", Phi, lengths), of("velocities", Phi_dot, lengths * rates)]
 
@@ -178,8 +178,7 @@ def consistent(
     violation is too large to be an inaccuracy; its `joints` and `residuals` are those that violate it.
     NotConvergedError: joints contradict each other. `quiet`: without the warnings, which were given.
     """
-    position, velocity, roundoff = dynamics.residuals_at_start
-    if max(position, velocity) <= RESIDUAL_TOLERANCE + roundoff:
+    if dynamics.residual_at_start <= RESIDUAL_TOLERANCE:
         return None
     core = model.compiled()
     small = SMALL_RESIDUAL if correct else np.inf
@@ -396,14 +395,14 @@ def _complex(value: complex) -> str:
     return f"{value.real:.3g}" if real else f"{value.real:.3g} +- {abs(value.imag):.3g}i"
 
 
-def _inaccuracy(core: _core.Model, found: Residuals, rounding: float, most: float) -> str:
+def _inaccuracy(core: _core.Model, found: Residuals, rounding: Floats | float, most: float) -> str:
     """Which joints are violated by more than rounding, "" where none is. ModelError: one by too much.
 
     Both are relative to the size or speed of the mechanism.
     """
     relative, unit = found.relative, found.unit
     worst = np.argsort(-relative, kind="stable")
-    worst = worst[relative[worst] > rounding]
+    worst = worst[(relative > rounding)[worst]]
     if not len(worst):
         return ""
     each = _listed(
