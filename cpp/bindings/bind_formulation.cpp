@@ -300,30 +300,6 @@ py::array_t<double> joint_frames(const Dynamics& dynamics, const ConstVector& q)
   return out;
 }
 
-void bind_rank(py::module_& module) {
-  py::class_<RankReport>(module, "RankReport",
-                         "Rank of the constraint matrix D: what is redundant in every pose, and what only in the "
-                         "assembled one.")
-      .def_readonly("rows", &RankReport::rows)
-      .def_readonly("rank", &RankReport::rank, "Away from singular poses.")
-      .def_readonly("degrees_of_freedom", &RankReport::degrees_of_freedom)
-      .def_readonly("redundant_rows", &RankReport::redundant_rows, "Implied by the others in every pose.")
-      .def_readonly("singular_rows", &RankReport::singular_rows,
-                    "Of the others, those that depend on the rest in the assembled pose.")
-      .def_property_readonly(
-          "unique",
-          [](const RankReport& report) { return std::vector<bool>(report.unique.begin(), report.unique.end()); },
-          "Per joint: its multipliers follow from the motion.");
-}
-
-std::vector<std::tuple<int, std::vector<int>, std::string>> groups(const Dynamics& dynamics, std::size_t most) {
-  const py::gil_scoped_release release;
-  std::vector<std::tuple<int, std::vector<int>, std::string>> out;
-  for (const DependentGroup& group : dependent_groups(dynamics.system(), dynamics.rank(), most))
-    out.emplace_back(group.row, group.others, describe(dynamics.system().model(), group));
-  return out;
-}
-
 py::dict right_hand_side_times(Dynamics& dynamics, double t, const ConstVector& y, int repeats) {
   const VectorXd full = with_work(dynamics, y);
   RightHandSideTimes times;
@@ -482,7 +458,7 @@ void bind_history(py::class_<Dynamics>& dynamics) {
 
 // Long: one statement a property or method of Dynamics.
 void bind_formulation(py::module_& module) {
-  bind_rank(module);
+  bind_rank_report(module);
   py::class_<Dynamics> dynamics(module, "Dynamics", "A model with a formulation, a stabilization and a linear solver.");
   dynamics
       .def(py::init<const Model&, const Options&, const Dynamics*>(), py::arg("model"), py::arg("options"),
@@ -512,12 +488,10 @@ void bind_formulation(py::module_& module) {
       .def("reactions", &reactions, py::arg("t"), py::arg("q"), py::arg("multipliers"), py::arg("history") = py::none(),
            "Force and torque (joints, 3) that each joint exerts on its second body at the joint's point, inertial "
            "axes; (k, joints, 3) for k times, states and multipliers.")
-      .def("joint_frames", &joint_frames, py::arg("q"), "Inertial axes of the joint frames, fixed in the first body.")
-      .def("rank", &Dynamics::rank, py::return_value_policy::copy)
-      .def("dependent_groups", &groups, py::arg("most"),
-           "(row, rows that imply it, both in words) of the first redundant rows.");
+      .def("joint_frames", &joint_frames, py::arg("q"), "Inertial axes of the joint frames, fixed in the first body.");
   bind_history(dynamics);
   bind_measurements(dynamics);
+  bind_rank(dynamics);
   bind_statistics(dynamics);
   bind_times(dynamics);
 }

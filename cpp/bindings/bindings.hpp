@@ -31,6 +31,8 @@ void bind_model(py::module_& module);
 void bind_assembler(py::module_& module);
 void bind_options(py::module_& module);
 void bind_formulation(py::module_& module);
+void bind_rank_report(py::module_& module);
+void bind_rank(py::class_<Dynamics>& dynamics);
 void bind_statistics(py::class_<Dynamics>& dynamics);
 void bind_integration(py::module_& module);
 void bind_driven_motion(py::module_& module);

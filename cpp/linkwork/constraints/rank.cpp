@@ -103,6 +103,7 @@ void find_redundancy(MassWeightedLeastSquares& solver, const ClosedLoops& loops,
   report.q = found.q;
   system.evaluate_constraints(0.0, report.q, VectorXd::Zero(system.v_size()), system.initial_history(), at);
   LoopPose perturbed(loops, std::move(at), tolerance);
+  report.least_part = std::max(assembled.least_part, perturbed.least_part);
   const RedundantRows redundant = redundant_rows(solver, loops, assembled, perturbed, found, tolerance);
   for (const int place : redundant.rows) report.redundant_rows.push_back(row(place));
 
@@ -111,6 +112,17 @@ void find_redundancy(MassWeightedLeastSquares& solver, const ClosedLoops& loops,
   for (const int k : dependent_rows(loops, select_rows(assembled.D, kept), tolerance))
     report.singular_rows.push_back(row(kept[k]));
   find_unique(solver, loops, assembled.at, perturbed.at, report);
+}
+
+/// What is independent of the others in the least of the rows, where the pose is no singular one alone: at another pose,
+/// too, if there is one.
+double least_part(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const LoopPose& assembled,
+                  double tolerance, const VectorXd& q) {
+  Evaluation at = solver.system().make_evaluation();
+  const System& system = solver.system();
+  const PerturbedPose found = perturb(solver, loops, q, degrees_of_freedom(system, loops, assembled.dependent), at);
+  return std::max(assembled.least_part,
+                  LoopPose(system, loops, {0.0, found.q, system.initial_history()}, tolerance).least_part);
 }
 
 /// Looks at the loops from the evaluation `at` of the initial pose on. Where that satisfies all constraints it is the
@@ -137,6 +149,9 @@ void examine_loops(const System& given, const ClosedLoops& loops, double toleran
   if (!pose.dependent.empty()) {
     if (!solver) look_closely();
     find_redundancy(*solver, loops, pose, reached, tolerance, report);
+  } else if (pose.least_part < nearly_dependent) {
+    if (!solver) look_closely();
+    report.least_part = least_part(*solver, loops, pose, tolerance, report.q);
   }
   at = std::move(pose.at);
 }

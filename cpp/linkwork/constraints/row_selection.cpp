@@ -316,13 +316,13 @@ std::vector<int> neighbors_on_same_bodies(const SparseRows& A) {
 
 }  // namespace
 
-Places dependent_rows(const ClosedLoops& loops, const SparseRows& A, double tolerance) {
+namespace {
+
+ColumnRank rank_of_rows(const ClosedLoops& loops, const SparseRows& A, double tolerance) {
   const Eigen::Map<const Eigen::SparseMatrix<double>> transposed(A.cols(), A.rows(), A.nonZeros(), A.outerIndexPtr(),
                                                                  A.innerIndexPtr(), A.valuePtr());
-  return dependent_columns(transposed, tolerance, neighbors_on_same_bodies(A), block::kept_orders(loops.system()));
+  return rank_of_columns(transposed, tolerance, neighbors_on_same_bodies(A), block::kept_orders(loops.system()));
 }
-
-namespace {
 
 Evaluation constraints_at(const System& system, const TimedPose& pose) {
   Evaluation at = system.make_evaluation();
@@ -332,11 +332,19 @@ Evaluation constraints_at(const System& system, const TimedPose& pose) {
 
 }  // namespace
 
+Places dependent_rows(const ClosedLoops& loops, const SparseRows& A, double tolerance) {
+  return rank_of_rows(loops, A, tolerance).dependent;
+}
+
 LoopPose::LoopPose(const System& system, const ClosedLoops& loops, const TimedPose& pose, double tolerance)
     : LoopPose(loops, constraints_at(system, pose), tolerance) {}
 
 LoopPose::LoopPose(const ClosedLoops& loops, Evaluation given, double tolerance)
-    : at(std::move(given)), D(loops.scaled_D(at)), dependent(dependent_rows(loops, D, tolerance)) {}
+    : at(std::move(given)), D(loops.scaled_D(at)) {
+  ColumnRank found = rank_of_rows(loops, D, tolerance);
+  dependent = std::move(found.dependent);
+  least_part = found.least_part;
+}
 
 RedundantRows redundant_rows(MassWeightedLeastSquares& solver, const ClosedLoops& loops, LoopPose& assembled,
                              LoopPose& perturbed, const PerturbedPose& found, double tolerance, bool prefer_closing) {

@@ -22,6 +22,7 @@ struct LoopPose {
   Evaluation at;
   SparseRows D;  ///< rows of unit length
   Places dependent;
+  double least_part = 1.0;  ///< see ColumnRank
 };
 
 /// The rows to leave out because they are dependent at both poses.

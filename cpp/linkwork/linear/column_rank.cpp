@@ -42,6 +42,7 @@ class SingletonElimination {
   }
 
   const std::vector<int>& dead() const { return dead_; }
+  double least() const { return least_; }  ///< of the entries that columns were eliminated by
 
   /// The rest, and the columns of A that it has.
   RowMatrix rest(std::vector<int>& columns) && {
@@ -81,6 +82,7 @@ class SingletonElimination {
       if (!row_left) continue;
       if (!(std::abs(it.value()) > tolerance_)) break;
       row_left = 0;
+      least_ = std::min(least_, std::abs(it.value()));
       for (RowMatrix::InnerIterator other(by_rows_, it.row()); other; ++other)
         if (const int c = static_cast<int>(other.col()); column_left_[c] && --count(c) == 1) next_.push_back(c);
       return;
@@ -90,6 +92,7 @@ class SingletonElimination {
 
   const ColumnMatrix& A_;
   const double tolerance_;
+  double least_ = INFINITY;
   RowMatrix by_rows_;
   std::vector<char> row_left_, column_left_;
   std::vector<int> count_;  ///< of each column that is left: entries in rows that are left
@@ -131,20 +134,26 @@ MatrixXd take_out(const std::vector<int>& rows, RowMatrix& A) {
 /// Dense rows would fill R. Of A = [S; F], F the dense rows, the sparse ones decide first: of the columns of S the
 /// candidates S_c depend on the others, S_c = S_o L. Those are independent in A where F_c - F_o L is, which is what
 /// eliminating F by the rows of R leaves of it. Rows of R with a weak pivot are taken for dense ones.
-std::vector<int> dead_columns(RowMatrix& A, const std::vector<int>& groups, qr::Pivots pivots,
-                              block::KeptOrders& orders) {
+struct DeadColumns {
+  std::vector<int> columns;
+  double least = INFINITY;  ///< what is independent in a weak one of the others
+};
+DeadColumns dead_columns(RowMatrix& A, const std::vector<int>& groups, qr::Pivots pivots, block::KeptOrders& orders) {
   MatrixXd F = take_out(dense_rows(A), A);
   std::vector<int> candidates = qr::dependent_columns(A, groups, pivots, F, orders);
-  if (candidates.empty() || F.rows() == 0) return candidates;
+  if (candidates.empty() || F.rows() == 0) return {std::move(candidates)};
   std::sort(candidates.begin(), candidates.end());
   MatrixXd rest(F.rows(), static_cast<Eigen::Index>(candidates.size()));
   for (std::size_t k = 0; k < candidates.size(); ++k) rest.col(static_cast<Eigen::Index>(k)) = F.col(candidates[k]);
   Eigen::ColPivHouseholderQR<MatrixXd> qr(rest);
   const double largest = qr.maxPivot();
   qr.setThreshold(largest > 0.0 ? pivots.none / largest : 1.0);
-  std::vector<int> dead;
-  for (Eigen::Index k = qr.rank(); k < rest.cols(); ++k) dead.push_back(candidates[qr.colsPermutation().indices()[k]]);
-  return dead;
+  const Eigen::Index rank = qr.rank();
+  DeadColumns out;
+  if (rank > 0) out.least = std::abs(qr.matrixQR()(rank - 1, rank - 1));
+  for (Eigen::Index k = rank; k < rest.cols(); ++k)
+    out.columns.push_back(candidates[qr.colsPermutation().indices()[k]]);
+  return out;
 }
 
 /// Those of some columns, without gaps; one for each column where there are none.
@@ -159,23 +168,29 @@ std::vector<int> groups_of(const std::vector<int>& columns, const std::vector<in
 
 }  // namespace
 
-std::vector<int> dependent_columns(const Eigen::Ref<const Eigen::SparseMatrix<double>>& A, double tolerance,
-                                   const std::vector<int>& groups, block::KeptOrders& orders) {
-  const double largest = largest_column(A), least = tolerance * largest;
-  SingletonElimination singletons(A, least);
-  std::vector<int> dead = singletons.dead(), columns;
+ColumnRank rank_of_columns(const Eigen::Ref<const Eigen::SparseMatrix<double>>& A, double tolerance,
+                           const std::vector<int>& groups, block::KeptOrders& orders) {
+  const double largest = largest_column(A), none = tolerance * largest;
+  SingletonElimination singletons(A, none);
+  ColumnRank out{singletons.dead()};
+  double least = singletons.least();
+  std::vector<int> columns;
   RowMatrix rest = std::move(singletons).rest(columns);
-  if (!columns.empty())
-    for (const int k : dead_columns(rest, groups_of(columns, groups), {least, std::max(weak * largest, least)}, orders))
-      dead.push_back(columns[k]);
-  std::sort(dead.begin(), dead.end());
-  return dead;
+  if (!columns.empty()) {
+    const DeadColumns dead =
+        dead_columns(rest, groups_of(columns, groups), {none, std::max(weak * largest, none)}, orders);
+    for (const int k : dead.columns) out.dependent.push_back(columns[k]);
+    least = std::min(least, dead.least);
+  }
+  std::sort(out.dependent.begin(), out.dependent.end());
+  if (largest > 0.0) out.least_part = std::min(least / largest, 1.0);
+  return out;
 }
 
 std::vector<int> dependent_columns(const Eigen::Ref<const Eigen::SparseMatrix<double>>& A, double tolerance,
                                    const std::vector<int>& groups) {
   block::KeptOrders orders;
-  return dependent_columns(A, tolerance, groups, orders);
+  return rank_of_columns(A, tolerance, groups, orders).dependent;
 }
 
 std::vector<int> dependent_columns(int rows, int columns, const std::vector<Entry>& entries, double tolerance) {

@@ -12,11 +12,19 @@ struct Entry {
   double value;
 };
 
-/// Columns of A (compressed) that depend on the others, ascending, found by a rank-revealing sparse QR: their number is
-/// columns - rank. `tolerance` is relative to the largest column. `groups`, where given, ascend from 0: equal numbers
-/// for columns that have much the same rows, which takes less time to order. `orders`: where their order is kept.
-std::vector<int> dependent_columns(const Eigen::Ref<const Eigen::SparseMatrix<double>>& A, double tolerance,
-                                   const std::vector<int>& groups, block::KeptOrders& orders);
+/// Columns that depend on others; what is independent in one of the rest is at least a part of its length, or was found to
+/// be so small.
+struct ColumnRank {
+  std::vector<int> dependent;  ///< ascending: columns - rank
+  double least_part = 1.0;     ///< relative to the largest column; 1: none is small
+};
+
+/// Of A (compressed), by a rank-revealing sparse QR. `tolerance` is relative to the largest column. `groups`, where
+/// given, ascend from 0: equal numbers for columns that have much the same rows, which takes less time to order.
+/// `orders`: where their order is kept.
+ColumnRank rank_of_columns(const Eigen::Ref<const Eigen::SparseMatrix<double>>& A, double tolerance,
+                           const std::vector<int>& groups, block::KeptOrders& orders);
+/// The dependent ones alone.
 std::vector<int> dependent_columns(const Eigen::Ref<const Eigen::SparseMatrix<double>>& A, double tolerance,
                                    const std::vector<int>& groups = {});
 /// The same of entries, which add up where they have the same place.

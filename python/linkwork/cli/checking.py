@@ -49,6 +49,7 @@ def examine(model: Model) -> dict[str, Any]:
         "rank": rank.rank,
         "degrees_of_freedom": rank.degrees_of_freedom,
         "redundant": len(rank.redundant_rows),
+        "near_dependence": checks.near_dependence(dynamics),
         "redundant_joints": [core.joint_name(joint) for joint in redundant],
         "redundant_equations": [core.describe_row(row) for row in rank.redundant_rows],
         "dependent_groups": [
@@ -136,6 +137,8 @@ def _print(found: dict[str, Any]) -> None:
             "\nIn this pose the singular equations depend on the others, too: the mechanism may go on in"
             "\nseveral ways. The standard method cannot start here; --formulation augmented_lagrangian can."
         )
+    if found["near_dependence"]:
+        print(f"\n{found['near_dependence']}.")
     for equation, size in found["contradictions"].items():
         print(
             f"\n{equation}, contradicts the equations that it repeats: its acceleration is off by {size:.3g}"

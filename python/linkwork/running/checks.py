@@ -198,6 +198,30 @@ def consistent(
     return assembly
 
 
+def near_dependence(dynamics: _core.Dynamics) -> str:
+    """What to say of equations that depend on each other but for digits of the geometry; "" where none do."""
+    count, joints = dynamics.nearly_dependent_rows()
+    if not count:
+        return ""
+    rank = dynamics.rank()
+    names = _listed(len(joints), lambda k: repr(joints[k])).replace(";", ",")
+    rows = "an equation repeats" if count == 1 else f"{count} equations repeat"
+    freedoms = rank.degrees_of_freedom
+    left = "nothing can move" if freedoms == 0 else f"{freedoms} degrees of freedom are left"
+    return (
+        f"joints {names}: {rows} the others but for {rank.least_part:.1g}, as where points or axes are rounded: "
+        f"by the geometry as it is given {left}, and reactions are very large; an exact one would leave "
+        f"{freedoms + count} degrees of freedom. Compute points and axes to all digits, or choose joints that "
+        "do not repeat each other"
+    )
+
+
+def warn_of_near_dependence(dynamics: _core.Dynamics) -> None:
+    """LinkworkWarning: equations that nearly depend on each other."""
+    if text := near_dependence(dynamics):
+        warn(text)
+
+
 def warn_of_opposed_axes(model: Model, q: Floats) -> None:
     """LinkworkWarning: axes of joints that point away from each other, where their equations hold as well."""
     core = model.compiled()
