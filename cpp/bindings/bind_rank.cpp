@@ -22,11 +22,11 @@ std::pair<std::size_t, std::vector<std::string>> nearly_dependent_rows(const Dyn
   const System& system = dynamics.system();
   const RankReport& rank = dynamics.rank();
   std::pair<std::size_t, std::vector<std::string>> out;
-  if (!(rank.least_part < nearly_dependent)) return out;
+  if (!(rank.least_part < rank.nearly)) return out;
   const py::gil_scoped_release release;
   const VectorXd q = system.model().initial_q();
   const PoseExamination found =
-      examine_pose(system, {0.0, q, dynamics.initial_history()}, rank.redundant_rows, nearly_dependent);
+      examine_pose(system, {0.0, q, dynamics.initial_history()}, rank.redundant_rows, rank.nearly);
   out.first = found.rows.size();
   for (const int joint : found.joints) out.second.push_back(system.model().joint_name(joint));
   return out;

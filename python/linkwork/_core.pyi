@@ -441,6 +441,10 @@ class Dynamics:
         """
         Least time of a right-hand side at y = (q, v) [s], of those in so many seconds, two at least; a run that sets out from there goes on as it would have without.
         """
+    def nearly_dependent_rows(self) -> tuple[int, list[str]]:
+        """
+        How many rows that are kept depend on the others but for what follows from digits of the geometry, in every pose, and the joints of the equations in that dependence.
+        """
     def rank(self) -> RankReport: ...
     def reactions(
         self,
@@ -1130,6 +1134,11 @@ class RankReport:
     def _pybind11_conduit_v1_(*args, **kwargs): ...
     @property
     def degrees_of_freedom(self) -> int: ...
+    @property
+    def least_part(self) -> float:
+        """
+        Of a row that is kept, what is independent of the others, where it is small in every pose; else 1.
+        """
     @property
     def rank(self) -> int:
         """

@@ -110,6 +110,21 @@ TEST_CASE("columns that differ by less than the tolerance are dependent, by more
   CHECK(dependent(A).empty());
 }
 
+TEST_CASE("what is independent in a column that nearly depends on the others is known") {
+  Random random(106);
+  block::KeptOrders orders;
+  for (const double part : {1e-4, 1e-6, 1e-8}) {
+    MatrixXd A = MatrixXd::Identity(8, 6);
+    A.col(2) = A.col(0) + part * A.col(2) + 0.5 * A.col(5);
+    A.bottomRows(2).setZero();
+    A(5, 5) = 1.0;
+    const ColumnRank found = rank_of_columns(A.sparseView(0.0, 0.0), tolerance, {0, 1, 2, 3, 4, 5}, orders);
+    CHECK(found.dependent.empty());
+    CHECK(found.least_part == doctest::Approx(part / A.colwise().norm().maxCoeff()).epsilon(0.6));
+  }
+  CHECK(rank_of_columns(random.matrix(8, 4).sparseView(0.0, 0.0), tolerance, {0, 1, 2, 3}, orders).least_part == 1.0);
+}
+
 TEST_CASE("entries at the same place add up") {
   CHECK(dependent_columns(1, 1, {{0, 0, 1.0}, {0, 0, -1.0}}, tolerance) == std::vector<int>{0});
   CHECK(dependent_columns(1, 1, {{0, 0, 1.0}, {0, 0, 1.0}}, tolerance).empty());

@@ -178,6 +178,20 @@ TEST_CASE("hinges out of line lock a door of any size, those that are off by les
     }
 }
 
+TEST_CASE("what locks a door by its digits is told, and nothing of exact, far apart or long loops") {
+  for (const double size : {1e-6, 1.0, 1e6})
+    for (const double off : {1e-8, 1e-6, 1e-4}) {
+      INFO(size, " ", off);
+      const RankReport report = examine_rank(System(door(size, {off, 0, 0}, true)));
+      CHECK(report.least_part < 2.0 * off);
+      CHECK(report.least_part > 0.01 * off);
+    }
+  CHECK(examine_rank(System(door(1.0, {1e-12, 0, 0}, true))).least_part == 1.0);
+  CHECK(examine_rank(System(door(1.0, {0.1, 0, 0}, true))).least_part == 1.0);
+  CHECK(examine_rank(System(four_bar())).least_part == 1.0);
+  for (const int n : {20, 300, 3000}) CHECK(examine_rank(System(ring(n, Vec3<double>::Zero()))).least_part == 1.0);
+}
+
 TEST_CASE("what is left of a door's residual is not told from its rank") {
   for (const double size : {1e-6, 1.0, 1e6})
     for (const double off : {1e-12, 1e-10, 1e-9, 1e-8})

@@ -143,3 +143,35 @@ def test_a_long_loop_of_hinges_repeats_three_equations_however_little_it_bends(b
     assert len(result.redundant_rows) == 3 and not result.unique_reactions.any()
     across = np.array((0, 0, -9.81)) + 9.81 * along[0, 2] * along[0]
     assert result.recorded("vdot")[0].reshape(-1, 6)[bars // 4, :3] == pytest.approx(across, abs=1e-6)
+
+
+def flap(digits: int) -> lw.Model:
+    """20 kg on two hinges along one oblique line, points and axes rounded to so many digits."""
+    axis = np.array([1.0, 2.0, 0.5]) / np.linalg.norm([1.0, 2.0, 0.5])
+    center = np.array([0.4, -0.2, 0.0])
+    model = lw.Model()
+    model.body("flap", mass=20.0, inertia=(4.3, 5.4, 1.9), position=center - (center @ axis) * axis)
+    for name, at in (("lower", -0.6), ("upper", 0.6)):
+        model.revolute(
+            "ground", "flap", at=np.round(at * axis, digits), axis=np.round(axis, digits), name=name
+        )
+    return model
+
+
+@pytest.mark.parametrize("digits", [3, 4, 5, 6, 8])
+def test_a_flap_that_digits_lock_says_so(digits: int) -> None:
+    """In truth 1.13 rad in half a second at 155 N at most; locked, its hinges press with 1e5 N and more."""
+    locked = (
+        "'lower', 'upper'.* is independent of the others by .* nothing can move.* leave 1 degree of freedom"
+    )
+    with pytest.warns(lw.LinkworkWarning, match=locked):
+        lw.simulate(flap(digits), 0.01, 1e-3, progress=False)
+    members = lw.simulate_many(flap(digits), {"flap.mass": [20.0, 21.0]}, 0.01, 1e-3, progress=False)
+    assert all("nothing can move" in members.remarks[k] for k in (0, 1))
+
+
+@pytest.mark.parametrize("digits", [9, 12, 16])
+def test_digits_that_are_enough_say_nothing(digits: int) -> None:
+    result = lw.simulate(flap(digits), 0.5, 1e-3, progress=False)
+    assert result.coordinate("lower").value[-1] == pytest.approx(1.13413, abs=1e-5)
+    assert result.manifest["constraints"]["degrees_of_freedom"] == 1

@@ -20,6 +20,7 @@ namespace {
 constexpr double assembled = 1e-13;  // |Phi|, relative to the size, below which a pose needs no correction
 constexpr double residual_margin = 10.0, coarsest = 1e-6;
 constexpr std::size_t joints_in_text = 8;
+constexpr double by_digits = 1e-3, few_rows = 30.0;  // what rounding makes of a mechanism that has so many at most
 
 Places complement(const Places& places, int count) {
   Places out;
@@ -149,14 +150,17 @@ void examine_loops(const System& given, const ClosedLoops& loops, double toleran
   if (!pose.dependent.empty()) {
     if (!solver) look_closely();
     find_redundancy(*solver, loops, pose, reached, tolerance, report);
-  } else if (pose.least_part < nearly_dependent) {
+  } else if (pose.least_part < report.nearly) {
     if (!solver) look_closely();
     report.least_part = least_part(*solver, loops, pose, tolerance, report.q);
   }
+  if (!(report.least_part < report.nearly)) report.least_part = 1.0;
   at = std::move(pose.at);
 }
 
 }  // namespace
+
+double nearly_dependent(int rows) { return by_digits * few_rows / std::max(few_rows, static_cast<double>(rows)); }
 
 PoseRank rank_of_constraints(const System& system, const Evaluation& at, double tolerance) {
   const ClosedLoops loops(system, at, tolerance);
@@ -182,6 +186,7 @@ RankReport examine_rank(const System& given, Evaluation& at, double least_tolera
   const double tolerance = std::max(least_tolerance, roundoff_of_positions(given, report.q));
   given.evaluate_constraints(0.0, report.q, VectorXd::Zero(given.v_size()), given.initial_history(), at);
   const ClosedLoops loops(given, at, tolerance);
+  report.nearly = nearly_dependent(loops.row_count());
   if (loops.row_count() > 0) examine_loops(given, loops, tolerance, at, report);
   report.rank = report.rows - static_cast<int>(report.redundant_rows.size());
   report.degrees_of_freedom = given.v_size() - report.rank;

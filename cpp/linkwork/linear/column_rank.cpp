@@ -15,7 +15,7 @@ using qr::RowMatrix;
 using ColumnMatrix = Eigen::Ref<const Eigen::SparseMatrix<double>>;
 
 constexpr double most_dense = 4e7;  // numbers in dense rows
-constexpr double weak = 1e-4;       // pivot, relative to the largest column: roundoff by it may look like a pivot
+constexpr double weak = 1e-3;       // pivot, relative to the largest column: roundoff by it may look like a pivot
 
 double largest_column(const ColumnMatrix& A) {
   if (A.rows() == 0) return 0.0;  // Eigen takes no norm of nothing

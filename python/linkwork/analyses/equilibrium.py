@@ -26,6 +26,7 @@ from linkwork.modeling.handles import Named, place_of
 from linkwork.modeling.model import Model
 from linkwork.motion.records import Reaction, Snapshot
 from linkwork.motion.state_names import StateNames
+from linkwork.running import checks
 from linkwork.running.estimation import told_of_memory
 
 __all__ = ["Equilibrium", "equilibrium"]
@@ -143,7 +144,9 @@ def equilibrium(model: Model, *, stable: bool = True) -> Equilibrium:
     if not isinstance(stable, bool):
         raise OptionError(f"stable {stable!r:.80} is not True or False", code="stable")
     with told_of_memory(model, "equilibrium"):
-        search = _Search(Equations(model), stable)
+        equations = Equations(model)
+        checks.warn_of_near_dependence(equations.dynamics)
+        search = _Search(equations, stable)
         return search.described(search.find())
 
 

@@ -75,7 +75,9 @@ def _motion(model: Model, t: Floats, on_singular: Literal["pass", "warn", "stop"
     began = time.perf_counter()
     checks.warn_of_opposed_axes(model, model.compiled().q0)
     checks.check_tables(model, float(t[-1]))
-    continuation = Continuation(Equations(model), float(t[-1]))
+    equations = Equations(model)
+    checks.warn_of_near_dependence(equations.dynamics)
+    continuation = Continuation(equations, float(t[-1]))
     continuation.prepare()
     frames = Frames(model, t)
     t = frames.times

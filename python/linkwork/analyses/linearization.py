@@ -273,6 +273,7 @@ def _warn_of_unsure(off: Floats) -> None:
 def _equations(model: Model, start: Snapshot | None) -> tuple[Equations, Snapshot | None]:
     """And the state in the order of the model. OptionError: it is none of this model."""
     eq = Equations(model)
+    checks.warn_of_near_dependence(eq.dynamics)
     if start is None:
         return eq, None
     checks.start_time(start)

@@ -22,6 +22,7 @@ from linkwork.modeling.model import Model
 from linkwork.motion.records import Snapshot
 from linkwork.options import check_setting
 from linkwork.running.recording import PythonStep
+from linkwork.running.sampled_frames import listed
 
 #: Residuals of the initial state that are more than rounding, relative to the size of what is placed.
 RESIDUAL_TOLERANCE = 1e-9
@@ -204,16 +205,22 @@ def near_dependence(dynamics: _core.Dynamics) -> str:
     if not count:
         return ""
     rank = dynamics.rank()
-    names = _listed(len(joints), lambda k: repr(joints[k])).replace(";", ",")
-    rows = "an equation repeats" if count == 1 else f"{count} equations repeat"
-    freedoms = rank.degrees_of_freedom
-    left = "nothing can move" if freedoms == 0 else f"{freedoms} degrees of freedom are left"
-    return (
-        f"joints {names}: {rows} the others but for {rank.least_part:.1g}, as where points or axes are rounded: "
-        f"by the geometry as it is given {left}, and reactions are very large; an exact one would leave "
-        f"{freedoms + count} degrees of freedom. Compute points and axes to all digits, or choose joints that "
-        "do not repeat each other"
+    rows = "an equation is" if count == 1 else f"{count} equations are"
+    left = (
+        "nothing can move"
+        if rank.degrees_of_freedom == 0
+        else f"there is {_freedoms(rank.degrees_of_freedom)}"
     )
+    exact = _freedoms(rank.degrees_of_freedom + count)
+    return (
+        f"joints {listed(joints)}: {rows} independent of the others by {rank.least_part:.1g} only, as where points or axes "
+        f"are rounded: as they are given {left}, and reactions are very large; exact ones would leave {exact}. "
+        "Compute them to all digits, or take joints that do not repeat each other"
+    ).replace("e-0", "e-")
+
+
+def _freedoms(count: int) -> str:
+    return "1 degree of freedom" if count == 1 else f"{count} degrees of freedom"
 
 
 def warn_of_near_dependence(dynamics: _core.Dynamics) -> None:
