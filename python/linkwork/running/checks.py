@@ -214,8 +214,8 @@ def near_dependence(dynamics: _core.Dynamics) -> str:
     exact = _freedoms(rank.degrees_of_freedom + count)
     return (
         f"joints {listed(joints)}: {rows} independent of the others by {rank.least_part:.1g} only, as where "
-        f"points or axes are rounded: as they are given {left}, and reactions are very large; exact ones would "
-        f"leave {exact}. "
+        f"points or axes are rounded: as they are given {left}, and reactions are very large; exact ones "
+        f"would leave {exact}. "
         "Compute them to all digits, or take joints that do not repeat each other"
     ).replace("e-0", "e-")
 
