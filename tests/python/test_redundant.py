@@ -175,3 +175,13 @@ def test_digits_that_are_enough_say_nothing(digits: int) -> None:
     result = lw.simulate(flap(digits), 0.5, 1e-3, progress=False)
     assert result.coordinate("lower").value[-1] == pytest.approx(1.13413, abs=1e-5)
     assert result.manifest["constraints"]["degrees_of_freedom"] == 1
+
+
+@pytest.mark.parametrize("digits", [9, 10])
+def test_what_rank_does_not_tell_apart_is_assembled_and_driven(digits: int) -> None:
+    model = flap(digits)
+    model.drive("lower", position=lw.functions.polynomial(0.0, 1.0))
+    assembled = lw.assemble(model)
+    assert 1e-12 < assembled.velocity_after.max() < 1e-9
+    result = lw.simulate(assembled.model, 0.5, 1e-3, progress=False)
+    assert result.coordinate("lower").value[-1] == pytest.approx(0.5, abs=1e-9)

@@ -7,12 +7,14 @@
 
 #include "linkwork/constraints/displacement.hpp"
 #include "linkwork/constraints/length_scale.hpp"
+#include "linkwork/constraints/rank.hpp"
 #include "linkwork/math/rotation.hpp"
 
 namespace linkwork {
 namespace {
 
 constexpr double exact = 1e-15, roundoff = 1e-12;  // violations, relative to the size of the mechanism
+constexpr double by_digits = rank_tolerance;       // as much is left of equations that repeat others but for that
 constexpr double least_damping = 1e-10, most_damping = 1e8;
 constexpr double stationary = 1e-9;                            // part of the violation that a step should take away
 constexpr double longest_step = 0.5;                           // relative to the extent of the mechanism, or rad
@@ -123,9 +125,9 @@ bool InitialConditions::descend(VectorXd& q) {
     last = now;
     for (;; c *= more) {
       const double mu = std::max(least_damping, c * now);
-      if (mu > most_damping || !solve(rest_, -at_.Phi, mu)) return now <= roundoff;
+      if (mu > most_damping || !solve(rest_, -at_.Phi, mu)) return now <= by_digits;
       const double expected = f - mu * mu * (lambda_.array().square() * delassus_.array()).sum();
-      if (!(expected > stationary * f) && mu <= 1.0) return now <= roundoff;
+      if (!(expected > stationary * f) && mu <= 1.0) return now <= by_digits;
       const double size = size_of(x_, extent_), part = std::min(1.0, longest_step / std::max(size, longest_step));
       VectorXd next = q;
       displace(system(), part * x_, next);
@@ -297,7 +299,7 @@ bool InitialConditions::conjugate_velocities(const VectorXd& q, VectorXd& v, dou
     before.push_back(std::move(next));
     if (before.size() > most_directions) before.pop_front();
   }
-  return is_roundoff(least, v, given);
+  return is_roundoff(least, v, given) || least <= by_digits;
 }
 
 }  // namespace linkwork
