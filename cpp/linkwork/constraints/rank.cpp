@@ -115,7 +115,7 @@ void find_redundancy(MassWeightedLeastSquares& solver, const ClosedLoops& loops,
   find_unique(solver, loops, assembled.at, perturbed.at, report);
 }
 
-/// What is independent of the others in the least of the rows, where the pose is no singular one alone: at another pose,
+/// What is independent of the others in the least of the rows, where it is not so by the pose alone: at another pose,
 /// too, if there is one.
 double least_part(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const LoopPose& assembled,
                   double tolerance, const VectorXd& q) {

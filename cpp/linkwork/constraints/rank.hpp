@@ -10,8 +10,8 @@ namespace linkwork {
 /// What is left of a row of unit length that depends on the others: roundoff.
 constexpr double rank_tolerance = 1e-9;
 
-/// Of an equation among so many in loops: if so small a part of it is independent of the others, in every pose, it follows
-/// from digits of the geometry. In a closed row of n links the last ones are independent by 1/n.
+/// Of an equation among so many in loops: if so small a part of it is independent of the others, in every pose, it
+/// follows from digits of the geometry. In a closed row of n links the last ones are independent by 1/n.
 double nearly_dependent(int rows);
 
 /// Rank of the constraint matrix at one evaluation.
@@ -36,7 +36,7 @@ struct RankReport {
   std::vector<int> singular_rows;   ///< of the others, those that depend on the rest in the assembled pose
   std::vector<char> unique;         ///< per joint: its multipliers, and so its reaction, follow from the motion
   double least_part = 1.0;          ///< of a kept row, what is independent of the others, where it is less than
-  double nearly = 0.0;              ///< nearly_dependent at both poses
+  double nearly = 0.0;              ///< nearly_dependent at both poses; 1 with drivers, beside which there is no other
   VectorXd q;  ///< pose, as MassWeightedLeastSquares::of_geometry sees it, at which dependent groups are found:
                ///< perturbed where that was possible
 };
