@@ -9,7 +9,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork.arrays import Floats
-from linkwork.studies.between_frames import Curve, bends_of
+from linkwork.studies.between_frames import Bends, Curve, bends_of
 from numpy.testing import assert_array_equal
 
 G, UP, ALONG = 9.81, 3.0, 1.0
@@ -57,6 +57,57 @@ def test_a_thrown_ball_has_its_extremes_and_means_however_far_apart_frames_are(s
             exact, rel=3e-6 if "velocity.mean" in name else 1e-9
         ), name
         assert_array_equal(many.outputs[name], study.outputs[name])
+
+
+@pytest.mark.parametrize(
+    "up,t_end,frames",
+    [
+        (G * 0.487, 0.52, {"step": 0.25}),
+        (G * 0.973, 1.05, {"step": 0.5}),
+        (UP, 0.7, {"rtol": 1e-6, "record_every": 5, "times": [0.3, 0.7]}),
+    ],
+)
+def test_the_summit_is_found_beside_a_short_piece(up: float, t_end: float, frames: dict[str, Any]) -> None:
+    model = lw.Model(gravity=(0, 0, -G))
+    model.body("b", mass=2.0, inertia=(0.1, 0.2, 0.3), velocity=(ALONG, 0, up))
+    names = [f"{Z}.max", "body('b').velocity.min", "kinetic_energy.min"]
+    names += [Z] if "times" in frames else []
+    found = lw.sweep(model, {"b.mass": [2.0]}, names, t_end=t_end, processes=1, progress=False, **frames)
+    values = [found.outputs[name][0] for name in names[:3]]
+    assert values == pytest.approx([up**2 / (2 * G), ALONG, ALONG**2], rel=1e-12)
+
+
+@pytest.mark.parametrize("step", [0.05, 0.01])
+def test_the_closest_of_two_passes_is_told(step: float) -> None:
+    g, through, beside, apart = 10.0, 0.203125, 1.80625, 0.02  # it goes through the origin at the first time
+    up, along = (through + beside) * g / 2, apart / (beside - through)
+    start = (-along * through, 0.0, g * through**2 / 2 - up * through)
+    model = lw.Model(gravity=(0, 0, -g))
+    model.body("b", mass=1.0, inertia=(1, 1, 1), position=start, velocity=(along, 0, up))
+    name = "body('b').position.min"
+    found = lw.sweep(model, {"b.mass": [1.0]}, name, t_end=2.0, step=step, processes=1, progress=False)
+    assert found.outputs[name][0] < 1e-9
+
+
+def test_extremes_of_pieces_of_any_length_are_those_of_many_points_on_them() -> None:
+    random = np.random.default_rng(1)
+    t = np.cumsum(10.0 ** random.uniform(-2, 0, 30))
+    values = random.normal(size=(30, 4, 3))
+    rates = random.normal(size=(30, 4, 3)) * 3
+    bends = bends_of(t, values, rates)
+    bends = Bends(bends.start, bends.end, np.ones_like(bends.known))
+    rise = np.diff(values, axis=0)
+    points = [
+        values[:-1] + x * rise + x * (1 - x) * ((1 - x) * bends.start - x * bends.end)
+        for x in np.linspace(0.0, 1.0, 2001)
+    ]
+    on_them = np.concatenate(points)
+    for sizes, seen in ((False, on_them), (True, np.linalg.norm(on_them, axis=-1))):
+        curve = Curve(t, values, bends, sizes)
+        for what in (np.asarray, np.negative, np.abs):
+            over = curve.largest(what) - what(seen).max(axis=0)
+            assert over.min() >= -1e-13
+            assert over.max() < 1e-4
 
 
 def test_a_joint_that_swings_is_widest_where_its_energy_says() -> None:

@@ -15,9 +15,10 @@ known at one of two frames alone, as beside an impact, it is a parabola.
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,9 +38,9 @@ RESOLVED = 0.8
 #: Of the largest value: by so little what rests bends.
 ROUNDING = 1e-13
 
-#: Parts of the time between frames at whose ends extremes are looked for, and how often the place of one is
-#: narrowed to a half then, to some 1e-8 of that time.
-PARTS, HALVINGS = 8, 24
+#: Pieces that may hold an extreme are halved until they hold no more than so much beside what is found, of
+#: the largest value, and at most so often, to some 1e-8 of the time between frames.
+CLOSE, HALVINGS = 4e-15, 27
 
 What = Callable[[Floats], Floats]
 
@@ -91,23 +92,67 @@ class _Pieces:
         a, b, known = self.bends
         found = self.start + each * self.rise + each * (1 - each) * ((1 - each) * a - each * b)
         if self.sizes:
-            found, known = np.linalg.norm(found, axis=-1), np.asarray(known.all(axis=-1))
+            found, known = _sizes(found), np.asarray(known.all(axis=-1))
         return np.where(known, found, straight)
 
-    def chosen(self, piece: NDArray[np.intp]) -> _Pieces:
-        """One of each column."""
-        of_values = piece[..., None] if self.sizes else piece
+    def arcs(self) -> _Arcs:
+        """Those of which the rates are known."""
         assert self.bends is not None
-        bends = Bends(*(_of_columns(it, of_values) for it in self.bends))
-        ends = _of_columns(self.ends[0], piece), _of_columns(self.ends[1], piece)
-        return _Pieces(_of_columns(self.start, of_values), _of_columns(self.rise, of_values), bends, ends,
-                       self.sizes)  # fmt: skip
+        known = np.asarray(self.bends.known.all(axis=-1) if self.sizes else self.bends.known)
+        a, b, start, rise = (it[known] for it in (self.bends.start, self.bends.end, self.start, self.rise))
+        column = np.broadcast_to(np.arange(known[0].size).reshape(known.shape[1:]), known.shape)[known]
+        points = start, start + (rise + a) / 3, start + (2 * rise - b) / 3, start + rise
+        return _Arcs(points, column, self.sizes)
 
 
-def _of_columns(values: NDArray[Any], row: NDArray[np.intp]) -> NDArray[Any]:
-    """Of values (k, ...) in each column that of a row."""
-    found: NDArray[Any] = np.take_along_axis(values, row[None], axis=0)[0]
-    return found
+class _Arcs(NamedTuple):
+    """Cubics (m,), or of vectors (m, 3) where `sizes`, by the control points that they lie between."""
+
+    points: tuple[Floats, Floats, Floats, Floats]
+    column: NDArray[np.intp]  #: of the quantity that each is of
+    sizes: bool
+
+    def chosen(self, which: NDArray[np.bool_]) -> _Arcs:
+        p, q, r, s = (it[which] for it in self.points)
+        return _Arcs((p, q, r, s), self.column[which], self.sizes)
+
+    def halves(self) -> _Arcs:
+        """All first ones, then all second ones."""
+        p, q, r, s = self.points
+        pq, qr, rs = 0.5 * (p + q), 0.5 * (q + r), 0.5 * (r + s)
+        left, right = 0.5 * (pq + qr), 0.5 * (qr + rs)
+        middle = 0.5 * (left + right)
+        pairs = (p, middle), (pq, right), (left, rs), (middle, s)
+        first, second, third, last = (np.concatenate(pair) for pair in pairs)
+        return _Arcs((first, second, third, last), np.tile(self.column, 2), self.sizes)
+
+    def starts(self) -> Floats:
+        return _sizes(self.points[0]) if self.sizes else self.points[0]
+
+    def bound(self, what: What) -> Floats:
+        """No less than what becomes of any value on it, by a function that bends upward."""
+        held = _squares(*self.points) if self.sizes else self.points
+        ends = (functools.reduce(which, held) for which in (np.minimum, np.maximum))
+        least, most = (np.sqrt(np.maximum(it, 0.0)) for it in ends) if self.sizes else ends
+        return np.maximum(what(least), what(most))
+
+
+def _squares(p: Floats, q: Floats, r: Floats, s: Floats) -> tuple[Floats, ...]:
+    """Control points (m,) of the squared magnitude of cubics by theirs: it is of degree six."""
+
+    def dot(one: Floats, other: Floats) -> Floats:
+        return np.asarray(np.einsum("mi,mi->m", one, other))
+
+    between = (
+        (2 * dot(p, r) + 3 * dot(q, q)) / 5,
+        (dot(p, s) + 9 * dot(q, r)) / 10,
+        (2 * dot(q, s) + 3 * dot(r, r)) / 5,
+    )
+    return dot(p, p), dot(p, q), *between, dot(r, s), dot(s, s)
+
+
+def _sizes(vectors: Floats) -> Floats:
+    return np.asarray(np.linalg.norm(vectors, axis=-1))
 
 
 @dataclass(frozen=True)
@@ -121,7 +166,7 @@ class Curve:
 
     @property
     def looked_at(self) -> Floats:
-        return np.asarray(np.linalg.norm(self.values, axis=-1)) if self.sizes else self.values
+        return _sizes(self.values) if self.sizes else self.values
 
     def mean(self, what: What = np.asarray) -> Floats:
         """Over time, of what becomes of the values."""
@@ -133,20 +178,12 @@ class Curve:
 
     def largest(self, what: What = np.asarray) -> Floats:
         """Of what becomes of the values, at frames or between two."""
-        at_frames = what(self.looked_at).max(axis=0)
+        at_frames = np.asarray(what(self.looked_at).max(axis=0))
         if self.bends is None or len(self.t) < 2:
-            return np.asarray(at_frames)
-        pieces = self._pieces()
-        most = np.full(at_frames.shape, -np.inf)
-        place, piece = np.zeros(at_frames.shape), np.zeros(at_frames.shape, dtype=np.intp)
-        for x in np.arange(1, PARTS) / PARTS:
-            values = what(pieces.at(x))
-            at = values.argmax(axis=0)
-            found = _of_columns(values, at)
-            better = found > most
-            most, place, piece = (np.where(better, new, old)
-                                  for new, old in ((found, most), (x, place), (at, piece)))  # fmt: skip
-        return np.asarray(np.maximum(at_frames, _narrowed(pieces.chosen(piece), what, place, most)))
+            return at_frames
+        close = CLOSE * np.abs(self.values).max(axis=(0, -1) if self.sizes else 0)
+        found = _largest(self._pieces().arcs(), what, at_frames.ravel(), close.ravel())
+        return found.reshape(at_frames.shape)
 
     def _pieces(self) -> _Pieces:
         ends = self.looked_at
@@ -154,12 +191,14 @@ class Curve:
         return _Pieces(self.values[:-1], rise, self.bends, (ends[:-1], ends[1:]), self.sizes)
 
 
-def _narrowed(pieces: _Pieces, what: What, place: Floats, most: Floats) -> Floats:
-    """The largest near a place of each piece."""
-    for halving in range(1, HALVINGS + 1):
-        aside = 1.0 / (PARTS * 2.0**halving)
-        for x in (np.maximum(place - aside, 0.0), np.minimum(place + aside, 1.0)):
-            found = what(pieces.at(x))
-            better = found > most
-            most, place = np.where(better, found, most), np.where(better, x, place)
-    return most
+def _largest(arcs: _Arcs, what: What, found: Floats, close: Floats) -> Floats:
+    """In each column (n,): on its arcs, or what is found already, but for what is close."""
+    found = found.copy()
+    for _ in range(HALVINGS):
+        arcs = arcs.chosen(arcs.bound(what) > (found + close)[arcs.column])
+        if not len(arcs.column):
+            break
+        arcs = arcs.halves()
+        second = len(arcs.column) // 2
+        np.maximum.at(found, arcs.column[second:], what(arcs.starts()[second:]))
+    return found
