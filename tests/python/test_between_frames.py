@@ -122,6 +122,23 @@ def test_a_joint_that_swings_is_widest_where_its_energy_says() -> None:
     assert found[names[1]][0] == pytest.approx(np.sqrt(3 * G), rel=1e-5)
 
 
+@pytest.mark.parametrize("tilt", [0.0, 0.1, 0.3, 0.7])
+def test_a_rod_on_a_tilted_hinge_stands_still_where_it_turns_back(tilt: float) -> None:
+    R = lw.rotation.matrix(lw.rotation.about((1, 0, 0), tilt))
+    down, axis = R @ (0.0, 0.0, -1.0), R @ (0.0, 1.0, 0.0)  # one component of omega is rounding
+    turns = {"velocity": np.cross(4.0 * axis, 0.5 * down), "omega": (0.0, 4.0, 0.0)}
+    pose = {"position": 0.5 * down, "orientation": lw.rotation.from_axes(x=down, y=axis)}
+    model = lw.Model()
+    rod = model.body("rod", mass=1.0, inertia=(1e-3, 1 / 12, 1 / 12), **pose, **turns)
+    model.revolute(model.ground, rod, at=(0, 0, 0), axis=axis, name="pin")
+    names = ["body('rod').omega.min", "body('rod').velocity.min", "body('rod').omega.max"]
+    found = lw.sweep(model, {"rod.mass": [1.0]}, names, t_end=1.7, step=2e-2, processes=1, progress=False)
+    least, slowest, most = (found.outputs[name][0] for name in names)
+    assert least < 1e-7
+    assert slowest < 1e-3
+    assert most == pytest.approx(4.0, rel=1e-9)
+
+
 @pytest.mark.parametrize("count", [9, 18, 36])
 def test_between_frames_the_error_is_of_fourth_order(count: int) -> None:
     t = np.linspace(0.0, 2.0, count + 1)

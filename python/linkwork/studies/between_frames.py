@@ -35,8 +35,8 @@ GAUSS = tuple(
 #: The part of the times between frames in which rates have to fit, or frames are too far apart.
 RESOLVED = 0.8
 
-#: Of the largest value: by so little what rests bends.
-ROUNDING = 1e-13
+#: Of the largest value: by so little what rests bends. Of the bend of a vector: what of a component counts.
+ROUNDING, NEGLIGIBLE = 1e-13, 1e-4
 
 #: Pieces that may hold an extreme are halved until they hold no more than so much beside what is found, of
 #: the largest value, and at most so often, to some 1e-8 of the time between frames.
@@ -53,10 +53,13 @@ class Bends(NamedTuple):
     known: NDArray[np.bool_]  #: whether the rates are those of what is between the frames
 
 
-def bends_of(t: Floats, values: Floats, rates: Floats, second: Floats | None = None) -> Bends:
+def bends_of(
+    t: Floats, values: Floats, rates: Floats, second: Floats | None = None, *, sizes: bool = False
+) -> Bends:
     """Of values (k, ...) at times `t` (k,) [s] with their rates, and second ones where there are such.
 
-    Times that are the same are a jump; rates are NaN where they are not known.
+    Times that are the same are a jump; rates are NaN where they are not known. Where `sizes`, the values are
+    vectors (k, ..., 3), beside whose magnitudes a component may be rounding.
     """
     h = np.diff(t).reshape(-1, *[1] * (values.ndim - 1))
     rise = np.diff(values, axis=0)
@@ -64,11 +67,13 @@ def bends_of(t: Floats, values: Floats, rates: Floats, second: Floats | None = N
     counted = (h > 0.0) & np.isfinite(a) & np.isfinite(b)
     a, b = np.where(np.isnan(a), -b, a), np.where(np.isnan(b), -a, b)  # a parabola, where one rate is known
     one_way = 3 * np.abs(a + b) <= np.abs(b - a)
-    rest = ROUNDING * np.abs(values).max(axis=0)
-    straight = np.maximum(np.abs(a), np.abs(b)) <= 0.5 * np.abs(rise) + rest
+    bent, rest = np.maximum(np.abs(a), np.abs(b)), ROUNDING * np.abs(values).max(axis=0)
+    if sizes:
+        rest = rest.max(axis=-1, keepdims=True) + NEGLIGIBLE * bent.max(axis=-1, keepdims=True)
+    straight = bent <= 0.5 * np.abs(rise) + rest
     if second is not None:
         apart = np.abs(h**2 * second[:-1] + 4 * a + 2 * b), np.abs(h**2 * second[1:] - 2 * a - 4 * b)
-        one_way &= ~(np.fmax(*apart) > np.maximum(np.abs(a), np.abs(b)))
+        one_way &= ~(np.fmax(*apart) > bent)
     resolved = ((one_way | straight) & counted).sum(axis=0) >= RESOLVED * counted.sum(axis=0)
     one_way, known = one_way & resolved, (one_way | straight) & resolved
     return Bends(np.where(one_way, a, 0.0), np.where(one_way, b, 0.0), known)

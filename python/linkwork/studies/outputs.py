@@ -136,11 +136,11 @@ class Output:
         return np.asarray(REDUCTIONS[self.reduction][1](self._curve(result, found)))
 
     def _curve(self, result: Result, values: Floats) -> Curve:
-        bends = None
+        bends, sizes = None, self._of_sizes(values)
         if self.reduction != "final":
             result, values = _around_events(result, self.steps, values)
-            bends = _bends(result, self.steps, values)
-        return Curve(result.t, np.asarray(values, dtype=float), bends, self._of_sizes(values))
+            bends = _bends(result, self.steps, values, sizes)
+        return Curve(result.t, np.asarray(values, dtype=float), bends, sizes)
 
     def _of_sizes(self, values: Floats) -> bool:
         named = self.steps[-1][0] == "get" and self.steps[-1][1] in VECTORS
@@ -326,7 +326,7 @@ def _around_events(result: Result, steps: Sequence[Step], values: Floats) -> tup
     return without(around, untold), np.delete(found, untold, axis=0)
 
 
-def _bends(result: Result, steps: Sequence[Step], values: Floats) -> Bends | None:
+def _bends(result: Result, steps: Sequence[Step], values: Floats, sizes: bool) -> Bends | None:
     """Of the values between the frames; None: their rate is not recorded."""
     names = [step[1] for step in steps if step[0] == "get"]
     name = next((it for it in names if it in RATES), None)
@@ -339,7 +339,7 @@ def _bends(result: Result, steps: Sequence[Step], values: Floats) -> Bends | Non
         return _followed(result, [("get", of) if step == ("get", name) else step for step in steps])
 
     second = rates(RATES[RATES[name]]) if RATES[name] in RATES else None
-    return bends_of(result.t, values, rates(RATES[name]), second)
+    return bends_of(result.t, values, rates(RATES[name]), second, sizes=sizes)
 
 
 def _bends_of_energy(result: Result, name: str) -> Bends | None:
