@@ -124,6 +124,24 @@ def test_period_of_small_swings_is_that_of_length_and_gravity() -> None:
     assert study.units["period"] == "s"
 
 
+@pytest.mark.parametrize("index", ["[:, 0]", "[:, -1]", "[:, [0]]", "[:]", "[...]", "[:, 0, :]", "[:][:, 0]"])
+@pytest.mark.parametrize("name", ["velocity", "acceleration", "omega"])
+def test_a_body_by_index_has_the_magnitude_that_it_has_by_name(index: str, name: str) -> None:
+    by_index, by_name = f"{name}{index}.max", f"body('rod').{name}.max"
+    study = lw.sweep(rod(), {"rod.mass": [1.0]}, [by_index, by_name], t_end=0.2, step=5e-3, processes=1)
+    assert study.outputs[by_index].item() == study.outputs[by_name].item() > 0.0
+
+
+@pytest.mark.parametrize(
+    "index, component", [("[:, 0, 2]", "z"), ("[..., 0, -1]", "z"), ("[:, 0, ::-1]", "")]
+)
+def test_an_index_into_components_gives_these(index: str, component: str) -> None:
+    names = [f"velocity{index}.min", *(f"body('rod').velocity.{it}.min" for it in component or "zyx")]
+    study = lw.sweep(rod(), {"rod.mass": [1.0]}, names, t_end=0.2, step=5e-3, processes=1)
+    found, *expected = (study.outputs[name][0] for name in names)
+    assert_array_equal(np.ravel(found), expected)
+
+
 def test_reductions_are_over_magnitudes_and_over_time() -> None:
     names = ["body('rod').velocity.max", "body('rod').velocity.z.min", "body('rod').velocity.mean",
              "body('rod').velocity.rms", "body('rod').velocity.final", "body('rod').velocity.z.range",

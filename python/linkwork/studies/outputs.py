@@ -136,21 +136,31 @@ class Output:
         return np.asarray(REDUCTIONS[self.reduction][1](self._curve(result, found)))
 
     def _curve(self, result: Result, values: Floats) -> Curve:
-        bends, sizes = None, self._of_sizes(values)
+        bends, sizes = None, self._of_sizes(result, values)
         if self.reduction != "final":
             result, values = _around_events(result, self.steps, values)
             bends = _bends(result, self.steps, values, sizes)
         return Curve(result.t, np.asarray(values, dtype=float), bends, sizes)
 
-    def _of_sizes(self, values: Floats) -> bool:
-        named = self.steps[-1][0] == "get" and self.steps[-1][1] in VECTORS
-        return named and values.ndim > 1 and values.shape[-1] == 3 and self.reduction != "final"
+    def _of_sizes(self, result: Result, values: Floats) -> bool:
+        """Whether it reduces vectors: indices after their name leave all components."""
+        named = next(k for k in reversed(range(len(self.steps))) if self.steps[k][0] != "index")
+        if self.reduction == "final" or self.steps[named][0] != "get" or self.steps[named][1] not in VECTORS:
+            return False
+        steps, indices = self.steps[: named + 1], self.steps[named + 1 :]
+        shape = np.shape(_followed(result, steps) if indices else values)
+        if len(shape) < 2 or shape[-1] != len(COMPONENTS):
+            return False
+        component = np.broadcast_to(range(len(COMPONENTS)), (1, *shape[1:]))
+        for _, key in indices:
+            component = _indexed(component, key)
+        return component.shape[-1:] == shape[-1:] and bool((component == range(len(COMPONENTS))).all())
 
-    def described(self, values: Floats) -> str:
+    def described(self, result: Result, values: Floats) -> str:
         """In words, for attributes of a data set; `values` are those over time."""
         if not self.reduction:
             return self.about
-        size = " magnitude" if self._of_sizes(values) else " value"
+        size = " magnitude" if self._of_sizes(result, values) else " value"
         over = "motion, also between frames" if self._between_frames() else "recorded frames"
         return f"{REDUCTIONS[self.reduction][0]}{size} over the {over}"
 
@@ -409,7 +419,7 @@ def checked(output: Output, result: Result, times: Floats | None) -> Output:
             code="outputs",
         )
     unit = _unit(output.steps, result)
-    return Output(output.label, unit, output.described(values), output.steps, None, output.reduction)
+    return Output(output.label, unit, output.described(result, values), output.steps, None, output.reduction)
 
 
 def _unit(steps: Sequence[Step], result: Result) -> str:
