@@ -1119,7 +1119,7 @@ def test_samplers_fill_their_bounds_and_repeat_by_their_seed() -> None:
         assert found.columns == cases_of(bounds, sampler, 256, seed).columns
         if isinstance(sampler, str):
             assert found.columns != cases_of(bounds, sampler, 256, 8).columns
-    fewer = cases_of(bounds, None, 100, 7)  # distributions alone mean random
+    fewer = cases_of({"b": bounds["b"]}, None, 100, 7)  # distributions alone mean random
     assert fewer.columns["b"] == cases_of(bounds, "random", 256, 7).columns["b"][:100]
     with pytest.raises(lw.OptionError, match=r"'b': is a distribution: give a seed"):
         cases_of(bounds, "random", 4, None)
@@ -1171,6 +1171,15 @@ def test_an_optimized_engine_gives_the_points_that_a_new_one_has_or_is_refused()
     used = qmc.Sobol(2, optimization="lloyd", seed=3)
     expected = used.random(8)
     assert_array_equal(drawn(used), expected)
+
+
+@pytest.mark.parametrize("values", [[-9.81, -1.62], (-9.81, -1.62), [-9.81], [1, 2, 3], "moon", -9.81])
+def test_values_beside_a_distribution_are_no_bounds_but_with_a_sampler(values: Any) -> None:
+    from linkwork.studies.sampling import cases_of
+    from scipy import stats
+
+    with pytest.raises(lw.OptionError, match=r"'gravity\[2\]': without a sampler .* give sampler='random'"):
+        cases_of({"rod.mass": stats.norm(1, 0.01), "gravity[2]": values}, None, 4, 1)
 
 
 def test_a_manifest_says_what_was_drawn_so_that_it_can_be_drawn_again(tmp_path: Path) -> None:

@@ -125,15 +125,29 @@ def _kind(parameters: Any, columns: Mapping[str, Any], sampler: Any) -> str:
     if sampler is not None and not isinstance(sampler, str):
         return "engine"
     drawn = [name for name, given in columns.items() if is_distribution(given)]
+    if sampler is None and drawn:
+        _check_all_drawn(columns, drawn[0])
+        return "random"
     if sampler is None:
-        usual = "grid" if isinstance(parameters, Mapping) else "table"
-        return "random" if drawn else usual
+        return "grid" if isinstance(parameters, Mapping) else "table"
     kind = one_of(sampler, NAMES, "sampler")
     if drawn and kind in ("grid", "table"):
         raise OptionError(
             f"parameter '{drawn[0]}': is a distribution, which a {kind} cannot have", code="sampler"
         )
     return kind
+
+
+def _check_all_drawn(columns: Mapping[str, Any], drawn: str) -> None:
+    """OptionError: values that without a sampler are those of a grid, and may be meant as bounds."""
+    name = next((name for name, given in columns.items() if not is_distribution(given)), None)
+    if name is not None:
+        raise OptionError(
+            f"parameter '{name}': without a sampler {columns[name]!r:.60} are values of a grid, and '{drawn}' "
+            "is drawn: give sampler='random', say, with bounds (low, high), or a distribution here, too, such "
+            "as scipy.stats.uniform(low, high - low)",
+            code="parameters",
+        )
 
 
 def _values(name: str, given: Any, *, single: bool) -> list[Any]:

@@ -109,8 +109,9 @@ def sweep(
                 a unit. Names without max, ... are arrays at `times`
     t_end       of every case [s]
     times       of outputs that are arrays [s]; with a fixed step multiples of it
-    sampler     None, "grid", "table" (columns of equal length), "random", "sobol", "halton",
-                "latin_hypercube", or an engine of scipy.stats.qmc
+    sampler     "grid", "table" (columns of equal length), "random", "sobol", "halton",
+                "latin_hypercube", or an engine of scipy.stats.qmc. None: a grid or a table, "random" where
+                all parameters are distributions
     cases       how many, of a sampler
     seed        of a sampler: the same cases again, of "random" also with more of them
     executor    any of concurrent.futures, such as MPIPoolExecutor of mpi4py, a Client of Dask, an executor of
