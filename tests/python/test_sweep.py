@@ -1173,6 +1173,14 @@ def test_an_optimized_engine_gives_the_points_that_a_new_one_has_or_is_refused()
     assert_array_equal(drawn(used), expected)
 
 
+@pytest.mark.parametrize("bounds", [(False, True), [0.0, True], np.array([False, True]), (np.False_, 2.0)])
+def test_truth_values_are_no_bounds(bounds: Any) -> None:
+    from linkwork.studies.sampling import cases_of
+
+    with pytest.raises(lw.OptionError, match=r"parameter 'gravity\[0\]': .* is no pair \(low, high\)"):
+        cases_of({"gravity[0]": bounds}, "random", 4, 1)
+
+
 @pytest.mark.parametrize("values", [[-9.81, -1.62], (-9.81, -1.62), [-9.81], [1, 2, 3], "moon", -9.81])
 def test_values_beside_a_distribution_are_no_bounds_but_with_a_sampler(values: Any) -> None:
     from linkwork.studies.sampling import cases_of
@@ -1442,6 +1450,7 @@ def test_command_refuses_before_the_first_case_what_it_could_not_write_or_draw(
                 ("poisson: {mu: 3, scale: 1}", "error: parameter 'rod.mass': poisson has no number 'scale'"),
                 ("beta: {a: 1}", "error: parameter 'rod.mass': beta needs a number 'b'"),
                 ("norm: {loc: x}", "error: parameter 'rod.mass': norm: loc 'x' is not a finite number"),
+                ("norm: {loc: true}", "error: parameter 'rod.mass': norm: loc True is not a finite number"),
                 (
                     "norm: {scale: 0}",
                     "error: parameter 'rod.mass': its distribution is none: check its numbers",

@@ -143,9 +143,9 @@ def _check_all_drawn(columns: Mapping[str, Any], drawn: str) -> None:
     name = next((name for name, given in columns.items() if not is_distribution(given)), None)
     if name is not None:
         raise OptionError(
-            f"parameter '{name}': without a sampler {columns[name]!r:.60} are values of a grid, and '{drawn}' "
-            "is drawn: give sampler='random', say, with bounds (low, high), or a distribution here, too, such "
-            "as scipy.stats.uniform(low, high - low)",
+            f"parameter '{name}': without a sampler {columns[name]!r:.60} are values of a grid, and "
+            f"'{drawn}' is drawn: give sampler='random', say, with bounds (low, high), or a distribution "
+            "here, too, such as scipy.stats.uniform(low, high - low)",
             code="parameters",
         )
 
