@@ -1462,6 +1462,14 @@ def test_command_refuses_before_the_first_case_what_it_could_not_write_or_draw(
             )
         ),
         ("linkwork_study: 1", "linkwork_study: true", "study.yaml:1: linkwork_study: true is not 1"),
+        *(
+            (
+                "outputs: {force:",
+                f"outputs: {empty}\n# {{force:",
+                "study.yaml:7: outputs: there are none: write",
+            )
+            for empty in ("", "[]", "{}")
+        ),
         (
             "rod.mass: [1.0, 2.0, -3.0]",
             "rod.mass: {norm: {loc: 1}}\ncases: 4",

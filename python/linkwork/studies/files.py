@@ -92,6 +92,9 @@ def _checked(path: str | os.PathLike[str], syntax: Syntax) -> _Document:
     known = list(_Document.model_fields)
     for name in data.keys() - set(known):
         faults.add(Fault(_line(syntax, (name,)), name, f"is not known here{nearest(name, known)}"))
+    if "outputs" in data and data["outputs"] in (None, [], {}):
+        message = "there are none: write names of quantities, such as [energy_error.max, final]"
+        faults.add(Fault(_line(syntax, ("outputs",)), "outputs", message))
     settings = data.get("simulation")
     for name in settings if isinstance(settings, dict) else ():
         if name in OF_STUDIES:
