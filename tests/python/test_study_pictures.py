@@ -107,6 +107,23 @@ def test_the_fit_says_how_much_of_what_is_not_linear_it_explains() -> None:
     assert max(abs(first.change), abs(second.change)) < 1e-12 and abs(first.explained) < 1e-12
 
 
+def test_a_parameter_that_only_failed_cases_change_is_left_out_with_a_word() -> None:
+    grid = {"mass": [1.0, -1.0], "length": np.linspace(1.0, 2.0, 10).tolist()}
+
+    def turning(result: lw.Result) -> float:
+        return 6.0 * float(result.q[0, 0, 0])  # 3 lengths
+
+    study = lw.sweep(rod, grid, {"turning": turning}, **RUN)
+    assert (study.status == "finished").sum() == 10
+    with pytest.warns(lw.LinkworkWarning, match="without 'mass', the same in all cases that have 'turning'"):
+        (swing,) = study.swings("turning")
+    assert swing.parameter == "length"
+    assert swing.change == pytest.approx(3.0 * 0.9, rel=1e-12)
+    (ax,) = study.plot("tornado").axes
+    assert len(ax.patches) == 1
+    assert "without 'mass', the same in these cases" in ax.get_title()
+
+
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_kind_is_drawn_and_written(kind: str, study: lw.Study, tmp_path: Path) -> None:
     figure = study.plot(kind, tmp_path / f"{kind}.png")

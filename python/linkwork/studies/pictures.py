@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from linkwork.arrays import Floats
-from linkwork.errors import OptionError, counted, nearest
+from linkwork.errors import OptionError, counted, nearest, warn
 from linkwork.plots.figures import COLORS, check_picture, literal, new_figure, style, written
 
 if TYPE_CHECKING:
@@ -326,8 +326,8 @@ def _tornado(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
     names = {it.name for it in drawn}
     figure, axes = _panels(min(len(found), PANELS))
     for ax, column in zip(axes, found, strict=False):
-        swung = [it for it in _swings(moved, column) if it.parameter in names]
-        bars = sorted(swung, key=lambda it: abs(it.change))[-BARS:]
+        swung = _swings(moved, column)
+        bars = sorted((it for it in swung if it.parameter in names), key=lambda it: abs(it.change))[-BARS:]
         for place, bar in enumerate(bars):
             ax.barh(place, bar.change, color=COLORS[0] if bar.change >= 0 else COLORS[1])
         ax.axvline(0.0, color="black", lw=0.8)
@@ -336,7 +336,9 @@ def _tornado(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
         ax.set_ylim(middle - half, middle + half)
         ax.locator_params(axis="x", nbins=TICKS)
         ax.set_xlabel(f"change of {column.drawn}", fontsize=8)
-        told = f"a linear fit explains {100 * bars[0].explained:.3g} % of the variance"
+        told = f"a linear fit explains {100 * swung[0].explained:.3g} % of the variance"
+        same = _left_out(drawn, swung)
+        told += f"\nwithout {literal(same)}, the same in these cases" if same else ""
         ax.set_title(told + _missing(study, column), fontsize=8)
         ax.tick_params(labelsize=7)
         ax.spines[["top", "right"]].set_visible(False)
@@ -353,21 +355,40 @@ def swings(study: Study, output: str) -> list[Swing]:
     moved = _needed(_moving(_columns(study, study.parameters, list(study.parameters))), "parameters")
     if len(found) > 1:
         raise OptionError(f"output '{output}' is {len(found)} numbers a case, not one", code="outputs")
-    return sorted(_swings(moved, found[0]), key=lambda it: -abs(it.change))
+    swung = _swings(moved, found[0])
+    same = _left_out(moved, swung)
+    if same:
+        warn(f"swings: without {same}, the same in all cases that have '{output}'")
+    return sorted(swung, key=lambda it: -abs(it.change))
+
+
+def _left_out(parameters: Sequence[Column], swung: Sequence[Swing]) -> str:
+    fitted = {it.parameter for it in swung}
+    return ", ".join(f"'{it.name}'" for it in parameters if it.name not in fitted)
 
 
 def _swings(parameters: Sequence[Column], output: Column) -> list[Swing]:
-    """By least squares on all finished cases. OptionError: fewer cases than the fit has numbers."""
+    """By least squares on all finished cases, of parameters that are not the same in these.
+
+    OptionError: fewer cases than the fit has numbers, or no such parameter.
+    """
     known = np.isfinite(output.values) & np.all([np.isfinite(it.values) for it in parameters], axis=0)
-    X = np.column_stack([it.values[known] for it in parameters])
     y = output.values[known]
-    center, spread = X.mean(axis=0), X.std(axis=0)
-    if len(y) <= len(parameters) + 1 or not spread.all():
+    moved = _moving([replace(it, values=it.values[known]) for it in parameters])
+    if len(y) <= len(moved) + 1:
         raise OptionError(
-            f"tornado: {len(y)} finished cases are too few for {len(parameters)} parameters", code="outputs"
+            f"tornado: {counted(len(y), 'finished case')} {'is' if len(y) == 1 else 'are'} too few for "
+            f"{counted(len(moved), 'parameter')}",
+            code="outputs",
         )
+    if not moved:
+        raise OptionError(
+            f"tornado: in all {len(y)} finished cases the parameters are the same", code="outputs"
+        )
+    X = np.column_stack([it.values for it in moved])
+    center, spread = X.mean(axis=0), X.std(axis=0)
     slopes, _, rank, _ = np.linalg.lstsq((X - center) / spread, y - y.mean(), rcond=1e-10)
-    if rank < len(parameters):
+    if rank < len(moved):
         raise OptionError(
             "tornado: parameters move together in these cases, so that their effects cannot be told apart",
             code="outputs",
@@ -377,7 +398,7 @@ def _swings(parameters: Sequence[Column], output: Column) -> list[Swing]:
     low, high = np.percentile(X, [LOW, HIGH], axis=0)
     changes = slopes * (high - low) / spread
     return [Swing(it.name, float(change), explained)
-            for it, change in zip(parameters, changes, strict=True)]  # fmt: skip
+            for it, change in zip(moved, changes, strict=True)]  # fmt: skip
 
 
 KINDS: Mapping[str, Callable[[Study, list[str], list[str]], Figure]] = {

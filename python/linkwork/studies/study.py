@@ -156,6 +156,7 @@ class Study(ReadOnly):
         values, the others held; `explained` is the share of the variance that the fit explains: where it is
         far from 1, the output is not linear there, and indices of Sobol tell more.
 
+        LinkworkWarning: parameters that are the same in all cases that have the output are left out.
         OptionError: no such output, too few cases, or parameters that move together.
         """
         from linkwork.studies import pictures
