@@ -242,6 +242,30 @@ def test_a_body_and_a_joint_of_one_name_are_told_apart_by_their_fields() -> None
             Changed.of(model, [path])
 
 
+@pytest.mark.parametrize(
+    "case",
+    [
+        {"rod.position": [0.6, 0, 0.2], "pin.at": [0.1, 0, 0.2]},
+        {"pin.at": [0.1, 0, 0.2], "rod.position": [0.6, 0, 0.2]},
+        {"rod.position[0]": 0.6, "rod.position[2]": 0.2, "pin.at[0]": 0.1, "pin.at[2]": 0.2},
+    ],
+)
+def test_a_body_and_its_joint_are_moved_together(case: dict[str, Any]) -> None:
+    height = "body('rod').position.z"
+    study = lw.sweep(rod(), [case], f"{height}.range", t_end=0.2, step=2e-3, processes=1)
+    still = lw.sweep(rod(), {"rod.mass": [1.0]}, f"{height}.range", t_end=0.2, step=2e-3, processes=1)
+    assert Changed.of(rod(), list(case)).model(case).values("pin")["attachment"]["origin"] == [
+        pytest.approx([0.1, 0, 0.2]), pytest.approx([-0.5, 0, 0])
+    ]  # fmt: skip
+    assert study.outputs[f"{height}.range"] == pytest.approx(still.outputs[f"{height}.range"], rel=1e-9)
+
+
+def test_a_part_of_a_point_that_a_moved_body_has_elsewhere_is_refused() -> None:
+    case = {"rod.position[2]": 0.2, "pin.at[0]": 0.1}
+    with pytest.raises(lw.OptionError, match="'pin' has a point on each of its bodies"):
+        Changed.of(rod(), list(case)).model(case)
+
+
 def test_paths_lead_to_points_and_parts() -> None:
     model = rod()
     model.spring_damper(

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import copy
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Protocol
@@ -168,7 +168,8 @@ class Changed:
     def model(self, case: Mapping[str, Any]) -> Model:
         record = self._copy()
         for name in self._order:
-            _put(record, self.addresses[name], plain(case[name]))
+            address = self.addresses[name]
+            _put(record, address, plain(case[name]), self._points.get(address.where, frozenset()))
         if self.weights_alone:
             try:
                 return _with_weights(self._base, record, self._bodies)
@@ -195,6 +196,16 @@ class Changed:
     @cached_property
     def _order(self) -> list[str]:
         return sorted(self.addresses, key=lambda name: self.addresses[name].where[:1] != ("bodies",))
+
+    @cached_property
+    def _points(self) -> dict[tuple[str | int, ...], frozenset[int]]:
+        """By element, which components of its point `at` are given, so that its former ones tell nothing."""
+        found: dict[tuple[str | int, ...], frozenset[int]] = {}
+        for it in self.addresses.values():
+            if it.field == "at":
+                given = {int(it.inside[0])} if it.inside else range(3)
+                found[it.where] = found.get(it.where, frozenset()) | frozenset(given)
+        return found
 
     @cached_property
     def weights_alone(self) -> bool:
@@ -442,8 +453,9 @@ def _get(record: Record, address: _Address) -> Any:
     return holder[key]
 
 
-def _put(record: Record, address: _Address, value: Any) -> None:
-    holder, key = _holder(record, address)
+def _put(record: Record, address: _Address, value: Any, told: Collection[int]) -> None:
+    """`told`: components of the point of its element that are given."""
+    holder, key = _holder(record, address, told)
     holder[key] = float(value) if isinstance(value, int) else value
     if address.field == "at":
         it = _object_of(record, address)
@@ -459,12 +471,12 @@ def _object_of(record: Record, address: _Address) -> Record:
     return found
 
 
-def _holder(record: Record, address: _Address) -> tuple[Any, Any]:
+def _holder(record: Record, address: _Address, told: Collection[int] = ()) -> tuple[Any, Any]:
     """The list or mapping that has the value, and its key there; fields that were left out are filled in."""
     it: Any = _object_of(record, address)
     if address.where:
         if address.field == "at":
-            it["at"] = _at(record, it, address).tolist()
+            it["at"] = _at(record, it, address, told).tolist()
         elif address.field not in it:
             it[address.field] = copy.deepcopy(_type_of(address.where, it)[address.field].default)
         named = it[address.field]
@@ -496,14 +508,16 @@ def _pose(record: Record, body: str) -> tuple[Floats, Floats]:
     return np.array(it.get("position", [0.0, 0.0, 0.0])), rotation.matrix(p / np.linalg.norm(p))
 
 
-def _at(record: Record, it: Record, address: _Address) -> Floats:
-    """The point of an element (3,), inertial. OptionError: it has two."""
+def _at(record: Record, it: Record, address: _Address, told: Collection[int]) -> Floats:
+    """The point of an element (3,), inertial. OptionError: it has two, but for components that are `told`."""
     own = {"a": 0, "b": 1} if ATTACHED in it else {}
     given = {side: it[ATTACHED]["origin"][k] for side, k in own.items()} or {"b": it["at"]}
     poses = {side: _pose(record, it[side]) for side in given}
     points = [poses[side][0] + poses[side][1] @ np.array(s) for side, s in given.items()]
     size = max(1.0, *(float(np.abs(point).max()) for point in points))
-    if float(np.ptp(points, axis=0).max()) > SAME_POINT * size:
+    apart = np.ptp(points, axis=0)
+    apart[list(told)] = 0.0
+    if apart.max() > SAME_POINT * size:
         raise OptionError(
             f"parameter '{address.name}': '{it['name']}' has a point on each of its bodies: "
             f"'{it['name']}.attachment.origin[0]' and [1], in body coordinates",
