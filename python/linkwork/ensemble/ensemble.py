@@ -85,8 +85,8 @@ class Ensemble:
                 "rod.omega", "gravity[2]"; a function build(**parameters) -> Model; or a list of models
     variations  {name: values}: a grid, full factorial. A list of mappings, a table of pandas, an array with
                 named fields: a member a row. With a sampler {name: (low, high)} or distributions
-    sampler     None, "grid", "table", "random", "sobol", "halton", "latin_hypercube", or an engine of
-                scipy.stats.qmc
+    sampler     "grid", "table", "random", "sobol", "halton", "latin_hypercube", or an engine of
+                scipy.stats.qmc. None: a grid or a table, "random" where all are distributions
     cases       how many members, of a sampler
     seed        of a sampler
 
