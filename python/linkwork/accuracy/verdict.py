@@ -10,8 +10,8 @@ loose iterations with equations that are solved exactly. Functions of time of th
 between steps, too (running.pulses); where frames come from the interpolant of long steps, what that gives.
 
 Over the run local errors add up, and grow: see `linkwork/integration/accumulated_error.hpp`. The estimate is
-meant to be large rather than small: of 700 runs of 40 random mechanisms by all integrators, see
-`tests/benchmarks/verdicts.py`, 90 % had one of 2.7 to 96 times the true error, 12 times in the median. It is
+meant to be large rather than small: of 1200 runs of 60 random mechanisms by all integrators, see
+`tests/benchmarks/verdicts.py`, 90 % had one of 2.3 to 97 times the true error, 11 times in the median. It is
 much too large where errors die out more slowly than within a few steps, and where drivers leave nothing to
 go wrong.
 
