@@ -17,18 +17,17 @@ std::vector<std::tuple<int, std::vector<int>, std::string>> groups(const Dynamic
   return out;
 }
 
-/// Of the rows that are kept, with the joints of the equations that they nearly repeat.
-std::pair<std::size_t, std::vector<std::string>> nearly_dependent_rows(const Dynamics& dynamics) {
+/// Of the equations of which some depend on the others but for digits.
+std::vector<std::string> nearly_dependent_joints(const Dynamics& dynamics) {
   const System& system = dynamics.system();
   const RankReport& rank = dynamics.rank();
-  std::pair<std::size_t, std::vector<std::string>> out;
-  if (!(rank.least_part < rank.nearly)) return out;
+  std::vector<std::string> out;
+  if (rank.nearly_dependent == 0) return out;
   const py::gil_scoped_release release;
   const VectorXd q = system.model().initial_q();
-  const PoseExamination found =
-      examine_pose(system, {0.0, q, dynamics.initial_history()}, rank.redundant_rows, rank.nearly);
-  out.first = found.rows.size();
-  for (const int joint : found.joints) out.second.push_back(system.model().joint_name(joint));
+  const TimedPose start{0.0, q, dynamics.initial_history()};
+  for (const int joint : examine_pose(system, start, rank.redundant_rows, 1.01 * rank.near).joints)
+    out.push_back(system.model().joint_name(joint));
   return out;
 }
 
@@ -41,9 +40,9 @@ void bind_rank_report(py::module_& module) {
       .def_readonly("rows", &RankReport::rows)
       .def_readonly("rank", &RankReport::rank, "Away from singular poses.")
       .def_readonly("degrees_of_freedom", &RankReport::degrees_of_freedom)
-      .def_readonly(
-          "least_part", &RankReport::least_part,
-          "Of a row that is kept, what is independent of the others, where it is small in every pose; else 1.")
+      .def_readonly("nearly_dependent", &RankReport::nearly_dependent,
+                    "How many rows that are kept depend on the others but for digits of the geometry, in every pose.")
+      .def_readonly("least_part", &RankReport::least_part, "What is independent in the least of them; 1: none.")
       .def_readonly("redundant_rows", &RankReport::redundant_rows, "Implied by the others in every pose.")
       .def_readonly("singular_rows", &RankReport::singular_rows,
                     "Of the others, those that depend on the rest in the assembled pose.")
@@ -55,10 +54,8 @@ void bind_rank_report(py::module_& module) {
 
 void bind_rank(py::class_<Dynamics>& dynamics) {
   dynamics.def("rank", &Dynamics::rank, py::return_value_policy::copy)
-      .def(
-          "nearly_dependent_rows", exclusive(&nearly_dependent_rows),
-          "How many rows that are kept depend on the others but for what follows from digits of the geometry, in every "
-          "pose, and the joints of the equations in that dependence.")
+      .def("nearly_dependent_joints", exclusive(&nearly_dependent_joints),
+           "Of the equations of which some depend on the others but for digits.")
       .def("dependent_groups", &groups, py::arg("most"),
            "(row, rows that imply it, both in words) of the first redundant rows.");
 }

@@ -441,9 +441,9 @@ class Dynamics:
         """
         Least time of a right-hand side at y = (q, v) [s], of those in so many seconds, two at least; a run that sets out from there goes on as it would have without.
         """
-    def nearly_dependent_rows(self) -> tuple[int, list[str]]:
+    def nearly_dependent_joints(self) -> list[str]:
         """
-        How many rows that are kept depend on the others but for what follows from digits of the geometry, in every pose, and the joints of the equations in that dependence.
+        Of the equations of which some depend on the others but for digits.
         """
     def rank(self) -> RankReport: ...
     def reactions(
@@ -1137,7 +1137,12 @@ class RankReport:
     @property
     def least_part(self) -> float:
         """
-        Of a row that is kept, what is independent of the others, where it is small in every pose; else 1.
+        What is independent in the least of them; 1: none.
+        """
+    @property
+    def nearly_dependent(self) -> int:
+        """
+        How many rows that are kept depend on the others but for digits of the geometry, in every pose.
         """
     @property
     def rank(self) -> int:

@@ -120,9 +120,11 @@ TEST_CASE("what is independent in a column that nearly depends on the others is 
     A(5, 5) = 1.0;
     const ColumnRank found = rank_of_columns(A.sparseView(0.0, 0.0), tolerance, {0, 1, 2, 3, 4, 5}, orders);
     CHECK(found.dependent.empty());
-    CHECK(found.least_part == doctest::Approx(part / A.colwise().norm().maxCoeff()).epsilon(0.6));
+    REQUIRE(found.weak.size() == 1);
+    CHECK((found.weak[0].column == 2 || found.weak[0].column == 0 || found.weak[0].column == 5));
+    CHECK(found.weak[0].part == doctest::Approx(part / A.colwise().norm().maxCoeff()).epsilon(0.6));
   }
-  CHECK(rank_of_columns(random.matrix(8, 4).sparseView(0.0, 0.0), tolerance, {0, 1, 2, 3}, orders).least_part == 1.0);
+  CHECK(rank_of_columns(random.matrix(8, 4).sparseView(0.0, 0.0), tolerance, {0, 1, 2, 3}, orders).weak.empty());
 }
 
 TEST_CASE("entries at the same place add up") {

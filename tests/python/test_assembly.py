@@ -413,3 +413,15 @@ def test_motors_that_contradict_each_other_are_told_however_they_are_tried(n: in
     model.angle_driver("ground", "rod 0", at=(0, 0, 0), axis=(0, 0, 1), angle=other, name="other")
     with pytest.raises(lw.NotConvergedError, match="initial velocities.*conflict.*(other|motor 0)"):
         lw.assemble(model)
+
+
+@pytest.mark.parametrize("far", [0.0, 6e6])
+def test_joints_that_contradict_each_other_do_so_beside_what_is_far_away(far: float) -> None:
+    model = lw.Model()
+    model.body("near", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0.5, 0, 0))
+    model.body("far", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(far + 0.5, 0, 0))
+    model.spherical("ground", "far", at=(far, 0, 0))
+    model.spherical("ground", "near", at=(0, 0, 0))
+    model.spherical("ground", "near", at=((1.001, 0, 0), (0.5, 0, 0)), frames="body")
+    with pytest.raises(lw.NotConvergedError, match="were not found"):
+        lw.assemble(model)

@@ -27,10 +27,20 @@ BodyState<double> state_of(int body, const ConstVector& q, const ConstVector& v)
           v.segment<3>(6 * body + 3)};
 }
 
+/// Of a force element; -1: it has none.
+int history_variable(const System& system, int element) {
+  for (int k = 0; k < system.history_size(); ++k)
+    if (const HistoryOwner& owner = system.history_owners()[k]; !owner.joint && owner.element == element) return k;
+  return -1;
+}
+
 }  // namespace
 
 ForceElement::ForceElement(const System& system, int element)
-    : system_(system), element_(system.model().forces()[element]) {
+    : ForceElement(system, element, history_variable(system, element)) {}
+
+ForceElement::ForceElement(const System& system, int element, int history)
+    : system_(system), element_(system.model().forces()[element]), history_(history) {
   const Model& model = system.model();
   const std::size_t count = force_kinds()[element_.kind].info.parameters.size();
   batch_.reserve(1, count, instruction_set(0).width);
@@ -45,8 +55,6 @@ ForceElement::ForceElement(const System& system, int element)
   batch_.fill_up();
   batch_.attachment = {element_.at};
   batch_.history = batch_.switches = {0};
-  for (int k = 0; k < system.history_size(); ++k)
-    if (const HistoryOwner& owner = system.history_owners()[k]; !owner.joint && owner.element == element) history_ = k;
 }
 
 void ForceElement::replace(std::size_t parameter, TimeFunctionPtr function) {

@@ -19,6 +19,8 @@ struct ForceOnBody {
 class ForceElement {
  public:
   ForceElement(const System& system, int element);
+  /// Where the place of its history variable is known; -1: it has none.
+  ForceElement(const System& system, int element, int history);
   /// `history` as for System::evaluate; `v_dot` counts for inerters.
   ForceOnBody evaluate(double t, const ConstVector& q, const ConstVector& v, const ConstVector& v_dot,
                        const ConstVector& history);

@@ -109,6 +109,9 @@ double InitialConditions::relative(const VectorXd& residuals) const {
   return largest(residuals.cwiseQuotient(row_lengths_)) / rounding_;
 }
 
+/// Of residuals relative to roundoff: those far from the origin are no larger for digits that rank does not see.
+double InitialConditions::nearly_met() const { return std::max(roundoff, by_digits / rounding_); }
+
 double InitialConditions::merit() const { return (at_.Phi.array().square() / delassus_.array()).sum(); }
 
 // Levenberg and Marquardt's method for min f = Phi^T W^-1 Phi, W the diagonal of the Delassus matrix:
@@ -125,9 +128,9 @@ bool InitialConditions::descend(VectorXd& q) {
     last = now;
     for (;; c *= more) {
       const double mu = std::max(least_damping, c * now);
-      if (mu > most_damping || !solve(rest_, -at_.Phi, mu)) return now <= by_digits;
+      if (mu > most_damping || !solve(rest_, -at_.Phi, mu)) return now <= nearly_met();
       const double expected = f - mu * mu * (lambda_.array().square() * delassus_.array()).sum();
-      if (!(expected > stationary * f) && mu <= 1.0) return now <= by_digits;
+      if (!(expected > stationary * f) && mu <= 1.0) return now <= nearly_met();
       const double size = size_of(x_, extent_), part = std::min(1.0, longest_step / std::max(size, longest_step));
       VectorXd next = q;
       displace(system(), part * x_, next);
@@ -299,7 +302,7 @@ bool InitialConditions::conjugate_velocities(const VectorXd& q, VectorXd& v, dou
     before.push_back(std::move(next));
     if (before.size() > most_directions) before.pop_front();
   }
-  return is_roundoff(least, v, given) || least <= by_digits;
+  return is_roundoff(least, v, given) || least <= nearly_met();
 }
 
 }  // namespace linkwork

@@ -38,6 +38,7 @@ class InitialConditions {
   bool is_roundoff(double residual, const VectorXd& v, double given) const;
   VectorXd velocity_residuals(const VectorXd& q, const VectorXd& v);
   bool conjugate_velocities(const VectorXd& q, VectorXd& v, double given, double least);
+  double nearly_met() const;
   double merit() const;
   bool descend(VectorXd& q);
   void approach(const VectorXd& given, VectorXd& q);

@@ -96,17 +96,13 @@ struct CharacteristicLengths {
   VectorXd of_bodies;
 };
 
-/// Of each connected part, see farthest_position.
-VectorXd farthest_positions(const System& system, const ConstVector& q) {
+/// Calls with each body that joints hold, and its distance from the origin, relative to its length.
+template <class Note>
+void each_distance(const System& system, const ConstVector& q, const Note& note) {
   const VectorXd& lengths = characteristic_lengths(system);
-  const ConnectedParts& parts = ConnectedParts::of(system);
-  VectorXd most = VectorXd::Zero(parts.count());
-  for (int body = 0; body < system.body_count(); ++body) {
-    double& own = most[parts.of_body(body)];
+  for (int body = 0; body < system.body_count(); ++body)
     if (const BlockRange blocks = system.body_blocks(body); blocks.begin() != blocks.end())
-      own = std::max(own, q.segment<3>(position_size * body).norm() / lengths[body]);
-  }
-  return most;
+      note(body, q.segment<3>(position_size * body).norm() / lengths[body]);
 }
 
 }  // namespace
@@ -171,9 +167,11 @@ std::vector<char> rows_of_rotations(const System& system, const Evaluation& at) 
   return out;
 }
 
+// Without the parts, which are as large as the model.
 double farthest_position(const System& system, const ConstVector& q) {
-  const VectorXd of_parts = farthest_positions(system, q);
-  return of_parts.size() > 0 ? of_parts.maxCoeff() : 0.0;
+  double most = 0.0;
+  each_distance(system, q, [&](int, double distance) { most = std::max(most, distance); });
+  return most;
 }
 
 double roundoff_of_positions(const System& system, const ConstVector& q) {
@@ -181,7 +179,13 @@ double roundoff_of_positions(const System& system, const ConstVector& q) {
 }
 
 VectorXd roundoff_of_parts(const System& system, const ConstVector& q) {
-  return roundoff * farthest_positions(system, q);
+  const ConnectedParts& parts = ConnectedParts::of(system);
+  VectorXd out = VectorXd::Zero(parts.count());
+  each_distance(system, q, [&](int body, double distance) {
+    double& own = out[parts.of_body(body)];
+    own = std::max(own, roundoff * distance);
+  });
+  return out;
 }
 
 VectorXd characteristic_rates(const System& system, const Evaluation& at, const ConstVector& v) {

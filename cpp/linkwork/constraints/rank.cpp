@@ -90,6 +90,42 @@ void find_unique(MassWeightedLeastSquares& solver, const ClosedLoops& loops, Eva
   note();
 }
 
+/// Rows of one component of the loops that nearly depend on the others.
+struct NearRows {
+  int count = 0;
+  double least = INFINITY, most = 0.0;
+};
+
+/// In a closed row of n links the last ones are independent by 1/n: of a large component only less is by digits. Where
+/// a driver says where it stands, which may be beside a singular pose, there is no other pose to tell.
+std::vector<NearRows> near_rows(const ClosedLoops& loops, const System& system, const LoopPose& pose) {
+  std::vector<double> rows(loops.component_count(), 0.0);
+  for (int place = 0; place < loops.row_count(); ++place) {
+    const auto& driven = system.driven_rows();
+    const bool moves = std::binary_search(driven.begin(), driven.end(), loops.rows()[place]);
+    rows[loops.component_of_row(place)] += moves ? INFINITY : 1.0;
+  }
+  std::vector<NearRows> out(rows.size());
+  for (const auto& [place, part] : pose.weak) {
+    const int c = loops.component_of_row(place);
+    if (!(part < by_digits * few_rows / std::max(few_rows, rows[c]))) continue;
+    out[c] = {out[c].count + 1, std::min(out[c].least, part), std::max(out[c].most, part)};
+  }
+  return out;
+}
+
+/// Fills in the report: near dependence that is there in both poses.
+void note_near_dependence(const ClosedLoops& loops, const System& system, const LoopPose& assembled,
+                          const LoopPose& perturbed, RankReport& report) {
+  const std::vector<NearRows> first = near_rows(loops, system, assembled), second = near_rows(loops, system, perturbed);
+  for (std::size_t c = 0; c < first.size(); ++c) {
+    if (first[c].count == 0 || second[c].count == 0) continue;
+    report.nearly_dependent += std::min(first[c].count, second[c].count);
+    report.least_part = std::min(report.least_part, std::max(first[c].least, second[c].least));
+    report.near = std::max(report.near, first[c].most);
+  }
+}
+
 /// Fills in the report: rows that are redundant at the assembled and at a perturbed pose, and those that are dependent
 /// at the assembled one only. `reached`: the components that are assembled there.
 void find_redundancy(MassWeightedLeastSquares& solver, const ClosedLoops& loops, LoopPose& assembled,
@@ -104,7 +140,7 @@ void find_redundancy(MassWeightedLeastSquares& solver, const ClosedLoops& loops,
   report.q = found.q;
   system.evaluate_constraints(0.0, report.q, VectorXd::Zero(system.v_size()), system.initial_history(), at);
   LoopPose perturbed(loops, std::move(at), tolerance);
-  report.least_part = std::max(assembled.least_part, perturbed.least_part);
+  note_near_dependence(loops, system, assembled, perturbed, report);
   const RedundantRows redundant = redundant_rows(solver, loops, assembled, perturbed, found, tolerance);
   for (const int place : redundant.rows) report.redundant_rows.push_back(row(place));
 
@@ -113,17 +149,6 @@ void find_redundancy(MassWeightedLeastSquares& solver, const ClosedLoops& loops,
   for (const int k : dependent_rows(loops, select_rows(assembled.D, kept), tolerance))
     report.singular_rows.push_back(row(kept[k]));
   find_unique(solver, loops, assembled.at, perturbed.at, report);
-}
-
-/// What is independent of the others in the least of the rows, where it is not so by the pose alone: at another pose,
-/// too, if there is one.
-double least_part(MassWeightedLeastSquares& solver, const ClosedLoops& loops, const LoopPose& assembled,
-                  double tolerance, const VectorXd& q) {
-  Evaluation at = solver.system().make_evaluation();
-  const System& system = solver.system();
-  const PerturbedPose found = perturb(solver, loops, q, degrees_of_freedom(system, loops, assembled.dependent), at);
-  return std::max(assembled.least_part,
-                  LoopPose(system, loops, {0.0, found.q, system.initial_history()}, tolerance).least_part);
 }
 
 /// Looks at the loops from the evaluation `at` of the initial pose on. Where that satisfies all constraints it is the
@@ -150,19 +175,18 @@ void examine_loops(const System& given, const ClosedLoops& loops, double toleran
   if (!pose.dependent.empty()) {
     if (!solver) look_closely();
     find_redundancy(*solver, loops, pose, reached, tolerance, report);
-  } else if (pose.least_part < report.nearly) {
-    if (!solver) look_closely();
-    report.least_part = least_part(*solver, loops, pose, tolerance, report.q);
+  } else if (!pose.weak.empty()) {
+    const System& system = solver ? solver->system() : look_closely();
+    Evaluation scratch = system.make_evaluation();
+    const PerturbedPose found =
+        perturb(*solver, loops, report.q, degrees_of_freedom(system, loops, pose.dependent), scratch);
+    const LoopPose perturbed(system, loops, {0.0, found.q, system.initial_history()}, tolerance);
+    note_near_dependence(loops, system, pose, perturbed, report);
   }
-  const bool elsewhere =
-      !given.time_dependent_constraints();  // a driver says where it stands, maybe beside a singular pose
-  if (!(elsewhere && report.least_part < report.nearly)) report.least_part = 1.0;
   at = std::move(pose.at);
 }
 
 }  // namespace
-
-double nearly_dependent(int rows) { return by_digits * few_rows / std::max(few_rows, static_cast<double>(rows)); }
 
 PoseRank rank_of_constraints(const System& system, const Evaluation& at, double tolerance) {
   const ClosedLoops loops(system, at, tolerance);
@@ -188,7 +212,6 @@ RankReport examine_rank(const System& given, Evaluation& at, double least_tolera
   const double tolerance = std::max(least_tolerance, roundoff_of_positions(given, report.q));
   given.evaluate_constraints(0.0, report.q, VectorXd::Zero(given.v_size()), given.initial_history(), at);
   const ClosedLoops loops(given, at, tolerance);
-  report.nearly = nearly_dependent(loops.row_count());
   if (loops.row_count() > 0) examine_loops(given, loops, tolerance, at, report);
   report.rank = report.rows - static_cast<int>(report.redundant_rows.size());
   report.degrees_of_freedom = given.v_size() - report.rank;

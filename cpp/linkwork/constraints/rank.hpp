@@ -10,10 +10,6 @@ namespace linkwork {
 /// What is left of a row of unit length that depends on the others: roundoff.
 constexpr double rank_tolerance = 1e-9;
 
-/// Of an equation among so many in loops: if so small a part of it is independent of the others, in every pose, it
-/// follows from digits of the geometry. In a closed row of n links the last ones are independent by 1/n.
-double nearly_dependent(int rows);
-
 /// Rank of the constraint matrix at one evaluation.
 struct PoseRank {
   int rows = 0;
@@ -35,8 +31,9 @@ struct RankReport {
   std::vector<int> redundant_rows;  ///< permanently redundant, ascending: the others imply them in every pose
   std::vector<int> singular_rows;   ///< of the others, those that depend on the rest in the assembled pose
   std::vector<char> unique;         ///< per joint: its multipliers, and so its reaction, follow from the motion
-  double least_part = 1.0;          ///< of a kept row, what is independent of the others, where it is less than
-  double nearly = 0.0;              ///< nearly_dependent at both poses; 1 with drivers, beside which there is no other
+  int nearly_dependent = 0;         ///< kept rows that depend on the others but for digits of the geometry
+  double least_part = 1.0;          ///< what is independent in the least of them
+  double near = 0.0;                ///< no more in any
   VectorXd q;  ///< pose, as MassWeightedLeastSquares::of_geometry sees it, at which dependent groups are found:
                ///< perturbed where that was possible
 };

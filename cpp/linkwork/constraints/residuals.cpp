@@ -11,25 +11,29 @@
 namespace linkwork {
 namespace {
 
-/// Relative to the size of each row, less what is allowed in it.
-double largest(const VectorXd& residual, const VectorXd& sizes, const VectorXd& allowed) {
+/// Relative to the size of each row, less what is allowed in it; without arrays of their own, as large as the model.
+template <class Size, class Allowed>
+double largest(const VectorXd& residual, const Size& size, const Allowed& allowed) {
   double most = 0.0;
   for (Eigen::Index row = 0; row < residual.size(); ++row)
     if (const double amount = std::abs(residual[row]); amount > 0.0)
-      most = std::max(most, amount / sizes[row] - allowed[row]);
+      most = std::max(most, amount / size(row) - allowed(row));
   return most;
 }
 
-double largest(const VectorXd& residual, const VectorXd& sizes) {
-  return largest(residual, sizes, VectorXd::Zero(residual.size()));
-}
+double nothing(Eigen::Index) { return 0.0; }
 
 }  // namespace
 
-double Residuals::largest_position() const { return largest(Phi, lengths); }
-double Residuals::largest_velocity() const { return largest(Phi_dot, lengths.cwiseProduct(rates)); }
+double Residuals::largest_position() const { return largest(Phi, lengths, nothing); }
+
+double Residuals::largest_velocity() const {
+  return largest(Phi_dot, [this](Eigen::Index row) { return lengths[row] * rates[row]; }, nothing);
+}
+
 double Residuals::largest_beyond_roundoff() const {
-  return std::max(largest(Phi, lengths, roundoff), largest(Phi_dot, lengths.cwiseProduct(rates), roundoff));
+  const auto speed = [this](Eigen::Index row) { return lengths[row] * rates[row]; };
+  return std::max(largest(Phi, lengths, roundoff), largest(Phi_dot, speed, roundoff));
 }
 
 Residuals residuals_at(const System& system, double t, const ConstVector& q, const ConstVector& v,

@@ -343,7 +343,7 @@ LoopPose::LoopPose(const ClosedLoops& loops, Evaluation given, double tolerance)
     : at(std::move(given)), D(loops.scaled_D(at)) {
   ColumnRank found = rank_of_rows(loops, D, tolerance);
   dependent = std::move(found.dependent);
-  least_part = found.least_part;
+  weak = std::move(found.weak);
 }
 
 RedundantRows redundant_rows(MassWeightedLeastSquares& solver, const ClosedLoops& loops, LoopPose& assembled,

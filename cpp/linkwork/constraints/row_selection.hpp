@@ -5,6 +5,7 @@
 #include "linkwork/constraints/closed_loops.hpp"
 #include "linkwork/constraints/consistent_pose.hpp"
 #include "linkwork/constraints/mass_weighted_least_squares.hpp"
+#include "linkwork/linear/column_rank.hpp"
 
 namespace linkwork {
 
@@ -22,7 +23,7 @@ struct LoopPose {
   Evaluation at;
   SparseRows D;  ///< rows of unit length
   Places dependent;
-  double least_part = 1.0;  ///< see ColumnRank
+  std::vector<ColumnRank::Weak> weak;  ///< of the places that are kept, see ColumnRank
 };
 
 /// The rows to leave out because they are dependent at both poses.

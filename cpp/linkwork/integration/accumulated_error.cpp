@@ -126,7 +126,8 @@ class Accumulation {
     for (auto part = parts_.rbegin(); part != parts_.rend(); ++part) {
       const double remaining = judged_.energy ? 1.0 : part->remaining, step = part->part->seconds;
       later = std::fmin(std::fmax(later, std::fmax(share(*part->first), share(*part->last))), 1.0);
-      sum += step * std::sqrt(later) / std::clamp(share(*part->first) / remaining, slowest * slowest, 1.0);
+      const double left = remaining > 0.0 ? share(*part->first) / remaining : 1.0;
+      sum += step * std::sqrt(later) / std::clamp(left, slowest * slowest, 1.0);
       seconds += step;
     }
     return seconds > 0.0 ? sum / seconds : 1.0;

@@ -5,6 +5,7 @@
 
 #include "linkwork/assembly/connected_components.hpp"
 #include "linkwork/assembly/force_elements.hpp"
+#include "linkwork/math/interruption.hpp"
 #include "linkwork/model/force_kind.hpp"
 
 namespace linkwork {
@@ -75,11 +76,14 @@ class EnergySearch {
     for (const int row : system_.driven_rows()) conserves_[connected_.of_row(row)] = false;
     for (const Element& force : model.forces())
       if (!may_conserve(model, force)) conserves_[connected_.of_bodies(force.i, force.j)] = false;
+    for (const JointForce& force : model.joint_forces()) conserves_[connected_.of_bodies(force.i, force.j)] = false;
+    if (!model.user_forces().empty()) conserves_.assign(conserves_.size(), false);  // on whichever bodies
   }
 
   void add_bodies() {
     const Vec3<double>& gravity = system_.model().gravity();
     for (std::size_t k = 0; k < states_.size(); ++k) {
+      look_for_interruption();
       const VectorXd& y = *states_[k].y;
       for (int body = 0; body < system_.body_count(); ++body) {
         const auto row = static_cast<Eigen::Index>(k);
@@ -111,10 +115,16 @@ class EnergySearch {
   /// A part with one that does work in any of these states is none to look at.
   void add_forces() {
     const std::vector<Element>& forces = system_.model().forces();
+    std::vector<int> history(forces.size(), -1);
+    for (int k = 0; k < system_.history_size(); ++k)
+      if (const HistoryOwner& owner = system_.history_owners()[k];
+          !owner.joint && owner.element < static_cast<int>(forces.size()))
+        history[owner.element] = k;
     for (std::size_t f = 0; f < forces.size(); ++f) {
       const int part = connected_.of_bodies(forces[f].i, forces[f].j);
       if (!conserves_[part]) continue;
-      ForceElement element(system_, static_cast<int>(f));
+      look_for_interruption();
+      ForceElement element(system_, static_cast<int>(f), history[f]);
       for (std::size_t k = 0; k < states_.size() && conserves_[part]; ++k) {
         const auto [t, y, step] = states_[k];
         const auto [stored, working] = element.energy(t, q(*y), v(*y), step->history);

@@ -115,9 +115,12 @@ void RunJudge::look_at_speeds() {
     out_.connected_parts[0].fastest = relative(sampling_.energies().kinetic, kinetic);
     return;
   }
-  VectorXd speeds = VectorXd::Zero(lengths_.size());
+  VectorXd speeds = VectorXd::Zero(lengths_.size()), there;
   for (const KeptStep* step : kept_)
-    speeds = speeds.cwiseMax(sampling_.squared_speeds(step->y)).cwiseMax(sampling_.squared_speeds(step->y_new));
+    for (const VectorXd* y : {&step->y, &step->y_new}) {
+      sampling_.find_squared_speeds(*y, there);
+      speeds = speeds.cwiseMax(there);
+    }
   for (Eigen::Index k = 0; k < speeds.size(); ++k)
     out_.connected_parts[k].fastest = relative(sampling_.fastest()[k], speeds[k]);
 }

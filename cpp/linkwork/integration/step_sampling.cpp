@@ -323,20 +323,19 @@ double StepSampling::look_at_rates(double h, const VectorXd& y, const VectorXd& 
   changes_ = changes_.cwiseSqrt();
   largest_ = largest_.cwiseSqrt();
   if (changes_.size() == 1) return changes_[0];
-  speeds_ = squared_speeds(y);
+  find_squared_speeds(y, speeds_);
   fastest_ = fastest_.cwiseMax(speeds_);
   return change_by_means(h);
 }
 
-VectorXd StepSampling::squared_speeds(const VectorXd& y) const {
-  VectorXd out = VectorXd::Zero(squared_lengths_.size());
+void StepSampling::find_squared_speeds(const VectorXd& y, VectorXd& out) const {
+  out.setZero(squared_lengths_.size());
   for (int body = 0; body < body_count_; body += every_body_) {
     const int part = connected_->of_body(body);
     const Eigen::Index v = q_size_ + velocity_size * body;
     out[part] =
         std::max(out[part], y.segment<3>(v).squaredNorm() + squared_lengths_[part] * y.segment<3>(v + 3).squaredNorm());
   }
-  return out;
 }
 
 /// The means are held in a part of the run, so that steps there compare as they would without what is beside. Of what

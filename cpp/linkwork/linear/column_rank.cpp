@@ -28,8 +28,8 @@ double largest_column(const ColumnMatrix& A) {
 /// What is left of A is a matrix of its own.
 class SingletonElimination {
  public:
-  SingletonElimination(const ColumnMatrix& A, double tolerance)
-      : A_(A), tolerance_(tolerance), by_rows_(A), row_left_(A.rows(), 1), column_left_(A.cols(), 1), count_(A.cols()) {
+  SingletonElimination(const ColumnMatrix& A, qr::Pivots pivots)
+      : A_(A), pivots_(pivots), by_rows_(A), row_left_(A.rows(), 1), column_left_(A.cols(), 1), count_(A.cols()) {
     for (int column = 0; column < A.cols(); ++column) {
       count(column) = A.outerIndexPtr()[column + 1] - A.outerIndexPtr()[column];
       if (count(column) <= 1) next_.push_back(column);
@@ -42,7 +42,7 @@ class SingletonElimination {
   }
 
   const std::vector<int>& dead() const { return dead_; }
-  double least() const { return least_; }  ///< of the entries that columns were eliminated by
+  const std::vector<ColumnRank::Weak>& weak() const { return weak_; }  ///< by small entries
 
   /// The rest, and the columns of A that it has.
   RowMatrix rest(std::vector<int>& columns) && {
@@ -80,9 +80,9 @@ class SingletonElimination {
     for (ColumnMatrix::InnerIterator it(A_, column); it; ++it) {
       auto& row_left = row_left_[it.row()];
       if (!row_left) continue;
-      if (!(std::abs(it.value()) > tolerance_)) break;
+      if (!(std::abs(it.value()) > pivots_.none)) break;
       row_left = 0;
-      least_ = std::min(least_, std::abs(it.value()));
+      if (!(std::abs(it.value()) > pivots_.weak)) weak_.push_back({column, std::abs(it.value())});
       for (RowMatrix::InnerIterator other(by_rows_, it.row()); other; ++other)
         if (const int c = static_cast<int>(other.col()); column_left_[c] && --count(c) == 1) next_.push_back(c);
       return;
@@ -91,8 +91,8 @@ class SingletonElimination {
   }
 
   const ColumnMatrix& A_;
-  const double tolerance_;
-  double least_ = INFINITY;
+  const qr::Pivots pivots_;
+  std::vector<ColumnRank::Weak> weak_;
   RowMatrix by_rows_;
   std::vector<char> row_left_, column_left_;
   std::vector<int> count_;  ///< of each column that is left: entries in rows that are left
@@ -134,25 +134,23 @@ MatrixXd take_out(const std::vector<int>& rows, RowMatrix& A) {
 /// Dense rows would fill R. Of A = [S; F], F the dense rows, the sparse ones decide first: of the columns of S the
 /// candidates S_c depend on the others, S_c = S_o L. Those are independent in A where F_c - F_o L is, which is what
 /// eliminating F by the rows of R leaves of it. Rows of R with a weak pivot are taken for dense ones.
-struct DeadColumns {
-  std::vector<int> columns;
-  double least = INFINITY;  ///< what is independent in a weak one of the others
-};
-DeadColumns dead_columns(RowMatrix& A, const std::vector<int>& groups, qr::Pivots pivots, block::KeptOrders& orders) {
+ColumnRank rank_of_rest(RowMatrix& A, const std::vector<int>& groups, qr::Pivots pivots, block::KeptOrders& orders) {
   MatrixXd F = take_out(dense_rows(A), A);
   std::vector<int> candidates = qr::dependent_columns(A, groups, pivots, F, orders);
-  if (candidates.empty() || F.rows() == 0) return {std::move(candidates)};
+  if (candidates.empty() || F.rows() == 0) return {std::move(candidates), {}};
   std::sort(candidates.begin(), candidates.end());
   MatrixXd rest(F.rows(), static_cast<Eigen::Index>(candidates.size()));
   for (std::size_t k = 0; k < candidates.size(); ++k) rest.col(static_cast<Eigen::Index>(k)) = F.col(candidates[k]);
   Eigen::ColPivHouseholderQR<MatrixXd> qr(rest);
   const double largest = qr.maxPivot();
   qr.setThreshold(largest > 0.0 ? pivots.none / largest : 1.0);
-  const Eigen::Index rank = qr.rank();
-  DeadColumns out;
-  if (rank > 0) out.least = std::abs(qr.matrixQR()(rank - 1, rank - 1));
-  for (Eigen::Index k = rank; k < rest.cols(); ++k)
-    out.columns.push_back(candidates[qr.colsPermutation().indices()[k]]);
+  const auto of = [&](Eigen::Index k) { return candidates[qr.colsPermutation().indices()[k]]; };
+  ColumnRank out;
+  for (Eigen::Index k = 0; k < rest.cols(); ++k) {
+    if (k >= qr.rank()) out.dependent.push_back(of(k));
+    else if (const double part = std::abs(qr.matrixQR()(k, k)); !(part > pivots.weak))
+      out.weak.push_back({of(k), part});
+  }
   return out;
 }
 
@@ -171,19 +169,18 @@ std::vector<int> groups_of(const std::vector<int>& columns, const std::vector<in
 ColumnRank rank_of_columns(const Eigen::Ref<const Eigen::SparseMatrix<double>>& A, double tolerance,
                            const std::vector<int>& groups, block::KeptOrders& orders) {
   const double largest = largest_column(A), none = tolerance * largest;
-  SingletonElimination singletons(A, none);
-  ColumnRank out{singletons.dead()};
-  double least = singletons.least();
+  const qr::Pivots pivots{none, std::max(weak * largest, none)};
+  SingletonElimination singletons(A, pivots);
+  ColumnRank out{singletons.dead(), singletons.weak()};
   std::vector<int> columns;
   RowMatrix rest = std::move(singletons).rest(columns);
   if (!columns.empty()) {
-    const DeadColumns dead =
-        dead_columns(rest, groups_of(columns, groups), {none, std::max(weak * largest, none)}, orders);
-    for (const int k : dead.columns) out.dependent.push_back(columns[k]);
-    least = std::min(least, dead.least);
+    const ColumnRank of_rest = rank_of_rest(rest, groups_of(columns, groups), pivots, orders);
+    for (const int k : of_rest.dependent) out.dependent.push_back(columns[k]);
+    for (const auto& [k, part] : of_rest.weak) out.weak.push_back({columns[k], part});
   }
+  for (ColumnRank::Weak& it : out.weak) it.part /= largest;
   std::sort(out.dependent.begin(), out.dependent.end());
-  if (largest > 0.0) out.least_part = std::min(least / largest, 1.0);
   return out;
 }
 

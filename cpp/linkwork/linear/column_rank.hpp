@@ -12,11 +12,15 @@ struct Entry {
   double value;
 };
 
-/// Columns that depend on others; what is independent in one of the rest is at least a part of its length, or was found to
-/// be so small.
+/// Columns that depend on others, and those that nearly do.
 struct ColumnRank {
   std::vector<int> dependent;  ///< ascending: columns - rank
-  double least_part = 1.0;     ///< relative to the largest column; 1: none is small
+  /// Of the others, what is independent in a column, relative to the largest column, where it is found to be small.
+  struct Weak {
+    int column;
+    double part;
+  };
+  std::vector<Weak> weak;
 };
 
 /// Of A (compressed), by a rank-revealing sparse QR. `tolerance` is relative to the largest column. `groups`, where

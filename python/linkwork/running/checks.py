@@ -201,22 +201,20 @@ def consistent(
 
 def near_dependence(dynamics: _core.Dynamics) -> str:
     """What to say of equations that depend on each other but for digits of the geometry; "" where none do."""
-    count, joints = dynamics.nearly_dependent_rows()
+    rank = dynamics.rank()
+    count = rank.nearly_dependent
     if not count:
         return ""
-    rank = dynamics.rank()
     rows = "an equation is" if count == 1 else f"{count} equations are"
-    left = (
-        "nothing can move"
-        if rank.degrees_of_freedom == 0
-        else f"there is {_freedoms(rank.degrees_of_freedom)}"
-    )
-    exact = _freedoms(rank.degrees_of_freedom + count)
+    freedoms = rank.degrees_of_freedom
+    are = "is" if freedoms == 1 else "are"
+    left = f"there {are} {_freedoms(freedoms)}" if freedoms else "nothing can move"
     return (
-        f"joints {listed(joints)}: {rows} independent of the others by {rank.least_part:.1g} only, as where "
-        f"points or axes are rounded: as they are given {left}, and reactions are very large; exact ones "
-        f"would leave {exact}. "
-        "Compute them to all digits, or take joints that do not repeat each other"
+        f"joints {listed(dynamics.nearly_dependent_joints())}: {rows} independent of the others by "
+        f"{rank.least_part:.1g} only, as where points or axes are rounded, or meant to be as close as that: "
+        f"as they are given {left}, and reactions are very large; exact ones would leave "
+        f"{_freedoms(freedoms + count)}. Compute them to all digits, or take joints that do not repeat each "
+        "other"
     ).replace("e-0", "e-")
 
 

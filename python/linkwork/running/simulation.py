@@ -316,8 +316,8 @@ def what_steps(
     method = _method(plan.usual_integrator if given["integrator"] is None else given["integrator"])
     options = cast(Options, honored(method, options))
     system, assembly = _system(model, method, options, plan, given["assemble"], start, like)
-    checks.warn_of_near_dependence(system.compiled())
     if start is None:
+        checks.warn_of_near_dependence(system.compiled())
         checks.warn_of_opposed_axes(model, system.model.compiled().q0)
     return Stepped(method, options, system, assembly, breaks, breakpoints.noted(struck))
 
