@@ -149,6 +149,21 @@ TEST_CASE("each connected part is judged as if it were alone, and the worst coun
   }
 }
 
+TEST_CASE("what rests before forces give it energy, or after they took it, is not late") {
+  RunErrors moving = run({}, {}), settled = moving, pushed = moving;
+  for (RunErrors* it : {&moving, &settled, &pushed}) it->connected_parts[0].kinetic = 1.0;
+  const auto set = [](StepError& step, double kinetic, double work) {
+    step.of_part[0].kinetic = kinetic;
+    step.work = work;
+  };
+  set(moving.steps[0], 1.0, 0.0), set(moving.steps[1], 1.0, 0.0);
+  set(settled.steps[0], 1.0, 0.0), set(settled.steps[1], 0.0, -1.0);
+  set(pushed.steps[0], 0.0, 0.0), set(pushed.steps[1], 1.0, 1.0);
+  CHECK(accumulate(moving).slowness == doctest::Approx(1.0));
+  CHECK(accumulate(settled).slowness == doctest::Approx(0.5));
+  CHECK(accumulate(pushed).slowness == doctest::Approx(1.0));
+}
+
 TEST_CASE("a part that rests is weighed by its rest, the part beside it by its motion") {
   StateDifference moved, apart;
   moved.position = 1e-6;

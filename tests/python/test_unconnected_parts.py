@@ -177,17 +177,3 @@ def test_work_of_a_law_of_the_users_own_is_no_energy_that_the_run_made(law: str)
     else:
         model.user_force(lambda t, q, v: [*(-0.5 * v[:3]), 0, 0, 0], "one")
     assert verdict_of(lw.simulate(model, 5.0, 1e-3, progress=False)).error < 1e-6
-
-
-def test_a_body_that_rests_until_it_is_pushed_has_a_delay_by_its_energy() -> None:
-    model = lw.Model(gravity=(0, 0, 0))
-    model.body("rotor", mass=1, inertia=(0.1,) * 3)
-    model.revolute("ground", "rotor", at=(0, 0, 0), axis=(0, 0, 1))
-    push = lw.functions.with_breaks(lambda t: 2.0 if t >= 1 else 0.0, [1.0])
-    model.rotational_spring_damper("ground", "rotor", axis=(0, 0, 1), stiffness=10.0, torque=push)
-    result = lw.simulate(model, 4.0, 0.02, integrator="rk3", progress=False, on_inaccurate="pass")
-    verdict = verdict_of(result)
-    omega = np.sqrt(10.0 / 0.1)
-    angle = np.where(result.t > 1, -0.2 * (1 - np.cos(omega * (result.t - 1))), 0.0)
-    off = np.abs(np.abs(result.coordinate("revolute 1").value) - np.abs(angle)).max() / 0.4
-    assert verdict.state is not None and off < verdict.state < np.inf

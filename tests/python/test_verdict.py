@@ -106,6 +106,20 @@ def test_a_motion_that_has_settled_is_not_late(integrator: str, step: float, dam
     assert true < result.verdict.error < 300 * true
 
 
+def test_a_body_that_rests_until_it_is_pushed_is_late_from_there_on() -> None:
+    def judged(rest: float) -> lw.Verdict:
+        model = lw.Model(gravity=(0, 0, 0))
+        model.body("rotor", mass=1, inertia=(0.1,) * 3)
+        model.revolute("ground", "rotor", at=(0, 0, 0), axis=(0, 0, 1))
+        model.rotational_spring_damper("ground", "rotor", axis=(0, 0, 1), stiffness=10.0,
+                                       torque=lambda t: 2.0 if t >= rest else 0.0, breaks=[rest])  # fmt: skip
+        found = quick(model, rest + 20.0, step=0.02, integrator="rk3").verdict
+        assert found is not None
+        return found
+
+    assert judged(5.0).error == pytest.approx(judged(1.0).error, rel=0.5)
+
+
 def test_energy_that_comes_and_goes_lasts_less_than_a_drift() -> None:
     t = np.linspace(0.0, 10.0, 2001)
 

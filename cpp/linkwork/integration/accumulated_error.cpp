@@ -63,14 +63,15 @@ double kinetic_energy(const StepError& step) {
   return sum;
 }
 
-/// Above the least potential V of all these: with T + V = W + constant it is W - min (W - T).
+/// Above the least potential V of all these: with T + V = W + constant it is W - min (W - T). Of the most up to there;
+/// none where there was none yet.
 void find_what_remains(std::vector<KnownPart>& parts) {
   double least = INFINITY, most = 0.0;
   for (const KnownPart& part : parts) least = std::min(least, part.first->work - kinetic_energy(*part.first));
   for (KnownPart& part : parts) {
     const double there = part.first->work - least;
     most = std::max(most, there);
-    if (most > 0.0) part.remaining = there / most;
+    part.remaining = most > 0.0 ? there / most : 0.0;
   }
 }
 
@@ -116,7 +117,8 @@ class Accumulation {
   }
 
   /// An error of the energy is a share of it that is larger where there is less, and delays; but where motion turns, or
-  /// where forces took that energy away: as much was taken of the error. It counts as far as motion is fast once more.
+  /// where forces took that energy away, or gave none yet: as much was taken of the error. It counts as far as motion is
+  /// fast once more.
   double slowness() const {
     const auto share = [this](const StepError& it) {
       const double turns = turning(it);

@@ -100,7 +100,7 @@ class EnergySearch {
     const Inerters& inerters = system_.inerters();
     for (std::size_t k = 0; k < states_.size(); ++k) {
       dynamics_.set_history(states_[k].step->history);
-      dynamics_.evaluate(states_[k].t, *states_[k].y);
+      dynamics_.evaluate(states_[k].step->t, *states_[k].y);  // tables may end where the step does
       const VectorXd its_v = v(*states_[k].y);
       for (std::size_t i = 0; i < inerters.count(); ++i) {
         const double rate = inerters.rate(i, dynamics_.evaluation().D.data(), its_v.data());

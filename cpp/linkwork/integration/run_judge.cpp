@@ -110,8 +110,7 @@ void RunJudge::look_at_speeds() {
   if (lengths_.size() == 1) {
     double kinetic = 0.0;
     for (const KeptStep* step : kept_)
-      kinetic = std::max(
-          {kinetic, kinetic_energy(*step, step->t, step->y), kinetic_energy(*step, step->t + step->h, step->y_new)});
+      kinetic = std::max({kinetic, kinetic_energy(*step, step->y), kinetic_energy(*step, step->y_new)});
     out_.connected_parts[0].fastest = relative(sampling_.energies().kinetic, kinetic);
     return;
   }
@@ -125,12 +124,12 @@ void RunJudge::look_at_speeds() {
     out_.connected_parts[k].fastest = relative(sampling_.fastest()[k], speeds[k]);
 }
 
-/// Seen from the ground, inerters included.
-double RunJudge::kinetic_energy(const KeptStep& step, double t, const VectorXd& y) {
+/// Seen from the ground, inerters included, which no time changes: tables may end where the step does.
+double RunJudge::kinetic_energy(const KeptStep& step, const VectorXd& y) {
   const System& system = dynamics_.system();
   if (!system.inerters().empty()) {
     dynamics_.set_history(step.history);
-    dynamics_.evaluate(t, y);
+    dynamics_.evaluate(step.t, y);
   }
   return system.kinetic_energy(dynamics_.evaluation(), y.segment(system.q_size(), system.v_size()));
 }

@@ -64,7 +64,7 @@ class RunJudge {
  private:
   void see_from_moving_axes();
   void look_at_speeds();
-  double kinetic_energy(const KeptStep& step, double t, const VectorXd& y);
+  double kinetic_energy(const KeptStep& step, const VectorXd& y);
   double size(const StepError& error, std::size_t part) const;
   std::vector<std::size_t> worst_of(std::size_t part) const;
   void acquit_suspects();

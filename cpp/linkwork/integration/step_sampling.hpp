@@ -88,9 +88,9 @@ class StepSampling {
   std::vector<RunPart> parts() const;
   std::int64_t steps() const { return steps_; }  ///< that `after` was told of
   const EnergyRange& energies() const { return energies_; }
-  /// Largest squared speed of each connected part where steps began, turning included, see find_squared_speeds; where there
-  /// is but one, energies tell how fast it was.
+  /// Largest squared speed of each connected part where steps began; where there is but one, energies tell.
   const VectorXd& fastest() const { return fastest_; }
+  /// Of each connected part the largest of its bodies, turning included by the size of the part [m^2/s^2].
   void find_squared_speeds(const VectorXd& y, VectorXd& out) const;
   const DifferencesOfParts& corrections() const { return corrections_; }  ///< the largest; empty: none
   /// The steps in which the balance of energy jumps far more than elsewhere, as a speed, without those of `parts`.

@@ -139,7 +139,8 @@ def equilibrium(model: Model, *, stable: bool = True) -> Equilibrium:
     a motor against friction, which does not hold at rest; the error's `state` is the pose that was reached.
     SingularSystemError: a singular pose, as of a parallelogram that rests folded flat: there stiffness tells
     nothing; `state` as well. OptionError: `stable` is no truth value. LinkworkWarning: it is nearly singular;
-    functions of the model remember calls, so that it may rest elsewhere.
+    joints repeat each other but for digits of their points or axes; functions of the model
+    remember calls, so that it may rest elsewhere.
     """
     if not isinstance(stable, bool):
         raise OptionError(f"stable {stable!r:.80} is not True or False", code="stable")

@@ -61,9 +61,10 @@ def kinematics(
     which the message names with its time; the error's `result` is the motion up to there. With the code
     "contradiction": drivers ask for different motions from some time on.
     SingularSystemError: a singular pose with on_singular="stop", or at the start of a large model.
-    OptionError: times, or a function of time that is not known there. LinkworkWarning: a singular pose was
-    passed; accelerations and forces in or beside one are known badly; the velocity of a driver jumps, by an
-    impulse that multipliers and reactions are without; functions of the model remember calls.
+    OptionError: times, or a function of time that is not known there. LinkworkWarning: joints repeat
+    each other but for digits of their points or axes; a singular pose was passed; accelerations
+    and forces in or beside one are known badly; the velocity of a driver jumps, by an impulse that
+    multipliers and reactions are without; functions of the model remember calls.
     """
     one_of(on_singular, ("pass", "warn", "stop"), "on_singular")
     check_bodies(model)

@@ -185,10 +185,11 @@ def linearize(
 
     ModelError: the state is not in balance, or accelerates, is singular, moves so that coefficients change,
     is a kink of the forces, as where a contact just touches, or has a massless motion. OptionError: modes or
-    near. NotConvergedError: the iteration of a large model. LinkworkWarning: functions of time change
-    stiffness or damping, which are held as they are at that time; modes that are not sure, as the digits of
-    numbers are too few for stiffness and damping, or for a pose that is nearly singular; functions of the
-    model remember calls, so that what they return next to the state is no stiffness or damping.
+    near. NotConvergedError: the iteration of a large model. LinkworkWarning: joints repeat each other
+    but for digits of their points or axes; functions of time change stiffness or
+    damping, which are held as they are at that time; modes that are not sure, as the digits of numbers are
+    too few for stiffness and damping, or for a pose that is nearly singular; functions of the model remember
+    calls, so that what they return next to the state is no stiffness or damping.
     """
     if modes is not None and (not isinstance(modes, int) or modes < 1):
         raise OptionError(f"modes {modes!r} is not a positive whole number", code="modes")

@@ -139,8 +139,9 @@ def simulate(
     on_inaccurate="stop". An error of a run has its `result` up to there and the last `state`; with code
     "dead_point" its drivers ask for more than its joints allow. ModelError: initial poses or velocities do
     not satisfy the joints, see `assemble`.
-    LinkworkWarning: they were corrected; the run is inaccurate; redundant equations contradict the others a
-    little; elements about an axis measured an angle that depends on their x axes.
+    LinkworkWarning: they were corrected; the run is inaccurate; joints repeat each other but for digits of
+    their points or axes, which lock them; redundant equations contradict the others a little;
+    elements about an axis measured an angle that depends on their x axes.
     Ctrl-C ends the run; what `output` has by then stays readable.
     """
     started = time.perf_counter()
