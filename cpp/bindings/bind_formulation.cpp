@@ -324,7 +324,7 @@ double residual_at_start(const Dynamics& dynamics) {
     const py::gil_scoped_release release;
     found = residuals_at(dynamics.system(), 0.0, model.initial_q(), model.initial_v(), dynamics.history());
   }
-  return found.largest_beyond_roundoff();
+  return found.largest();
 }
 
 py::tuple residuals(const Dynamics& dynamics, double t, const ConstVector& q, const ConstVector& v) {

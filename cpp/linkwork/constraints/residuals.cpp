@@ -11,29 +11,21 @@
 namespace linkwork {
 namespace {
 
-/// Relative to the size of each row, less what is allowed in it; without arrays of their own, as large as the model.
-template <class Size, class Allowed>
-double largest(const VectorXd& residual, const Size& size, const Allowed& allowed) {
+/// By sizes of rows; without arrays of their own, as large as the model.
+template <class Size>
+double largest_beyond(const VectorXd& residual, const Size& size, const VectorXd& roundoff) {
   double most = 0.0;
   for (Eigen::Index row = 0; row < residual.size(); ++row)
     if (const double amount = std::abs(residual[row]); amount > 0.0)
-      most = std::max(most, amount / size(row) - allowed(row));
+      most = std::max(most, amount / size(row) - roundoff[row]);
   return most;
 }
 
-double nothing(Eigen::Index) { return 0.0; }
-
 }  // namespace
 
-double Residuals::largest_position() const { return largest(Phi, lengths, nothing); }
-
-double Residuals::largest_velocity() const {
-  return largest(Phi_dot, [this](Eigen::Index row) { return lengths[row] * rates[row]; }, nothing);
-}
-
-double Residuals::largest_beyond_roundoff() const {
+double Residuals::largest() const {
   const auto speed = [this](Eigen::Index row) { return lengths[row] * rates[row]; };
-  return std::max(largest(Phi, lengths, roundoff), largest(Phi_dot, speed, roundoff));
+  return std::max(largest_beyond(Phi, lengths, roundoff), largest_beyond(Phi_dot, speed, roundoff));
 }
 
 Residuals residuals_at(const System& system, double t, const ConstVector& q, const ConstVector& v,

@@ -11,11 +11,9 @@ struct Residuals {
   VectorXd rates;     ///< of each row that of its part, and with it one of Phi_dot; see characteristic_rates
   VectorXd roundoff;  ///< of each row that of its part, see roundoff_of_positions
 
-  // The largest of all rows, relative to the size and to the speed of its part; what is no number is passed over.
-  double largest_position() const;
-  double largest_velocity() const;
-  /// Of both, above what roundoff may make of it.
-  double largest_beyond_roundoff() const;
+  /// The largest of all rows, relative to the size or the speed of its part, above what roundoff may make of it; what is
+  /// no number is passed over.
+  double largest() const;
 };
 
 Residuals residuals_at(const System& system, double t, const ConstVector& q, const ConstVector& v,
