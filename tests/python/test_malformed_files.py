@@ -261,7 +261,7 @@ CASES: list[Case] = [
     (ATTACHMENT,
      "    attachment: 5", 35, "joints[2].attachment", "5 is not a mapping"),
     (DRIVE, "  drive: {table: {t: [0, 1, 1], values: [1, 2, 3]}}",
-     6, "functions.drive", "times must increase"),
+     6, "functions.drive", "must increase, but"),
     (DRIVE, "  drive: {table: {t: [0, 1], values: [1, 2, 3]}}",
      6, "functions.drive", "as many values as times"),
     (DRIVE, "  drive: {table: {t: [0, 1]}}",

@@ -210,7 +210,7 @@ def test_what_cannot_be_drawn_is_refused(
 
 def test_too_few_cases_and_parameters_that_move_together_are_refused() -> None:
     few = lw.sweep(rod, [{"mass": 1.0, "length": 1.0}, {"mass": 2.0, "length": 2.0}], {"w": weight}, **RUN)
-    with pytest.raises(lw.OptionError, match="2 finished cases are too few for 2 parameters"):
+    with pytest.raises(lw.OptionError, match="^swings: 2 finished cases are too few for 2 parameters"):
         few.swings("w")
     rows = [{"mass": m, "length": m} for m in (1.0, 2.0, 3.0, 4.0, 5.0)]
     with pytest.raises(lw.OptionError, match="move together"):
@@ -256,3 +256,16 @@ def test_a_surface_over_chosen_parameters_counts_all_others() -> None:
     study = lw.sweep(rod(), parameters, {"load": weight}, **RUN)
     figure = study.plot("surface", parameters=["rod.mass", "gravity[0]"])
     assert "in which 1 other parameter varies" in figure.get_suptitle()
+
+
+def test_a_surface_is_over_parameters_that_differ_in_finished_cases() -> None:
+    """The first of them has another value in the case that failed alone."""
+    rows = [{"kind": 1.0, "mass": 1.0 + k % 3, "length": 1.0 + k // 3} for k in range(9)]
+
+    def build(kind: float, mass: float, length: float) -> lw.Model:
+        return rod(mass if kind == 1.0 else -mass, length)
+
+    study = lw.sweep(build, [*rows, {"kind": 2.0, "mass": 1.0, "length": 1.0}], {"w": weight}, **RUN)
+    figure = study.plot("surface")
+    assert (figure.axes[0].get_xlabel(), figure.axes[0].get_ylabel()) == ("mass", "length")
+    assert "varies" not in figure.get_suptitle()

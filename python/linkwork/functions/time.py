@@ -618,10 +618,11 @@ def _check_samples(t: Floats, values: Floats) -> None:
     if (steps <= 0).any():
         k = int(np.argmax(steps <= 0))
         raise ModelError(
-            f"table: times must increase, but {t[k + 1]:g} s follows {t[k]:g} s", code="time_function"
+            f"table: times, or coordinates, must increase, but {t[k + 1]:g} follows {t[k]:g}",
+            code="time_function",
         )
     possible = np.isfinite(steps) & np.isfinite(slopes)
     if not possible.all():
         k = int(np.argmin(possible))
-        where = f"{values[k]:g} at {t[k]:g} s and {values[k + 1]:g} at {t[k + 1]:g} s"
+        where = f"{values[k]:g} at {t[k]:g} and {values[k + 1]:g} at {t[k + 1]:g}"
         raise ModelError(f"table: the slope between {where} is beyond all numbers", code="not_finite")

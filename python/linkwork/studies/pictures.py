@@ -130,9 +130,10 @@ def numbers_of(study: Study) -> list[Column]:
     return [column for values, names in both for column in _moving(_columns(study, values, names))]
 
 
-def _moving(columns: Sequence[Column]) -> list[Column]:
-    """Those that are not the same in every case, but for roundoff."""
-    finite = [(it, it.values[np.isfinite(it.values)]) for it in columns]
+def _moving(columns: Sequence[Column], cases: NDArray[np.bool_] | None = None) -> list[Column]:
+    """Those that are not the same in every one of the cases (all), but for roundoff."""
+    of_cases = [(it, it.values if cases is None else it.values[cases]) for it in columns]
+    finite = [(it, values[np.isfinite(values)]) for it, values in of_cases]
     return [it for it, values in finite if len(values) and np.ptp(values) > SAME * np.abs(values).max()]
 
 
@@ -277,7 +278,8 @@ def _surface(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
     """Outputs over two parameters, between the cases by triangles; the mean of cases at one point."""
     from matplotlib.tri import Triangulation
 
-    over = _needed(_moving(_columns(study, study.parameters, parameters)), "parameters", 2)
+    finished = study.status == "finished"
+    over = _needed(_moving(_columns(study, study.parameters, parameters), finished), "parameters", 2)
     x, y = over[:2]
     found = _needed(_moving(_columns(study, study.outputs, outputs)), "outputs")
     figure, axes = _panels(min(len(found), PANELS))
@@ -298,7 +300,8 @@ def _surface(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
         ax.set_xlabel(x.drawn, fontsize=8)
         ax.set_ylabel(y.drawn, fontsize=8)
         ax.tick_params(labelsize=7)
-    count = len(_moving(_columns(study, study.parameters, list(study.parameters)))) - 2 + len(_words(study))
+    every = _columns(study, study.parameters, list(study.parameters))
+    count = len(_moving(every, finished)) - 2 + len(_words(study))
     others = (
         f", in which {counted(count, 'other parameter')} {'varies' if count == 1 else 'vary'}"
         if count
@@ -326,7 +329,7 @@ def _tornado(study: Study, outputs: list[str], parameters: list[str]) -> Figure:
     names = {it.name for it in drawn}
     figure, axes = _panels(min(len(found), PANELS))
     for ax, column in zip(axes, found, strict=False):
-        swung = _swings(moved, column)
+        swung = _swings(moved, column, "plot 'tornado'")
         bars = sorted((it for it in swung if it.parameter in names), key=lambda it: abs(it.change))[-BARS:]
         for place, bar in enumerate(bars):
             ax.barh(place, bar.change, color=COLORS[0] if bar.change >= 0 else COLORS[1])
@@ -355,7 +358,7 @@ def swings(study: Study, output: str) -> list[Swing]:
     moved = _needed(_moving(_columns(study, study.parameters, list(study.parameters))), "parameters")
     if len(found) > 1:
         raise OptionError(f"output '{output}' is {len(found)} numbers a case, not one", code="outputs")
-    swung = _swings(moved, found[0])
+    swung = _swings(moved, found[0], "swings")
     same = _left_out(moved, swung)
     if same:
         warn(f"swings: without {same}, the same in all cases that have '{output}'")
@@ -367,9 +370,10 @@ def _left_out(parameters: Sequence[Column], swung: Sequence[Swing]) -> str:
     return ", ".join(f"'{it.name}'" for it in parameters if it.name not in fitted)
 
 
-def _swings(parameters: Sequence[Column], output: Column) -> list[Swing]:
+def _swings(parameters: Sequence[Column], output: Column, wanted: str) -> list[Swing]:
     """By least squares on all finished cases, of parameters that are not the same in these.
 
+    wanted  begins an error
     OptionError: fewer cases than the fit has numbers, or no such parameter.
     """
     known = np.isfinite(output.values) & np.all([np.isfinite(it.values) for it in parameters], axis=0)
@@ -377,20 +381,20 @@ def _swings(parameters: Sequence[Column], output: Column) -> list[Swing]:
     moved = _moving([replace(it, values=it.values[known]) for it in parameters])
     if len(y) <= len(moved) + 1:
         raise OptionError(
-            f"tornado: {counted(len(y), 'finished case')} {'is' if len(y) == 1 else 'are'} too few for "
+            f"{wanted}: {counted(len(y), 'finished case')} {'is' if len(y) == 1 else 'are'} too few for "
             f"{counted(len(moved), 'parameter')}",
             code="outputs",
         )
     if not moved:
         raise OptionError(
-            f"tornado: in all {len(y)} finished cases the parameters are the same", code="outputs"
+            f"{wanted}: in all {len(y)} finished cases the parameters are the same", code="outputs"
         )
     X = np.column_stack([it.values for it in moved])
     center, spread = X.mean(axis=0), X.std(axis=0)
     slopes, _, rank, _ = np.linalg.lstsq((X - center) / spread, y - y.mean(), rcond=1e-10)
     if rank < len(moved):
         raise OptionError(
-            "tornado: parameters move together in these cases, so that their effects cannot be told apart",
+            f"{wanted}: parameters move together in these cases, so that their effects cannot be told apart",
             code="outputs",
         )
     left = y - y.mean() - (X - center) / spread @ slopes
