@@ -77,7 +77,8 @@ void RankTolerant::solve(const ConstVector& a, const ConstVector& b, MutableVect
   if (exact(a, v_dot, lambda) || corrects(a, b)) return;
   throw NotConvergedError("singular_pose",
                           "too near to a singular pose: the accelerations are not determined to half of the digits; "
-                          "use another step, or formulation 'augmented_lagrangian'");
+                          "use another step, or formulation 'augmented_lagrangian'; where the run begins so, turn the "
+                          "mechanism a little along one branch");
 }
 
 }  // namespace linkwork
