@@ -70,8 +70,8 @@ def test_the_error_of_a_table_falls_with_the_fourth_power_of_its_step() -> None:
     [
         ([0.0], [1.0], "(1,)"),
         ([0, 1, 2], [1, 2], "(2,)"),
-        ([0, 1, 1], [1, 2, 3], "1 s follows 1 s"),
-        ([0, 2, 1], [1, 2, 3], "1 s follows 2 s"),
+        ([0, 1, 1], [1, 2, 3], "1 follows 1"),
+        ([0, 2, 1], [1, 2, 3], "1 follows 2"),
         ([0, math.nan, 1], [1, 2, 3], "time 1 is nan"),
         ([0, 1, 2], [1, 2, math.inf], "value 2 is inf"),
     ],

@@ -37,7 +37,7 @@ def state(model: lw.Model) -> lw.Snapshot:
 
 
 @pytest.mark.parametrize("redundant", [True, False])
-@pytest.mark.parametrize("angle", [0.5, 1.5, 2.5])
+@pytest.mark.parametrize("angle", [0.35, 0.5, 1.5, 1.65, 2.5])
 def test_rest_folded_flat_is_refused_and_its_pose_is_told(angle: float, redundant: bool) -> None:
     with pytest.raises(lw.SingularSystemError, match="pose of rest .* is singular") as caught:
         lw.equilibrium(parallelogram(angle, X, redundant=redundant))

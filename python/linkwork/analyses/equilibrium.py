@@ -31,8 +31,9 @@ from linkwork.running.estimation import told_of_memory
 
 __all__ = ["Equilibrium", "equilibrium"]
 
-#: Forces not in balance, relative to what acts on their body: where the iteration may end, and tries to.
-ACCEPTED, WANTED = 1e-9, 1e-13
+#: Forces not in balance, relative to what acts on their body: where the iteration may end, and tries to; and
+#: below which it ended beside a pose of rest, where that is a singular one.
+ACCEPTED, WANTED, BESIDE = 1e-9, 1e-13, 1e-6
 
 #: Steps below this part of the size of the mechanism are rounding; and where others have settled.
 ROUNDING, SETTLED = 1e-13, 1e-9
@@ -177,6 +178,7 @@ class _Search:
         self.limits = np.full_like(self.rest, np.inf)  # of a step
         self.B = self.W  # see _stiffnesses
         self.acting = np.zeros_like(self.rest)  # the most so far, see Equations.acting
+        self.singular: Floats | None = None  # a pose that steps from here led to
         self.counts_turns = len(equations.dynamics.initial_history) > 0
 
     def find(self) -> Floats:
@@ -227,12 +229,14 @@ class _Search:
             if step < SETTLED and self._size(r) <= ACCEPTED and self._size(found.r) >= self._size(r):
                 break  # no better: rounding
             off = abs((found.r - r + K @ found.x) @ found.x) / (abs(r @ found.x) or 1.0)
-            q, r, multipliers = found.q, found.r, found.multipliers
+            q, r, multipliers, self.singular = found.q, found.r, found.multipliers, None
             self.eq.dynamics.history = found.history
             K = stiffness(self.eq, 0.0, q, self.rest, multipliers)
             self.acting = np.maximum(self.acting, self.eq.acting(0.0, q, self.rest, multipliers, K))
             limits.add(found.x, self._size(r), step, off)
         if self._size(r) > ACCEPTED and not self._rounded(q, r, K):
+            if self.singular is not None or self._size(r) <= BESIDE:
+                self._check_regular(q if self.singular is None else self.singular)
             self._fail(q, r, limits)
         return q
 
@@ -274,7 +278,7 @@ class _Search:
         return None, mu
 
     def _try(self, q: Floats, r: Floats, damped: Sparse) -> _Step | float:
-        """The state after a step; where it goes too far, or up, the factor by which mu should grow."""
+        """The state after a step; where it goes too far, up, or to no balance: by what mu should grow."""
         x = self._solved(damped, self._independent(q), r)
         if x is None or not np.isfinite(x).all() or (self.stable and r @ x < 0):
             return GROWTH
@@ -287,7 +291,11 @@ class _Search:
         if moved is None:
             return GROWTH
         new, x, history = moved
-        after, multipliers = self._counting(history, lambda: self._balance(new))
+        try:
+            after, multipliers = self._counting(history, lambda: self._balance(new))
+        except SingularSystemError:  # a shorter one may end beside it
+            self.singular = new
+            return GROWTH
         decreased = self._size(after) < self._size(r)
         works = (r + after) @ x > 0 if self.stable else decreased
         tiny = self._reach(x) < TINY_STEP
@@ -379,14 +387,18 @@ class _Search:
             q, before = displaced(q, x), size
         return None
 
-    def described(self, q: Floats) -> Equilibrium:
+    def _check_regular(self, q: Floats) -> None:
         """SingularSystemError: a singular pose. LinkworkWarning: nearly so."""
-        eq = self.eq
         try:
-            check_regular(eq, 0.0, q, "equilibrium: the pose of rest", SingularSystemError)
+            check_regular(self.eq, 0.0, q, "equilibrium: the pose of rest", SingularSystemError)
         except SingularSystemError as error:
             error.state = self._snapshot(q)
             raise
+
+    def described(self, q: Floats) -> Equilibrium:
+        """As _check_regular raises and warns."""
+        eq = self.eq
+        self._check_regular(q)
         r, multipliers = self._balance(q)
         soft = softest(eq, q, multipliers)
         K = stiffness(eq, 0.0, q, self.rest, multipliers)
