@@ -178,7 +178,6 @@ class _Search:
         self.limits = np.full_like(self.rest, np.inf)  # of a step
         self.B = self.W  # see _stiffnesses
         self.acting = np.zeros_like(self.rest)  # the most so far, see Equations.acting
-        self.singular: Floats | None = None  # a pose that steps from here led to
         self.counts_turns = len(equations.dynamics.initial_history) > 0
 
     def find(self) -> Floats:
@@ -229,14 +228,14 @@ class _Search:
             if step < SETTLED and self._size(r) <= ACCEPTED and self._size(found.r) >= self._size(r):
                 break  # no better: rounding
             off = abs((found.r - r + K @ found.x) @ found.x) / (abs(r @ found.x) or 1.0)
-            q, r, multipliers, self.singular = found.q, found.r, found.multipliers, None
+            q, r, multipliers = found.q, found.r, found.multipliers
             self.eq.dynamics.history = found.history
             K = stiffness(self.eq, 0.0, q, self.rest, multipliers)
             self.acting = np.maximum(self.acting, self.eq.acting(0.0, q, self.rest, multipliers, K))
             limits.add(found.x, self._size(r), step, off)
         if self._size(r) > ACCEPTED and not self._rounded(q, r, K):
-            if self.singular is not None or self._size(r) <= BESIDE:
-                self._check_regular(q if self.singular is None else self.singular)
+            if self._size(r) <= BESIDE:
+                self._check_regular(q)
             self._fail(q, r, limits)
         return q
 
@@ -294,7 +293,6 @@ class _Search:
         try:
             after, multipliers = self._counting(history, lambda: self._balance(new))
         except SingularSystemError:  # a shorter one may end beside it
-            self.singular = new
             return GROWTH
         decreased = self._size(after) < self._size(r)
         works = (r + after) @ x > 0 if self.stable else decreased
