@@ -150,7 +150,7 @@ def _needed(columns: list[Column], what: str, count: int = 1) -> list[Column]:
     """OptionError: fewer than the picture is made of."""
     if len(columns) < count:
         raise OptionError(
-            f"plot: needs {count} {what} that are numbers and not the same in all cases, "
+            f"plot: needs {count} {what} that are numbers and not the same in all finished cases, "
             f"there are {len(columns)}",
             code="outputs",
         )
