@@ -56,6 +56,7 @@ py::dict to_dict(const AccumulatedError& found, const System& system, bool steps
   out["violation"] = found.violation;
   out["rate"] = found.rate;
   out["slowness"] = found.slowness;
+  out["suddenness"] = found.suddenness;
   out["seconds"] = found.seconds;
   out["kinetic_share"] = found.kinetic_share;
   out["carried"] = found.carried;
@@ -71,7 +72,7 @@ py::dict to_dict(const AccumulatedError& found, const System& system, bool steps
   out["rest_energy"] = found.rest_energy;
   py::list energies;
   for (const EnergyOfPart& it : found.energies)
-    energies.append(py::make_tuple(it.body, it.error, it.lasting, it.rate, it.slowness));
+    energies.append(py::make_tuple(it.body, it.error, it.lasting, it.rate, it.slowness, it.suddenness));
   out["energies"] = energies;
   return out;
 }

@@ -73,6 +73,25 @@ TEST_CASE("an error of a velocity moves poses later, as far as a few characteris
   CHECK(early == doctest::Approx(100 * 1e-6 / speed * (1.0 + 5.0)));
 }
 
+TEST_CASE("energy delays by the largest acceleration that comes after it, but for that of a vibration") {
+  RunErrors errors = run({}, {});
+  for (RunPart& part : errors.parts) {
+    part.peaks = VectorXd::Constant(1, 50.0 * speed * speed / size);
+    part.velocity_paths = VectorXd::Constant(1, speed * speed / size);
+  }
+  errors.connected_parts[0].kinetic = 1.0;
+  for (StepError& step : errors.steps) step.of_part[0].kinetic = 1.0;
+  CHECK(accumulate(errors).slowness == doctest::Approx(1.0));
+  CHECK(accumulate(errors).suddenness == 0.0);  // no contacts, no stops
+  errors.connected_parts[0].bounces = true;
+  CHECK(accumulate(errors).suddenness == doctest::Approx(25.0));  // in the second part
+  errors.parts[1].peaks.setZero();
+  CHECK(accumulate(errors).suddenness == doctest::Approx(0.0));
+  errors.parts[1].peaks = errors.parts[0].peaks;
+  for (RunPart& part : errors.parts) part.velocity_paths *= 50.0;
+  CHECK(accumulate(errors).suddenness == doctest::Approx(1.0));
+}
+
 TEST_CASE("what is late where the motion is slow is farther off where it is fast") {
   StateDifference apart;
   apart.position = 1e-6;

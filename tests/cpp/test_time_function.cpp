@@ -138,3 +138,41 @@ TEST_CASE("a function of which one term has no known integral has none") {
   CHECK_FALSE(unknown->integral());
   CHECK_FALSE(sum({polynomial({1}), unknown})->integral());
 }
+
+TEST_CASE("neither a change nor a second derivative is beyond its bound, and most of these are near") {
+  struct Case {
+    TimeFunctionPtr function;
+    double looseness;  ///< of the bound
+  };
+  const auto wave = [](double t) { return std::sin(40.0 * t); };
+  const auto rate = [](double t) { return 40.0 * std::cos(40.0 * t); };
+  const auto acceleration = [](double t) { return -1600.0 * std::sin(40.0 * t); };
+  const Case cases[] = {{polynomial({1, -2, 3, 0.5, -0.7}), 1.5},
+                        {harmonic(-0.7, 30.0, 0.4, 2.0), 1.1},
+                        {harmonic(-0.7, 30.0, 0.4, 2.0)->integral(), 1.1},
+                        {cubic_table(), 1.5},
+                        {cycloidal(-2.0, 0.5, 1.5), 2.6},
+                        {sum({harmonic(0.3, 20.0, 0.0, 0.0), polynomial({1, 0, 5})}), 1.1},
+                        {with_breaks(cubic_table(), {0.7}), 1.5},
+                        {callback(wave, rate, acceleration), 2.2}};
+  constexpr int looks = 2000;
+  for (std::size_t k = 0; k < std::size(cases); ++k) {
+    CAPTURE(k);
+    for (const double from : {0.0, 0.3, 1.1, 2.3}) {
+      double largest = 0.0;
+      for (int look = 0; look < looks; ++look) {
+        const double t = from + 0.6 * look / looks, h = 1e-4;
+        const auto value = [&](double s) { return cases[k].function->evaluate(t + s).value; };
+        if (t - h > 0.0 && t + h < 3.0)
+          largest = std::max(largest, std::abs(value(h) - 2 * value(0) + value(-h)) / (h * h));
+      }
+      const auto apart = [&](double s) {
+        return cases[k].function->evaluate(s).value - cases[k].function->evaluate(from).value;
+      };
+      CHECK(std::abs(apart(from + 0.37)) <= cases[k].function->amplitude());
+      const double bound = cases[k].function->largest_acceleration(from, from + 0.6);
+      CHECK(bound >= 0.999 * largest);
+      CHECK(bound <= cases[k].looseness * largest + 1e-6);
+    }
+  }
+}

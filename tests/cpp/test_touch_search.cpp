@@ -70,3 +70,47 @@ TEST_CASE("a fall from rest touches what is in its way, whose distance changes l
     }
   CHECK(touches_of_fall(2.0, 2.001 * radius).empty());
 }
+
+namespace {
+
+/// A slider at rest for a second, 0.5 m above a stop, whose end goes by `limit`.
+std::vector<TouchSearch::Touch> touches_of_end(const TimeFunctionPtr& limit) {
+  Model model(Vec3<double>::Zero());
+  model.add_body("slider", Body{});
+  const Vec3<double> O = Vec3<double>::Zero();
+  const Mat3<double> I = Mat3<double>::Identity();
+  model.add_force("translational_stop", "stop", ground, 0, {O, O, I, I},
+                  {{0.0, model.add_signal(limit)}, {10.0, -1}, {1e4, -1}, {0.0, -1}});
+  const VectorXd y = Dynamics(model, {}).initial_y();
+  return touches(model, y, y);
+}
+
+}  // namespace
+
+TEST_CASE("the end of a stop that comes and goes many times within a step is met when it first comes") {
+  for (const double frequency : {20.0, 333.0, 6283.0}) {
+    CAPTURE(frequency);
+    const auto found = touches_of_end(harmonic(0.51, frequency, 0.0, -0.5));
+    REQUIRE(found.size() == 1);
+    const double first = std::asin(0.5 / 0.51), angle = frequency * found[0].theta;
+    CHECK(angle > first);
+    CHECK(angle < 3.1416 - first);
+    CHECK(touches_of_end(harmonic(0.49999, frequency, 0.0, -0.5)).empty());
+  }
+}
+
+TEST_CASE("the end of a stop that comes and goes between the knots of a table is met") {
+  const std::vector<double> knots = {0.0, 0.62, 0.64, 0.66, 1.0}, pieces = {-0.5, 0, -0.5, 30, 0.1, -30, -0.5, 0};
+  const auto found = touches_of_end(piecewise_polynomial(knots, pieces));
+  REQUIRE(found.size() == 1);
+  CHECK(std::abs(found[0].theta - 0.64) < 0.02);
+}
+
+TEST_CASE("an end that never comes so far is left alone however fast it moves") {
+  CHECK(touches_of_end(harmonic(0.1, 1e9, 0.0, -0.5)).empty());
+}
+
+TEST_CASE("an end that comes and goes too often to be followed is refused by name") {
+  CHECK_THROWS_WITH_AS(touches_of_end(harmonic(0.49999, 1e9, 0.0, -0.5)),
+                       doctest::Contains("stop 'stop': its end comes and goes too often"), StepSizeError);
+}

@@ -272,3 +272,40 @@ def test_a_soft_stop_that_is_grazed_changes_nothing_and_is_no_other_motion() -> 
         stopped_oscillator(1e-5, 1e6), 0.3, 0.02, integrator="ab2", progress=False, on_inaccurate="pass"
     )
     assert "bodies pass through stop 'end'" in stiff.verdict.sentence
+
+
+def beside_an_end(amplitude: float, frequency: float) -> lw.Model:
+    """A slider at rest, 0.5 m above where the end of a stop swings about."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("s", mass=1.0, inertia=(0.1,) * 3)
+    along = {"at": (0, 0, 0), "axis": (1, 0, 0)}
+    model.translational("ground", "s", **along)
+    lower = -0.5 + lw.functions.harmonic(amplitude, frequency)
+    model.translational_stop("ground", "s", **along, lower=lower, upper=100.0, stiffness=1e7)
+    return model
+
+
+@pytest.mark.parametrize("pair", PAIRS)
+@pytest.mark.parametrize("frequency", [37.0, 6283.0])
+def test_the_end_of_a_stop_that_swings_meets_a_body_at_rest_when_it_first_comes(
+    frequency: float, pair: str
+) -> None:
+    seconds, step = 0.2, 0.01 / frequency
+    short = lw.simulate(beside_an_end(0.51, frequency), seconds, rtol=1e-10, step=step, progress=False)
+    result = lw.simulate(beside_an_end(0.51, frequency), 1.0, rtol=1e-7, integrator=pair, progress=False)
+    moved = short.position[-1, 0, 0] + (1.0 - seconds) * short.v[-1, 0, 0]
+    assert result.position[-1, 0, 0] == pytest.approx(moved, rel=1e-4)
+    assert moved > 1.0
+
+
+@pytest.mark.parametrize("amplitude", [0.4999, 0.5])
+def test_the_end_of_a_stop_that_swings_short_of_a_body_leaves_it_alone(amplitude: float) -> None:
+    for how in ({"rtol": 1e-6}, {"step": 0.01}):
+        result = lw.simulate(beside_an_end(amplitude, 6283.0), 1.0, **how, progress=False)
+        assert result.position[-1, 0, 0] == 0.0
+        assert result.verdict.level == "good"
+
+
+def test_fixed_steps_tell_of_the_end_of_a_stop_that_swings_through_a_body() -> None:
+    result = lw.simulate(beside_an_end(0.51, 6283.0), 1.0, 1e-3, progress=False, on_inaccurate="pass")
+    assert "bodies pass through stop" in result.verdict.sentence

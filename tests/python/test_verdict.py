@@ -24,8 +24,9 @@ from random_mechanisms import make
 #: As of a run that found little.
 _NUMBERS: dict[str, Any] = {
     "taken": 1, "failed": 0, "kinetic_share": 1.0, "rest_energy": 1.0, "violation": 0.0, "seconds": 1.0,
-    "rate": 1.0, "slowness": 1.0, "state": 1e-3, "local_error": 1e-3, "rounding": 0.0, "yielding": 0.0,
-    "steps": [(0.0, 1e-3, 1e-6, None)], "energies": [], "body": -1,
+    "rate": 1.0, "slowness": 1.0, "suddenness": 0.0, "state": 1e-3,
+    "local_error": 1e-3, "rounding": 0.0, "yielding": 0.0, "steps": [(0.0, 1e-3, 1e-6, None)], "energies": [],
+    "body": -1,
 }  # fmt: skip
 
 
@@ -91,6 +92,32 @@ def test_a_drift_of_the_energy_delays_slow_passages_most(name: str, integrator: 
     assert result.verdict is not None
     true = true_error(model, result)
     assert true < result.verdict.error < 20 * true
+
+
+@pytest.mark.parametrize(("omega", "t_end", "steps"), [
+    (1e3, 40.0, {"rtol": 1e-8}), (1e3, 40.0, {"rtol": 1e-8, "integrator": "dop853"}),
+    (1e3, 10.0, {"rtol": 1e-6}), (1e3, 1.0, {"step": 1e-4, "integrator": "rk4"}),
+    (1e3, 2.181, {"rtol": 1e-5, "integrator": "dop853"}),
+    (3e3, 3.668, {"rtol": 1e-5}), (1e4, 4.7568, {"rtol": 1e-7}),
+    (1e5, 8.0, {"rtol": 1e-7, "integrator": "dop853"}),
+])  # fmt: skip
+def test_what_bounces_for_long_is_late_where_its_velocity_changes_most(
+    omega: float, t_end: float, steps: Any
+) -> None:
+    """Between two elastic stops: straight lines and half periods of a spring."""
+    half, speed = 0.1, 2.0
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("s", mass=1.0, inertia=(1e-3,) * 3, velocity=(speed, 0, 0))
+    model.translational("ground", "s", at=(0, 0, 0), axis=(1, 0, 0))
+    model.translational_stop("ground", "s", at=(0, 0, 0), axis=(1, 0, 0),
+                             lower=-half, upper=half, stiffness=omega**2)  # fmt: skip
+    result = quick(model, t_end, on_inaccurate="pass", **steps)
+    way = 2 * half / speed + np.pi / omega
+    phase = (result.t + half / speed) % (2 * way)
+    turned = omega * np.maximum(phase % way - 2 * half / speed, 0.0)
+    true = float(abs(result.v[:, 0, 0] - np.where(phase < way, 1, -1) * speed * np.cos(turned)).max()) / speed
+    assert result.verdict is not None
+    assert result.verdict.error > true
 
 
 @pytest.mark.parametrize(("integrator", "step"), [("rk4", 0.02), ("heun", 2e-3)])

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double growth = 5.0;         // characteristic times L / V in which an error of a velocity moves positions
 constexpr double steep = 10.0;         // times the mean of its part: a change of accelerations out of the ordinary
+constexpr double bounces = 2.0;        // turns, see below, of what bounces, at most
 constexpr double slowest = 0.1;        // pace from which errors along the path grow
 constexpr double unloaded = 1e-9;      // of forces, or of those of the motion: reactions below are rounding
 constexpr double least_energy = 1e-9;  // of a mechanism, relative to its amount
@@ -98,7 +99,7 @@ class Accumulation {
     out_.rounding =
         std::max(sum([this](const StepError& it) { return of(it).rounding; }) / std::max(path, size_), noise() / V_);
     out_.rate = V_ / L_;
-    out_.slowness = slowness();
+    find_slowness();
     out_.carried = judged_.speed_as_a_whole / V_;
     return std::move(out_);
   }
@@ -118,21 +119,44 @@ class Accumulation {
 
   /// An error of the energy is a share of it that is larger where there is less, and delays; but where motion turns, or
   /// where forces took that energy away, or gave none yet: as much was taken of the error. It counts as far as motion is
-  /// fast once more.
-  double slowness() const {
+  /// fast once more, and, from where it bounced first, as it accelerates then.
+  void find_slowness() {
+    const double usual = std::fmax(1.0, turns() / bounces);
     const auto share = [this](const StepError& it) {
       const double turns = turning(it);
       return std::fmax(of(it).kinetic / judged_.kinetic, turns * turns);
     };
-    double sum = 0.0, seconds = 0.0, later = 0.0;
+    const std::vector<const RunPart*> all = all_parts();
+    auto of_all = all.rbegin();
+    double most = 0.0, bounce = INFINITY;
+    for (const RunPart* it : all) most = std::fmax(most, pace(*it));
+    for (const RunPart* it : all)
+      if (pace(*it) >= 0.5 * most) bounce = std::fmin(bounce, it->t);
+    double slow = 0.0, sudden = 0.0, seconds = 0.0, later = 0.0, steepest = 0.0;
     for (auto part = parts_.rbegin(); part != parts_.rend(); ++part) {
       const double remaining = judged_.energy ? 1.0 : part->remaining, step = part->part->seconds;
       later = std::fmin(std::fmax(later, std::fmax(share(*part->first), share(*part->last))), 1.0);
-      const double left = remaining > 0.0 ? share(*part->first) / remaining : 1.0;
-      sum += step * std::sqrt(later) / std::clamp(left, slowest * slowest, 1.0);
+      for (; of_all != all.rend() && (*of_all)->t >= part->part->t; ++of_all)
+        steepest = std::fmax(steepest, pace(**of_all) / usual);
+      const double left = std::clamp(remaining > 0.0 ? share(*part->first) / remaining : 1.0, slowest * slowest, 1.0);
+      slow += step * std::sqrt(later) / left;
+      if (part->part->t > bounce) sudden += step * steepest / left;
       seconds += step;
     }
-    return seconds > 0.0 ? sum / seconds : 1.0;
+    if (seconds == 0.0) return;
+    out_.slowness = slow / seconds;
+    if (judged_.bounces) out_.suddenness = sudden / seconds;
+  }
+
+  /// How often the motion turns in the time of L / V, in the mean.
+  double turns() const {
+    double seconds = 0.0, path = 0.0;
+    for (const RunPart& part : errors_.parts) {
+      if (part.velocity_paths.size() == 0) continue;
+      seconds += part.seconds;
+      path += part.velocity_paths[static_cast<Eigen::Index>(part_)];
+    }
+    return seconds > 0.0 ? path / seconds * size_ / (V_ * V_) : 0.0;
   }
 
   double pace(const RunPart& part) const {
@@ -315,19 +339,20 @@ AccumulatedError accumulate(const RunErrors& errors) {
   const std::vector<JudgedPart>& parts = errors.connected_parts;
   const std::size_t energetic = most_energetic(parts);
   find_what_remains(known);
-  double rate = 0.0, slowness = 1.0;
+  double rate = 0.0, slowness = 1.0, suddenness = 0.0;
   std::vector<EnergyOfPart> energies;
   for (std::size_t part = 0; part < parts.size() && !known.empty(); ++part) {
     AccumulatedError own = Accumulation(errors, known, part).result();
     own.body = parts.size() > 1 ? parts[part].first_body : -1;
     if (const std::optional<EnergyMade>& it = parts[part].energy)
-      energies.push_back(
-          {parts[part].first_body, relative(*it, parts[part].kinetic), it->lasting, own.rate, own.slowness});
-    if (part == energetic) rate = own.rate, slowness = own.slowness;
+      energies.push_back({parts[part].first_body, relative(*it, parts[part].kinetic), it->lasting, own.rate,
+                          own.slowness, own.suddenness});
+    if (part == energetic) rate = own.rate, slowness = own.slowness, suddenness = own.suddenness;
     out = part == 0 ? std::move(own) : worse(std::move(out), std::move(own));
   }
   out.rate = rate;
   out.slowness = slowness;
+  out.suddenness = suddenness;
   out.kinetic_share = errors.kinetic_share;
   out.energies = std::move(energies);
   for (const StepError& step : errors.steps) out.failed += step.failed ? 1 : 0;

@@ -20,10 +20,10 @@ struct RestScales {
 
 /// Energy that the run made or lost in a connected part of which that is known, see EnergyMade.
 struct EnergyOfPart {
-  int body = 0;           ///< the first of it
-  double error = 0.0;     ///< relative to its kinetic energy and to what it exchanged
-  double lasting = 1.0;   ///< see EnergyMade
-  double rate, slowness;  ///< see AccumulatedError
+  int body = 0;                       ///< the first of it
+  double error = 0.0;                 ///< relative to its kinetic energy and to what it exchanged
+  double lasting = 1.0;               ///< see EnergyMade
+  double rate, slowness, suddenness;  ///< see AccumulatedError
 };
 
 /// What the local errors of a run come to over it, in the connected part where that is most. Poses are relative to L,
@@ -46,7 +46,9 @@ struct AccumulatedError {
   double rate = 0.0;       ///< V / L of the part with the largest kinetic energy [1/s]
   double slowness = 1.0;   ///< of that part, 1 / kinetic energy in the mean over the run, relative to the largest; less
                            ///< where forces took that energy away
-  double seconds = 0.0;    ///< that the parts of the run took
+  double suddenness = 0.0;  ///< the same times the largest acceleration that comes later, by V^2 / L; less where motion
+                            ///< turns often, as a vibration does; none where nothing bounces
+  double seconds = 0.0;     ///< that the parts of the run took
   double kinetic_share = 1.0;    ///< see StepJudge
   double carried = 0.0;          ///< speed of the part as a whole, relative to V
   double rest_energy = 0.0;      ///< that of Rest, where all parts rest [J]

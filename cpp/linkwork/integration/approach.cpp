@@ -41,13 +41,19 @@ double turn(double h, int body, const End& a, const End& b) {
   return 2.0 * way<Vec4<double>>(h, a.p(body), b.p(body), a.p_dot(body), b.p_dot(body)) + 0.5 * h * h * bend;
 }
 
-bool of_time(const Model& model, const Element& element) {
-  const std::size_t count = force_kinds()[element.kind].info.parameters.size();
-  const auto first = model.force_parameters().begin() + static_cast<std::ptrdiff_t>(element.first_parameter);
-  const auto is_of_time = [&](const Parameter& it) {
-    return it.signal >= 0 && model.signals()[static_cast<std::size_t>(it.signal)]->of_time();
-  };
-  return std::any_of(first, first + static_cast<std::ptrdiff_t>(count), is_of_time);
+Approach::Limit limit_of_time(const Model& model, const Element& element, int place) {
+  const SwitchLimit* limits = force_kinds()[element.kind].limits;
+  if (!limits) return {};
+  const std::size_t parameter = element.first_parameter + static_cast<std::size_t>(limits[place].parameter);
+  const int signal = model.force_parameters()[parameter].signal;
+  if (signal < 0) return {};
+  const TimeFunction& function = *model.signals()[static_cast<std::size_t>(signal)];
+  Approach::Limit out{&function, limits[place].sign, function.amplitude(), {}};
+  std::vector<Break> breaks;
+  function.add_breaks(breaks);
+  for (const Break& it : breaks) out.breaks.push_back(it.t);
+  std::sort(out.breaks.begin(), out.breaks.end());
+  return out;
 }
 
 }  // namespace
@@ -59,13 +65,12 @@ Approach::Approach(const Model& model) {
     const Shape shape = kind.info.placement == "two_points"  ? Shape::spheres
                         : kind.history == HistoryKind::angle ? Shape::angle
                                                              : Shape::along_axis;
-    gaps_.push_back({owner, it.i, it.j, it.at.s_i, it.at.s_j, shape, of_time(model, it)});
+    gaps_.push_back({owner, it.i, it.j, it.at.s_i, it.at.s_j, shape, limit_of_time(model, it, owner.place)});
   }
 }
 
 double Approach::largest_change(int which, const StepEnds& step) const {
   const Gap& gap = gaps_[static_cast<std::size_t>(which)];
-  if (gap.moves) return INFINITY;
   const auto nq = static_cast<std::ptrdiff_t>(position_size * ((step.y.size() - 1) / (position_size + velocity_size)));
   const End a{step.y, step.y.data() + nq, step.v_dot}, b{step.y_new, step.y_new.data() + nq, step.v_dot_new};
   const int i = gap.i, j = gap.j;

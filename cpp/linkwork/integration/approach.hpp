@@ -24,8 +24,16 @@ class Approach {
  public:
   explicit Approach(const Model& model);
 
-  /// Of a switch: the most that it changes by [m or rad]; infinite where its limit is a function of time.
+  /// Of a switch: the most that it changes by as bodies move [m or rad].
   double largest_change(int which, const StepEnds& step) const;
+  /// A limit that is a function of time, of which a switch is so many times as much more as that is more.
+  struct Limit {
+    const TimeFunction* function = nullptr;  ///< null: none is
+    double sign = 0.0;
+    double amplitude = 0.0;      ///< see TimeFunction
+    std::vector<double> breaks;  ///< its own [s]
+  };
+  const Limit& limit(int which) const { return gaps_[static_cast<std::size_t>(which)].limit; }
   /// Whether its depth is that of two spheres, which is not smooth where these are small and pass each other fast: of
   /// the radii less the distance of their centers.
   bool of_spheres(int which) const { return gaps_[static_cast<std::size_t>(which)].shape == Shape::spheres; }
@@ -40,7 +48,7 @@ class Approach {
     int i, j;
     Vec3<double> s_i, s_j;  ///< as of Attachment
     Shape shape;
-    bool moves;  ///< a limit is a function of time
+    Limit limit;
   };
 
   std::vector<Gap> gaps_;

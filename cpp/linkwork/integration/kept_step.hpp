@@ -32,6 +32,7 @@ struct PartOfRun {
   double t = 0.0, seconds = 0.0;
   VectorXd sums_of_changes;  ///< of each of ConnectedParts [m/s^2]
   VectorXd peaks;            ///< largest acceleration of a body, of each of them [m/s^2]
+  VectorXd velocity_paths;   ///< of each of them: sum of the largest acceleration of a body times the step [m/s]
   Step any{}, steepest{};
 };
 using RunPart = PartOfRun<KeptStep>;

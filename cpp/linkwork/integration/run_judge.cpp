@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "linkwork/assembly/force_elements.hpp"
+
 namespace linkwork {
 namespace {
 
@@ -19,7 +21,7 @@ constexpr int usual_divisions = 1, few_divisions = 2, divisions_of_worst = 3;  /
 /// A part of the run for each.
 void append_each(const std::vector<KeptStep>& steps, std::vector<RunPart>& out) {
   for (const KeptStep& step : steps) {
-    out.push_back({1, step.t, step.h, step.changes, {}, {}, {}});
+    out.push_back({1, step.t, step.h, step.changes, {}, {}, {}, {}});
     out.back().any = step;
   }
 }
@@ -92,6 +94,12 @@ void RunJudge::see_from_moving_axes() {
   const ConnectedParts& connected = ConnectedParts::of(dynamics_.system());
   for (int body = dynamics_.system().body_count() - 1; body >= 0; --body)
     out_.connected_parts[connected.of_body(body)].first_body = body;
+  const Model& model = dynamics_.system().model();
+  for (const SwitchOwner& it : owners_of_switches(model)) {
+    const Element& force = model.forces()[static_cast<std::size_t>(it.element)];
+    if (force.i == ground && force.j == ground) continue;
+    out_.connected_parts[static_cast<std::size_t>(connected.of_bodies(force.i, force.j))].bounces = true;
+  }
   const VectorXd diagonals = axes.diagonals(kept_);
   VectorXd arms = lengths_;
   for (Eigen::Index k = 0; k < diagonals.size(); ++k) {

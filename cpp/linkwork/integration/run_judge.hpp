@@ -23,6 +23,7 @@ struct JudgedPart {
   /// By how much the errors of its worst steps are larger than what a first look said of them, at least 1: where
   /// something is not smooth, or steps are very long, two parts of a step are not as much better as Richardson has it.
   double resolved = 1.0;
+  bool bounces = false;  ///< there are contacts or stops in it
 };
 
 /// What the kept steps of a run were off by, and of which part of the run each is.

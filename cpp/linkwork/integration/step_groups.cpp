@@ -57,6 +57,7 @@ std::vector<RunPart> StepGroups::parts() const {
                      static_cast<double>(each) * it.step.h,
                      static_cast<double>(each) * it.step.changes,
                      {},
+                     {},
                      it.step,
                      {}});
     }

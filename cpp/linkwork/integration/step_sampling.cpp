@@ -63,6 +63,7 @@ PartOfRun<Step> joined(PartOfRun<Step> a, PartOfRun<Step> b, bool left) {
   out.seconds = a.seconds + b.seconds;
   out.sums_of_changes = a.sums_of_changes + b.sums_of_changes;
   out.peaks = a.peaks.cwiseMax(b.peaks);
+  out.velocity_paths = a.velocity_paths + b.velocity_paths;
   out.steepest = std::move(*steepest);
   out.any = std::move(left ? a.any : b.any);
   return out;
@@ -283,6 +284,7 @@ void StepSampling::follow(double t, double h, const VectorXd& y, const VectorXd&
   part.seconds += h;
   part.sums_of_changes += changes_;
   part.peaks = part.peaks.cwiseMax(largest_);
+  part.velocity_paths += h * largest_;
   steps_ += 1;
 }
 
@@ -375,6 +377,7 @@ void StepSampling::begin_part_if_full(double t) {
   parts_.emplace_back();
   parts_.back().t = t;
   parts_.back().peaks.setZero(largest_.size());
+  parts_.back().velocity_paths.setZero(largest_.size());
   parts_.back().sums_of_changes.setZero(largest_.size());
   usual_changes_ = sums_of_changes_ / std::max(compared_steps_, 1.0);
 }
@@ -391,7 +394,8 @@ void StepSampling::keep(KeptStep& place, const VectorXd& y_new) const {
 std::vector<RunPart> StepSampling::parts() const {
   std::vector<PartOfRun<const KeptStep*>> chosen;
   for (const RunPart& it : parts_)
-    chosen.push_back({it.steps, it.t, it.seconds, it.sums_of_changes, it.peaks, &it.any, &it.steepest});
+    chosen.push_back(
+        {it.steps, it.t, it.seconds, it.sums_of_changes, it.peaks, it.velocity_paths, &it.any, &it.steepest});
   const auto wanted = static_cast<std::size_t>(samples(steps_, body_count_));
   while (chosen.size() > 2 && chosen.size() < static_cast<std::size_t>(steps_) && 2 * chosen.size() > wanted + 1)
     chosen = join_pairs(std::move(chosen));
@@ -399,7 +403,7 @@ std::vector<RunPart> StepSampling::parts() const {
   InterruptionMeter meter;
   for (const auto& it : chosen) {
     meter.add(body_count_);
-    out.push_back({it.steps, it.t, it.seconds, it.sums_of_changes, it.peaks, *it.any, *it.steepest});
+    out.push_back({it.steps, it.t, it.seconds, it.sums_of_changes, it.peaks, it.velocity_paths, *it.any, *it.steepest});
   }
   return out;
 }

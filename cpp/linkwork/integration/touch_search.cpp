@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <utility>
+
+#include "linkwork/math/error.hpp"
+#include "linkwork/math/interruption.hpp"
 
 namespace linkwork {
 namespace {
@@ -14,12 +18,12 @@ constexpr double beside = 1e-4;  // of a step, for differences in time
 constexpr double more_in_step = 1.5, more_inside = 0.5;
 constexpr std::array<double, 3> places = {0.25, 0.5, 0.75};  // of a step, that are looked at anyway
 constexpr double inside = 0.1;                               // of an interval: no nearer to its ends
-constexpr int most_looks = 400;
+constexpr double nearly_straight = 2.0;  // second derivatives up to so many times of what d rises by: it does so once
+constexpr double narrowest = 1e-10;      // of a step: what touches for as long is grazed
+constexpr int most_looks = 400, most_at_moving_limit = 3000000;
 constexpr int parts = 16, halvings = 30;  // of a step that is to be clear
 
-struct Place {
-  double at, value;
-};
+using Place = TouchSearch::Place;
 
 /// The highest of a + a' s + M s^2 / 2 up to s = `to`.
 Place highest_on_parabola(double a, double rate, double M, double to) {
@@ -29,11 +33,15 @@ Place highest_on_parabola(double a, double rate, double M, double to) {
   return best;
 }
 
-/// The highest of what is below both parabolas, at s from 0 to 1.
-Place highest_between(double a, double a_rate, double b, double b_rate, double more) {
+/// A bound of the second derivative, at s from 0 to 1, of what is about a cubic.
+double bend(double a, double a_rate, double b, double b_rate, double more) {
   const double first = 2.0 * (3.0 * (b - a) - 2.0 * a_rate - b_rate);
   const double last = -2.0 * (3.0 * (b - a) - a_rate - 2.0 * b_rate);
-  const double M = std::max(first, last) + more * std::max(std::abs(first), std::abs(last));
+  return std::max(first, last) + more * std::max(std::abs(first), std::abs(last));
+}
+
+/// The highest of what is below both parabolas, at s from 0 to 1.
+Place highest_between(double a, double a_rate, double b, double b_rate, double M) {
   const double closing = a_rate - b_rate + M;
   const double meeting = closing > 0.0 ? std::clamp((b - a - b_rate + 0.5 * M) / closing, 0.0, 1.0) : 0.5;
   const Place before = highest_on_parabola(a, a_rate, M, meeting);
@@ -66,7 +74,7 @@ bool TouchSearch::suspects(const StepEnds& step, const VectorXd& switches) {
   for (int k = 0; k < static_cast<int>(count_); ++k) {
     const double a = at_begin_[k], b = switches[k], free = std::max(least_, a);
     if (sides_[static_cast<std::size_t>(k)] || b > free) continue;
-    if (!(0.5 * (a + b + approach_.largest_change(k, step)) > free)) continue;
+    if (!(0.5 * (a + b + approach_.largest_change(k, step)) + approach_.limit(k).amplitude > free)) continue;
     if (!from) {
       from = Look{t_, 0.0, h_, y_};
       to = Look{t_ + h_, 1.0, h_, step.y_new};
@@ -77,8 +85,7 @@ bool TouchSearch::suspects(const StepEnds& step, const VectorXd& switches) {
     it.free = value(it, free);
     it.from = sample(*from, it);
     it.to = sample(*to, it);
-    if (highest_between(it.from.value, it.from.rate, it.to.value, it.to.rate, more_in_step).value > it.free)
-      suspects_.push_back(it);
+    if (highest(it, it.from, it.to, more_in_step).value > it.free) suspects_.push_back(it);
   }
   return !suspects_.empty();
 }
@@ -86,13 +93,18 @@ bool TouchSearch::suspects(const StepEnds& step, const VectorXd& switches) {
 std::vector<TouchSearch::Touch> TouchSearch::find(const Interpolant& step) {
   std::vector<Touch> found;
   if (suspects_.empty()) return found;
+  const int bodies = dynamics_.system().body_count();
   std::vector<Look> looks;
   for (const double theta : places) looks.push_back(look_at(step, theta));
   for (const Suspect& it : suspects_) {
-    looks_left_ = most_looks;
+    looks_left_ = approach_.limit(it.which).function ? most_at_moving_limit / (10 + bodies) : most_looks;
     std::vector<Sample> samples = {it.from};
     for (const Look& look : looks) samples.push_back(sample(look, it));
+    for (const double t : approach_.limit(it.which).breaks)
+      if (const double theta = (t - t_) / h_; theta > 0.0 && theta < 1.0)
+        samples.push_back(sample(look_at(step, theta), it));
     samples.push_back(it.to);
+    std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.theta < b.theta; });
     for (std::size_t p = 1; p < samples.size(); ++p)
       if (const auto theta = first_touch(step, it, samples[p - 1], samples[p])) {
         found.push_back({it.which, *theta});
@@ -105,14 +117,62 @@ std::vector<TouchSearch::Touch> TouchSearch::find(const Interpolant& step) {
 
 std::optional<double> TouchSearch::first_touch(const Interpolant& step, const Suspect& of, const Sample& a,
                                                const Sample& b) {
-  if (b.value > of.free) return b.theta;
-  const double width = b.theta - a.theta;
-  const Place highest = highest_between(a.value, width * a.rate, b.value, width * b.rate, more_inside);
-  if (!(highest.value > of.free) || looks_left_-- <= 0) return {};
-  const double theta = a.theta + width * std::clamp(highest.at, inside, 1.0 - inside);
-  const Sample between = sample(look_at(step, theta), of);
+  if (b.value > of.free) {
+    if (!may_come_and_go(of, a, b)) return b.theta;
+    const Sample between = look_between(step, of, a, b, 0.5);
+    if (const auto found = first_touch(step, of, a, between)) return found;
+    return first_touch(step, of, between, b);
+  }
+  const Place top = highest(of, a, b, more_inside);
+  if (!(top.value > of.free) || b.theta - a.theta < narrowest) return {};
+  if (looks_left_ == 0 && !approach_.limit(of.which).function) return {};
+  const Sample between = look_between(step, of, a, b, std::clamp(top.at, inside, 1.0 - inside));
   if (const auto found = first_touch(step, of, a, between)) return found;
   return first_touch(step, of, between, b);
+}
+
+/// Between two places.
+Place TouchSearch::highest(const Suspect& of, const Sample& a, const Sample& b, double more) const {
+  const double width = b.theta - a.theta;
+  const double M =
+      bend(a.at_rest, width * a.rate_at_rest, b.at_rest, width * b.rate_at_rest, more) + bend_of_limit(of, a, b);
+  if (!std::isfinite(M)) return {0.5, INFINITY};
+  return highest_between(a.value, width * a.rate, b.value, width * b.rate, M);
+}
+
+/// What the second derivative of its limit is at most, over that interval; infinite where there is a break inside.
+double TouchSearch::bend_of_limit(const Suspect& of, const Sample& a, const Sample& b) const {
+  const Approach::Limit& limit = approach_.limit(of.which);
+  if (!limit.function) return 0.0;
+  const double from = t_ + a.theta * h_, to = t_ + b.theta * h_, slack = narrowest * h_;
+  const auto next = std::upper_bound(limit.breaks.begin(), limit.breaks.end(), from + slack);
+  if (next != limit.breaks.end() && *next < to - slack) return INFINITY;
+  return (to - from) * (to - from) * limit.function->largest_acceleration(from, to);
+}
+
+/// Whether there may be a touch before the one that there is at b, and the bodies be apart in between.
+bool TouchSearch::may_come_and_go(const Suspect& of, const Sample& a, const Sample& b) const {
+  return bend_of_limit(of, a, b) > nearly_straight * (b.value - a.value) && b.theta - a.theta > narrowest;
+}
+
+TouchSearch::Sample TouchSearch::look_between(const Interpolant& step, const Suspect& of, const Sample& a,
+                                              const Sample& b, double place) {
+  look_for_interruption();
+  if (looks_left_-- <= 0) refuse(of);
+  return sample(look_at(step, a.theta + (b.theta - a.theta) * place), of);
+}
+
+void TouchSearch::refuse(const Suspect& of) const {
+  const int element = approach_.owner(of.which).element;
+  const std::string name = dynamics_.system().model().force_names().name(element);
+  char step[32];
+  std::snprintf(step, sizeof step, "%.3g s", h_);
+  ErrorDetails details;
+  details.forces = {name};
+  throw StepSizeError("touches",
+                      "stop '" + name + "': its end comes and goes too often to be followed through a step of " + step +
+                          ": give a shorter step (step=), or an end that moves less often",
+                      details);
 }
 
 TouchSearch::Look TouchSearch::look_at(const Interpolant& step, double theta) const {
@@ -144,12 +204,23 @@ double TouchSearch::depth(double t, const ConstVector& q, const ConstVector& v, 
 /// The rate by a difference that is exact for parabolas.
 TouchSearch::Sample TouchSearch::sample(const Look& look, const Suspect& of) {
   const System& system = dynamics_.system();
+  const Approach::Limit& limit = approach_.limit(of.which);
   const auto value_at = [&](double after, const ConstVector& q) {
-    return value(of, depth(look.t + after, q, look.y.segment(system.q_size(), system.v_size()), of.which));
+    const double t = limit.function ? t_ : look.t + after;
+    return value(of, depth(t, q, look.y.segment(system.q_size(), system.v_size()), of.which));
   };
   const double here = value_at(0.0, look.y.head(system.q_size()));
   const double near = value_at(look.beside, look.q_beside), far = value_at(2.0 * look.beside, look.q_beyond);
-  return {look.theta, here, look.h * (4.0 * near - 3.0 * here - far) / (2.0 * look.beside)};
+  const double rate = look.h * (4.0 * near - 3.0 * here - far) / (2.0 * look.beside);
+  Sample out{look.theta, here, rate, here, rate};
+  if (limit.function) move_limit(look, limit, out);
+  return out;
+}
+
+void TouchSearch::move_limit(const Look& look, const Approach::Limit& limit, Sample& sample) const {
+  const Signal<double> here = limit.function->evaluate(look.t), at_start = limit.function->evaluate(t_);
+  sample.value += limit.sign * (here.value - at_start.value);
+  sample.rate += limit.sign * look.h * here.rate;
 }
 
 double TouchSearch::clear_until(const Interpolant& step, const StepEnds& ends) {

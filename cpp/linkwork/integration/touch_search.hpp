@@ -19,6 +19,8 @@ namespace linkwork {
 ///   d(s) <= a + a' s + M s^2 / 2  and  d(s) <= b - b' (1 - s) + M (1 - s)^2 / 2.
 /// Where both parabolas meet above zero, d is looked at there, which is one end of two shorter intervals then. M is the
 /// larger one of the second derivatives of the cubic with these values and rates at the ends, and a part of their size.
+/// Where a limit is a function of time, the cubic is that of the same depths with the limit at rest, and the bound of the
+/// second derivative of the limit is added: however often it comes and goes within the step.
 ///
 /// d of spheres of radii R together passes a peak within the time they need for R, however long the step: what is
 /// looked at is d (2 R - d) = R^2 - |p|^2, p from center to center, which is as smooth as the motion.
@@ -35,11 +37,16 @@ class TouchSearch {
   /// positive. What is positive from the start is left out.
   bool suspects(const StepEnds& step, const VectorXd& switches);
 
+  /// Somewhere in an interval.
+  struct Place {
+    double at, value;
+  };
   struct Touch {
     int which;     ///< switch
     double theta;  ///< a place in the step, 0 to 1, at which it is positive
   };
-  /// Those of the step that was asked about last, ascending in theta.
+  /// Those of the step that was asked about last, ascending in theta. A StepSizeError, where a limit moves too fast to be
+  /// followed through so long a step.
   std::vector<Touch> find(const Interpolant& step);
 
   /// Up to which place every contact and stop stays on the side of zero that it is on at the start, be it in contact or
@@ -63,7 +70,8 @@ class TouchSearch {
     double beside = 0.0;  ///< [s]
   };
   struct Sample {
-    double theta, value, rate;  ///< over theta
+    double theta, value, rate;     ///< over theta
+    double at_rest, rate_at_rest;  ///< the same with the limit where it is at the start of the step
   };
   /// That is not positive at the start; `free`: values up to this are as good as zero.
   struct Suspect {
@@ -80,6 +88,12 @@ class TouchSearch {
   VectorXd depths(double t, const VectorXd& y);
   bool clear_at(const Interpolant& step, double theta);
   double depth(double t, const ConstVector& q, const ConstVector& v, int which);
+  void move_limit(const Look& look, const Approach::Limit& limit, Sample& sample) const;
+  Place highest(const Suspect& of, const Sample& a, const Sample& b, double more) const;
+  double bend_of_limit(const Suspect& of, const Sample& a, const Sample& b) const;
+  bool may_come_and_go(const Suspect& of, const Sample& a, const Sample& b) const;
+  Sample look_between(const Interpolant& step, const Suspect& of, const Sample& a, const Sample& b, double place);
+  [[noreturn]] void refuse(const Suspect& of) const;
   Sample sample(const Look& look, const Suspect& of);
   double rate(Look look, int which);
   Look look_at(const Interpolant& step, double theta) const;

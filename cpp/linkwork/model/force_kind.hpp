@@ -42,6 +42,12 @@ struct Wrenches {
 template <class Force>
 constexpr bool lies_along_coordinate = requires { Force::valued; };
 
+/// Of a switch that is `sign` times a parameter and what the poses make of it: where that passes a limit.
+struct SwitchLimit {
+  int parameter;
+  double sign;
+};
+
 /// How many switches a force element has.
 template <class Force>
 constexpr int switches_of() {
@@ -161,6 +167,7 @@ struct ForceKind {
   EvaluateLawLanes law_lanes[max_instruction_sets] = {};
   std::optional<CoordinateKind> coordinate = {};  ///< that of a law, or of an inerter
   bool valued = false;                            ///< see LawAlong
+  const SwitchLimit* limits = nullptr;            ///< of each switch, where these are
   /// Of an inerter: its coordinate, along which its first parameter, a constant, is inertia; see Inerters.
   CoordinateRow inertia = nullptr;
 
@@ -253,6 +260,7 @@ ForceKind make_force_kind(const ForceEvaluations& by) {
     kind.coordinate = Force::Coordinate::kind;
     kind.valued = Force::valued;
   }
+  if constexpr (requires { Force::limits; }) kind.limits = Force::limits;
   return kind;
 }
 

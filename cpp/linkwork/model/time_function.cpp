@@ -13,7 +13,9 @@
 namespace linkwork {
 namespace {
 
-constexpr double last_step = 1e-9;  // of a table: roundoff by which a run may end behind it
+constexpr int looks = 8;                       // at functions of the user's own in an interval,
+constexpr double golden = 0.6180339887498949;  // where they are in step with no period
+constexpr double last_step = 1e-9;             // of a table: roundoff by which a run may end behind it
 
 /// Horner's scheme for a polynomial and its first two derivatives; ascending powers.
 Signal<double> horner(const double* c, std::size_t count, double x) {
@@ -24,6 +26,19 @@ Signal<double> horner(const double* c, std::size_t count, double x) {
     f = f * x + c[k];
   }
   return {f, df, 2.0 * half_ddf};
+}
+
+/// Taylor's shift of a polynomial.
+void shift(std::vector<double>& c, double by) {
+  for (std::size_t k = 0; by != 0.0 && k + 1 < c.size(); ++k)
+    for (std::size_t j = c.size() - 1; j-- > k;) c[j] += by * c[j + 1];
+}
+
+/// A bound of the second derivative of a polynomial up to `reach` from its origin.
+double largest_second_derivative(const std::vector<double>& c, double reach) {
+  double sum = 0.0;
+  for (std::size_t k = c.size(); k-- > 2;) sum = sum * reach + static_cast<double>(k * (k - 1)) * std::abs(c[k]);
+  return sum;
 }
 
 /// The coefficients of an antiderivative but for the first.
@@ -39,6 +54,12 @@ class Polynomial final : public TimeFunction {
     std::vector<double> out{0.0};
     append_integrated(coefficients_, out);
     return polynomial(std::move(out));
+  }
+  double amplitude() const override { return coefficients_.size() > 1 ? INFINITY : 0.0; }
+  double largest_acceleration(double from, double to) const override {
+    std::vector<double> c = coefficients_;
+    shift(c, 0.5 * (from + to));
+    return largest_second_derivative(c, 0.5 * std::abs(to - from));
   }
 
  private:
@@ -60,6 +81,7 @@ class IntegratedHarmonic final : public TimeFunction {
     return {offset_ * t + amplitude_ * (way * of_middle.sine), offset_ + amplitude_ * of_angle.sine,
             frequency_ * (amplitude_ * of_angle.cosine)};
   }
+  double largest_acceleration(double, double) const override { return std::abs(frequency_ * amplitude_); }
 
  private:
   double amplitude_, frequency_, phase_, offset_;
@@ -78,6 +100,8 @@ class Harmonic final : public TimeFunction {
   TimeFunctionPtr integral() const override {
     return std::make_shared<IntegratedHarmonic>(amplitude_, frequency_, phase_, offset_);
   }
+  double amplitude() const override { return 2.0 * std::abs(amplitude_); }
+  double largest_acceleration(double, double) const override { return frequency_ * frequency_ * std::abs(amplitude_); }
 
  private:
   double amplitude_, frequency_, phase_, offset_;
@@ -129,6 +153,16 @@ class PiecewisePolynomial final : public TimeFunction {
   }
 
   TimeFunctionPtr integral() const override { return integrated().shared(); }
+  double largest_acceleration(double from, double to) const override {
+    double largest = 0.0;
+    const std::size_t last = piece_at(to);
+    for (std::size_t piece = piece_at(from); piece <= last; ++piece) {
+      const double begin = std::max(from, breaks_[piece]), end = std::min(to, breaks_[piece + 1]);
+      const std::vector<double> c = about(0.5 * (begin + end), piece);
+      largest = std::max(largest, largest_second_derivative(c, 0.5 * std::abs(end - begin)));
+    }
+    return largest;
+  }
 
   /// First and last knots, and those at which the value or a derivative jumps by more than roundoff.
   void add_breaks(std::vector<Break>& out) const override {
@@ -186,12 +220,6 @@ class PiecewisePolynomial final : public TimeFunction {
     return {count_, 0.0};
   }
 
-  /// Taylor's shift of a polynomial.
-  static void shift(std::vector<double>& c, double by) {
-    for (std::size_t k = 0; by != 0.0 && k + 1 < c.size(); ++k)
-      for (std::size_t j = c.size() - 1; j-- > k;) c[j] += by * c[j + 1];
-  }
-
   /// Coefficients of a piece in powers of t - origin.
   std::vector<double> about(double origin, std::size_t piece) const {
     const auto first = coefficients_.begin() + static_cast<std::ptrdiff_t>(piece * count_);
@@ -246,6 +274,11 @@ class Cycloidal final : public TimeFunction {
     out.push_back({start_});
     out.push_back({start_ + duration_});
   }
+  double amplitude() const override { return std::abs(rise_); }
+  double largest_acceleration(double from, double to) const override {
+    if (to <= start_ || from >= start_ + duration_) return 0.0;
+    return 2.0 * std::numbers::pi * std::abs(rise_) / (duration_ * duration_);
+  }
 
  private:
   double rise_, start_, duration_;
@@ -279,6 +312,16 @@ class Sum final : public TimeFunction {
     for (const TimeFunctionPtr& term : terms_) out.push_back(term->integral());
     return std::find(out.begin(), out.end(), nullptr) == out.end() ? sum(std::move(out)) : nullptr;
   }
+  double amplitude() const override {
+    double sum = 0.0;
+    for (const TimeFunctionPtr& term : terms_) sum += term->amplitude();
+    return sum;
+  }
+  double largest_acceleration(double from, double to) const override {
+    double largest = 0.0;
+    for (const TimeFunctionPtr& term : terms_) largest += term->largest_acceleration(from, to);
+    return largest;
+  }
 
  private:
   std::vector<TimeFunctionPtr> terms_;
@@ -293,6 +336,10 @@ class WithBreaks final : public TimeFunction {
   }
 
   Signal<double> evaluate(double t) const override { return function_->evaluate(t); }
+  double amplitude() const override { return function_->amplitude(); }
+  double largest_acceleration(double from, double to) const override {
+    return function_->largest_acceleration(from, to);
+  }
   bool has_derivatives() const override { return function_->has_derivatives(); }
   bool of_time() const override { return function_->of_time(); }
   void add_breaks(std::vector<Break>& out) const override {
@@ -320,6 +367,13 @@ class Callback final : public TimeFunction {
     return {value_(t), rate_ ? rate_(t) : unknown, acceleration_ ? acceleration_(t) : unknown};
   }
   bool has_derivatives() const override { return rate_ && acceleration_; }
+  double largest_acceleration(double from, double to) const override {
+    if (!acceleration_) return INFINITY;
+    double largest = 0.0;
+    for (int k = 0; k < looks; ++k)
+      largest = std::max(largest, std::abs(acceleration_(from + (k + golden) / looks * (to - from))));
+    return 2.0 * largest;
+  }
 
  private:
   Function value_, rate_, acceleration_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,6 +29,14 @@ class TimeFunction {
   virtual Signal<double> evaluate(double t) const = 0;
   /// False where `rate` and `acceleration` are not known: then it cannot drive a constraint.
   virtual bool has_derivatives() const { return true; }
+  /// By how much any two values differ at most; infinite where nobody knows.
+  virtual double amplitude() const { return std::numeric_limits<double>::infinity(); }
+  /// A bound of the second derivative from `from` to `to`; of functions of the user's own twice what is seen at a few
+  /// times in between. Between breaks only, and infinite where nobody knows.
+  virtual double largest_acceleration(double from, double to) const {
+    static_cast<void>(from), static_cast<void>(to);
+    return std::numeric_limits<double>::infinity();
+  }
   /// False for a function of something else, such as a length: it is evaluated by the elements that it belongs to.
   virtual bool of_time() const { return true; }
   /// Appends the times, or the other arguments, at which it is not smooth, as far as they are known in advance.

@@ -448,25 +448,28 @@ class _Made(NamedTuple):
 
 def _made(found: Mapping[str, Any], energies: Energies) -> _Made:
     whole, replaced = energies.error(found["kinetic_share"], found["rest_energy"])
-    all_of_it = (-1, whole, energies.lasting, found["rate"], found["slowness"], replaced)
+    pace = found["rate"], found["slowness"], found["suddenness"]
+    all_of_it = (-1, whole, energies.lasting, *pace, replaced)
     made = [
-        _Made(error, error * _delay(found["seconds"], *pace), body)
-        for body, error, *pace in (all_of_it, *found["energies"])
+        _Made(error, error * _delay(found["seconds"], *how), body)
+        for body, error, *how in (all_of_it, *found["energies"])
     ]
     worst = max(made, key=lambda it: max(it.error, it.delay))
     return _Made(max(it.error for it in made), max(it.delay for it in made), worst.body)
 
 
-def _delay(duration: float, lasting: float, rate: float, slowness: float, replaced: float = 0.0) -> float:
+def _delay(
+    duration: float, lasting: float, rate: float, slowness: float, sudden: float, replaced: float = 0.0
+) -> float:
     """What a state is off by as a run makes or loses energy, relative to that.
 
     It is late by half the integral over time of the share of the kinetic energy that is made, at the largest
-    speed; what is `replaced` by work is no longer there. One that goes around but once or twice has no part
-    where it is slow time and again.
+    speed, or, where it is `sudden`, as it bounces, the largest acceleration; what is `replaced` by work is no
+    longer there. One that goes around but once or twice has no part where it is slow time and again.
     """
     turns = 0.25 * min(duration, duration / replaced if replaced > 0 else duration) * rate
-    slowness = min(SAFETY * slowness, turns**2 / 2)
-    return turns * slowness * lasting if turns > 1 else 0.0
+    late = max(min(SAFETY * slowness, turns**2 / 2), SAFETY * sudden)
+    return turns * late * lasting if turns > 1 else 0.0
 
 
 def _known(error: float) -> float:

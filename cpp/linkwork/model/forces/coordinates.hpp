@@ -111,6 +111,7 @@ struct Stop : LawAlong<Stop<Coordinate>, Coordinate> {
   static constexpr HistoryKind history = Coordinate::history;
   static constexpr bool valued = true;
   static constexpr int switches = 2;
+  static constexpr SwitchLimit limits[switches] = {{1, -1.0}, {0, 1.0}};
 
   template <class Real>
   LINKWORK_PRIMITIVE static Along<Real> law(const ForceParameters<Real>& parameters, const Real& x, const Real& rate,
