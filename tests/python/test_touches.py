@@ -309,3 +309,8 @@ def test_the_end_of_a_stop_that_swings_short_of_a_body_leaves_it_alone(amplitude
 def test_fixed_steps_tell_of_the_end_of_a_stop_that_swings_through_a_body() -> None:
     result = lw.simulate(beside_an_end(0.51, 6283.0), 1.0, 1e-3, progress=False, on_inaccurate="pass")
     assert "bodies pass through stop" in result.verdict.sentence
+
+
+def test_the_end_of_a_stop_that_swings_too_often_to_be_followed_is_refused_by_name() -> None:
+    with pytest.raises(lw.StepSizeError, match="its end comes and goes too often to be followed"):
+        lw.simulate(beside_an_end(0.4999, 1e7), 1.0, rtol=1e-6, progress=False)
