@@ -8,7 +8,8 @@ namespace {
 
 constexpr double growth = 5.0;         // characteristic times L / V in which an error of a velocity moves positions
 constexpr double steep = 10.0;         // times the mean of its part: a change of accelerations out of the ordinary
-constexpr double bounces = 2.0;        // turns, see below, of what bounces, at most
+constexpr double bouncing = 2.0;       // mean turning, up to which peaks of accelerations are those of bounces alone
+constexpr double bounce = 0.5;         // of the largest acceleration: one
 constexpr double slowest = 0.1;        // pace from which errors along the path grow
 constexpr double unloaded = 1e-9;      // of forces, or of those of the motion: reactions below are rounding
 constexpr double least_energy = 1e-9;  // of a mechanism, relative to its amount
@@ -121,17 +122,14 @@ class Accumulation {
   /// where forces took that energy away, or gave none yet: as much was taken of the error. It counts as far as motion is
   /// fast once more, and, from where it bounced first, as it accelerates then.
   void find_slowness() {
-    const double usual = std::fmax(1.0, turns() / bounces);
+    const double usual = std::fmax(1.0, mean_turning() / bouncing);
     const auto share = [this](const StepError& it) {
       const double turns = turning(it);
       return std::fmax(of(it).kinetic / judged_.kinetic, turns * turns);
     };
     const std::vector<const RunPart*> all = all_parts();
     auto of_all = all.rbegin();
-    double most = 0.0, bounce = INFINITY;
-    for (const RunPart* it : all) most = std::fmax(most, pace(*it));
-    for (const RunPart* it : all)
-      if (pace(*it) >= 0.5 * most) bounce = std::fmin(bounce, it->t);
+    const double first = first_bounce(all);
     double slow = 0.0, sudden = 0.0, seconds = 0.0, later = 0.0, steepest = 0.0;
     for (auto part = parts_.rbegin(); part != parts_.rend(); ++part) {
       const double remaining = judged_.energy ? 1.0 : part->remaining, step = part->part->seconds;
@@ -140,7 +138,7 @@ class Accumulation {
         steepest = std::fmax(steepest, pace(**of_all) / usual);
       const double left = std::clamp(remaining > 0.0 ? share(*part->first) / remaining : 1.0, slowest * slowest, 1.0);
       slow += step * std::sqrt(later) / left;
-      if (part->part->t > bounce) sudden += step * steepest / left;
+      if (part->part->t > first) sudden += step * steepest / left;
       seconds += step;
     }
     if (seconds == 0.0) return;
@@ -148,8 +146,17 @@ class Accumulation {
     if (judged_.bounces) out_.suddenness = sudden / seconds;
   }
 
-  /// How often the motion turns in the time of L / V, in the mean.
-  double turns() const {
+  /// When the part of the run begins in which there is one [s].
+  double first_bounce(const std::vector<const RunPart*>& all) const {
+    double most = 0.0;
+    for (const RunPart* it : all) most = std::fmax(most, pace(*it));
+    for (const RunPart* it : all)
+      if (pace(*it) >= bounce * most) return it->t;
+    return INFINITY;
+  }
+
+  /// As `turning` of a step, in the mean over the time of the run.
+  double mean_turning() const {
     double seconds = 0.0, path = 0.0;
     for (const RunPart& part : errors_.parts) {
       if (part.velocity_paths.size() == 0) continue;

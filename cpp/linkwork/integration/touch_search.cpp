@@ -18,9 +18,10 @@ constexpr double beside = 1e-4;  // of a step, for differences in time
 constexpr double more_in_step = 1.5, more_inside = 0.5;
 constexpr std::array<double, 3> places = {0.25, 0.5, 0.75};  // of a step, that are looked at anyway
 constexpr double inside = 0.1;                               // of an interval: no nearer to its ends
-constexpr double nearly_straight = 2.0;  // second derivatives up to so many times of what d rises by: it does so once
-constexpr double narrowest = 1e-10;      // of a step: what touches for as long is grazed
-constexpr int most_looks = 400, most_at_moving_limit = 3000000;
+constexpr double nearly_straight = 2.0;   // second derivatives up to so many times of what d rises by: it does so once
+constexpr double narrowest = 1e-10;       // of a step: what touches for as long is grazed
+constexpr int most_looks = 400;           // in a step, at least:
+constexpr int most_work = 3000000;        // looks at a limit that moves, by all bodies, whose state each look makes
 constexpr int parts = 16, halvings = 30;  // of a step that is to be clear
 
 using Place = TouchSearch::Place;
@@ -93,16 +94,17 @@ bool TouchSearch::suspects(const StepEnds& step, const VectorXd& switches) {
 std::vector<TouchSearch::Touch> TouchSearch::find(const Interpolant& step) {
   std::vector<Touch> found;
   if (suspects_.empty()) return found;
-  const int bodies = dynamics_.system().body_count();
+  const int at_moving_limit = std::max(most_looks, most_work / (10 + dynamics_.system().body_count()));
   std::vector<Look> looks;
   for (const double theta : places) looks.push_back(look_at(step, theta));
   for (const Suspect& it : suspects_) {
-    looks_left_ = approach_.limit(it.which).function ? most_at_moving_limit / (10 + bodies) : most_looks;
+    const Approach::Limit& limit = approach_.limit(it.which);
+    looks_left_ = limit.function ? at_moving_limit : most_looks;
     std::vector<Sample> samples = {it.from};
     for (const Look& look : looks) samples.push_back(sample(look, it));
-    for (const double t : approach_.limit(it.which).breaks)
-      if (const double theta = (t - t_) / h_; theta > 0.0 && theta < 1.0)
-        samples.push_back(sample(look_at(step, theta), it));
+    for (auto t = std::upper_bound(limit.breaks.begin(), limit.breaks.end(), t_);
+         t != limit.breaks.end() && *t < t_ + h_; ++t)
+      samples.push_back(sample(look_at(step, (*t - t_) / h_), it));
     samples.push_back(it.to);
     std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.theta < b.theta; });
     for (std::size_t p = 1; p < samples.size(); ++p)
