@@ -166,14 +166,16 @@ TouchSearch::Sample TouchSearch::look_between(const Interpolant& step, const Sus
 
 void TouchSearch::refuse(const Suspect& of) const {
   const int element = approach_.owner(of.which).element;
-  const std::string name = dynamics_.system().model().force_names().name(element);
+  const Model& model = dynamics_.system().model();
+  const std::string& kind = force_kinds()[model.forces()[static_cast<std::size_t>(element)].kind].info.name;
+  const std::string name = model.force_names().name(element);
   char step[32];
   std::snprintf(step, sizeof step, "%.3g s", h_);
   ErrorDetails details;
   details.forces = {name};
   throw StepSizeError("touches",
-                      "stop '" + name + "': its end comes and goes too often to be followed through a step of " + step +
-                          ": give a shorter step (step=), or an end that moves less often",
+                      kind + " '" + name + "': its end comes and goes too often to be followed through a step of " +
+                          step + ": give a shorter step (step=), or an end that moves less often",
                       details);
 }
 
