@@ -1133,6 +1133,11 @@ class RankReport:
     @staticmethod
     def _pybind11_conduit_v1_(*args, **kwargs): ...
     @property
+    def beside_drivers(self) -> bool:
+        """
+        These are those of the mechanism without its drivers.
+        """
+    @property
     def degrees_of_freedom(self) -> int: ...
     @property
     def least_part(self) -> float:

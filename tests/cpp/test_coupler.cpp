@@ -75,3 +75,24 @@ TEST_CASE("coordinates that do not exist and factors of nothing are refused") {
   CHECK_THROWS_AS(made(0, "displacement", 1.0), ModelError);
   CHECK_THROWS_AS(made(0, "angle", 0.0), ModelError);
 }
+
+TEST_CASE("without what is driven the others are as they were, a coupler behind it, too") {
+  const Model given = belt();
+  Model model = given.without_forces();
+  const Element& B = given.joints()[1];
+  model.add_joint("distance", "rod", B.i, B.j, B.at, {{1.0, model.add_signal(harmonic(0.1, 1.0, 0.0, 1.0))}});
+  const auto coupler =
+      std::make_shared<Coupler>(model, std::vector<CoupledCoordinate>{{0, "angle", 1.0}, {1, "angle", 1.0}});
+  model.add_special_joint("coupler", "gears", B.i, B.j, B.at, coupler, {{0.5, -1}});
+  const System driven(model), free(model.without_drivers());
+  CHECK(driven.row_count() == 13);
+  CHECK(free.row_count() == 12);
+  CHECK(!free.time_dependent_constraints());
+  CHECK(free.model().joint_name(3) == "gears");
+  Evaluation with = driven.make_evaluation(), without = free.make_evaluation();
+  driven.evaluate(0.0, model.initial_q(), VectorXd::Ones(12), driven.initial_history(), with);
+  free.evaluate(0.0, model.initial_q(), VectorXd::Ones(12), free.initial_history(), without);
+  CHECK(without.Phi.head(11) == with.Phi.head(11));
+  CHECK(without.Phi[11] == with.Phi[12]);
+  CHECK(without.Phi_dot[11] == with.Phi_dot[12]);
+}

@@ -145,16 +145,18 @@ def test_a_long_loop_of_hinges_repeats_three_equations_however_little_it_bends(b
     assert result.recorded("vdot")[0].reshape(-1, 6)[bars // 4, :3] == pytest.approx(across, abs=1e-6)
 
 
-def flap(digits: int) -> lw.Model:
-    """20 kg on two hinges along one oblique line, points and axes rounded to so many digits."""
+def flap(digits: int, turned: lw.functions.TimeFunction | None = None) -> lw.Model:
+    """20 kg on two hinges in one oblique line, points and axes with so many digits, on a table that is turned."""
     axis = np.array([1.0, 2.0, 0.5]) / np.linalg.norm([1.0, 2.0, 0.5])
     center = np.array([0.4, -0.2, 0.0])
     model = lw.Model()
+    frame = "ground" if turned is None else model.body("table", mass=50.0, inertia=(4.0, 5.0, 7.0))
     model.body("flap", mass=20.0, inertia=(4.3, 5.4, 1.9), position=center - (center @ axis) * axis)
     for name, at in (("lower", -0.6), ("upper", 0.6)):
-        model.revolute(
-            "ground", "flap", at=np.round(at * axis, digits), axis=np.round(axis, digits), name=name
-        )
+        model.revolute(frame, "flap", at=np.round(at * axis, digits), axis=np.round(axis, digits), name=name)
+    if turned is not None:
+        model.revolute("ground", "table", at=(0, 0, 0), axis=(0, 0, 1), name="base")
+        model.drive("base", position=turned)
     return model
 
 
@@ -170,8 +172,20 @@ def test_a_flap_that_digits_lock_says_so(digits: int) -> None:
     assert all("nothing can move" in members.remarks[k] for k in (0, 1))
 
 
+@pytest.mark.parametrize("digits", [3, 5, 8])
+def test_a_flap_that_digits_lock_on_a_driven_table_says_so(digits: int) -> None:
+    """What is driven says where it stands; digits are told from a singular pose as they are without."""
+    locked = "'lower', 'upper': .* nothing can move beside what is driven.* leave 1 degree of freedom"
+    model = flap(digits, turned=lw.functions.polynomial(0.0, 1.0))
+    with pytest.warns(lw.LinkworkWarning, match=locked):
+        system = lw.System(lw.assemble(model).model)
+        lw.running.checks.warn_of_near_dependence(system.compiled())
+
+
 @pytest.mark.parametrize("digits", [9, 12, 16])
 def test_digits_that_are_enough_say_nothing(digits: int) -> None:
+    table = lw.assemble(flap(digits, turned=lw.functions.polynomial(0.0, 1.0))).model
+    lw.simulate(table, 0.01, 1e-3, progress=False)
     result = lw.simulate(flap(digits), 0.5, 1e-3, progress=False)
     assert result.coordinate("lower").value[-1] == pytest.approx(1.13413, abs=1e-5)
     assert result.manifest["constraints"]["degrees_of_freedom"] == 1

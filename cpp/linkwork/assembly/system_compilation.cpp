@@ -168,10 +168,7 @@ void System::compile_special_joint(int joint, const SpecialJoint& special) {
 
 void System::list_driven_rows() {
   for (int joint = 0; joint < joint_count(); ++joint) {
-    const Element& element = model_.joints()[joint];
-    const auto first = model_.joint_parameters().begin() + static_cast<std::ptrdiff_t>(element.first_parameter);
-    const auto last = first + std::ssize(joint_info(element.kind).parameters);
-    if (std::none_of(first, last, [](const Parameter& it) { return it.signal >= 0; })) continue;
+    if (!model_.is_driven(joint)) continue;
     for (int row = model_.joint_rows()[joint]; row < model_.joint_rows()[joint + 1]; ++row) driven_rows_.push_back(row);
   }
 }

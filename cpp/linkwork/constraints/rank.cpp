@@ -96,15 +96,10 @@ struct NearRows {
   double least = INFINITY, most = 0.0;
 };
 
-/// In a closed row of n links the last ones are independent by 1/n: of a large component only less is by digits. Where
-/// a driver says where it stands, which may be beside a singular pose, there is no other pose to tell.
-std::vector<NearRows> near_rows(const ClosedLoops& loops, const System& system, const LoopPose& pose) {
+/// In a closed row of n links the last ones are independent by 1/n: of a large component only less is by digits.
+std::vector<NearRows> near_rows(const ClosedLoops& loops, const LoopPose& pose) {
   std::vector<double> rows(loops.component_count(), 0.0);
-  for (int place = 0; place < loops.row_count(); ++place) {
-    const auto& driven = system.driven_rows();
-    const bool moves = std::binary_search(driven.begin(), driven.end(), loops.rows()[place]);
-    rows[loops.component_of_row(place)] += moves ? INFINITY : 1.0;
-  }
+  for (int place = 0; place < loops.row_count(); ++place) rows[loops.component_of_row(place)] += 1.0;
   std::vector<NearRows> out(rows.size());
   for (const auto& [place, part] : pose.weak) {
     const int c = loops.component_of_row(place);
@@ -114,10 +109,20 @@ std::vector<NearRows> near_rows(const ClosedLoops& loops, const System& system, 
   return out;
 }
 
-/// Fills in the report: near dependence that is there in both poses.
-void note_near_dependence(const ClosedLoops& loops, const System& system, const LoopPose& assembled,
-                          const LoopPose& perturbed, RankReport& report) {
-  const std::vector<NearRows> first = near_rows(loops, system, assembled), second = near_rows(loops, system, perturbed);
+/// Fills in the report: near dependence that is there in both poses. A driver says where a mechanism stands, which may
+/// be beside a singular pose: it is looked at without.
+void note_near_dependence(const ClosedLoops& loops, const LoopPose& assembled, const LoopPose& perturbed,
+                          RankReport& report) {
+  const std::vector<NearRows> first = near_rows(loops, assembled), second = near_rows(loops, perturbed);
+  if (loops.system().time_dependent_constraints()) {
+    if (std::ranges::none_of(first, [](const NearRows& rows) { return rows.count > 0; })) return;
+    const RankReport without = examine_rank(System(loops.system().model().without_drivers()));
+    report.beside_drivers = without.nearly_dependent > 0;
+    report.nearly_dependent = without.nearly_dependent;
+    report.least_part = without.least_part;
+    report.near = without.near;
+    return;
+  }
   for (std::size_t c = 0; c < first.size(); ++c) {
     if (first[c].count == 0 || second[c].count == 0) continue;
     report.nearly_dependent += std::min(first[c].count, second[c].count);
@@ -140,7 +145,7 @@ void find_redundancy(MassWeightedLeastSquares& solver, const ClosedLoops& loops,
   report.q = found.q;
   system.evaluate_constraints(0.0, report.q, VectorXd::Zero(system.v_size()), system.initial_history(), at);
   LoopPose perturbed(loops, std::move(at), tolerance);
-  note_near_dependence(loops, system, assembled, perturbed, report);
+  note_near_dependence(loops, assembled, perturbed, report);
   const RedundantRows redundant = redundant_rows(solver, loops, assembled, perturbed, found, tolerance);
   for (const int place : redundant.rows) report.redundant_rows.push_back(row(place));
 
@@ -181,7 +186,7 @@ void examine_loops(const System& given, const ClosedLoops& loops, double toleran
     const PerturbedPose found =
         perturb(*solver, loops, report.q, degrees_of_freedom(system, loops, pose.dependent), scratch);
     const LoopPose perturbed(system, loops, {0.0, found.q, system.initial_history()}, tolerance);
-    note_near_dependence(loops, system, pose, perturbed, report);
+    note_near_dependence(loops, pose, perturbed, report);
   }
   at = std::move(pose.at);
 }

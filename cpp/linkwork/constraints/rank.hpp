@@ -34,6 +34,7 @@ struct RankReport {
   int nearly_dependent = 0;         ///< kept rows that depend on the others but for digits of the geometry
   double least_part = 1.0;          ///< what is independent in the least of them
   double near = 0.0;                ///< no more in any
+  bool beside_drivers = false;      ///< these three are those of the mechanism without its drivers
   VectorXd q;  ///< pose, as MassWeightedLeastSquares::of_geometry sees it, at which dependent groups are found:
                ///< perturbed where that was possible
 };

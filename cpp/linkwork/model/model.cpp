@@ -386,6 +386,33 @@ Model Model::without_forces() const {
   return out;
 }
 
+bool Model::is_driven(int joint) const {
+  const auto first = joint_parameters().begin() + static_cast<std::ptrdiff_t>(joints()[joint].first_parameter);
+  const auto last = first + std::ssize(joint_info(joints()[joint].kind).parameters);
+  return std::any_of(first, last, [](const Parameter& it) { return it.signal >= 0; });
+}
+
+Model Model::without_drivers() const {
+  Model out = without_forces();
+  out.joints_ = Shared<std::vector<Element>>{};
+  out.joint_parameters_ = Shared<std::vector<Parameter>>{};
+  out.joint_names_ = Shared<NameTable>{"joint"};
+  out.joint_rows_ = Shared<std::vector<int>>{std::size_t{1}, 0};
+  out.special_joints_.clear();
+  for (int joint = 0; joint < static_cast<int>(joints().size()); ++joint) {
+    if (is_driven(joint)) continue;
+    const Element& it = joints()[joint];
+    const KindInfo& info = joint_info(it.kind);
+    const auto first = joint_parameters().begin() + static_cast<std::ptrdiff_t>(it.first_parameter);
+    const int added = out.add_elements(Role::joint, it.kind, info, std::vector{joint_name(joint)}, {it},
+                                       {first, first + std::ssize(info.parameters)});
+    const auto special =
+        std::ranges::lower_bound(special_joints_, joint, {}, [](const auto& listed) { return listed.first; });
+    if (special_joint(joint)) out.special_joints_.emplace_back(added, special->second);
+  }
+  return out;
+}
+
 Model Model::without_inertances() const {
   Model out = *this;
   for (const Element& force : forces())

@@ -134,6 +134,10 @@ class Model {
   Model with_initial_state(const ConstVector& q, const ConstVector& v, std::vector<double> history = {}) const;
   /// A copy without whatever acts on bodies but gravity and joints, from a motion that begins.
   Model without_forces() const;
+  /// The same without joints that have functions of time, either: the indices of the others are others.
+  Model without_drivers() const;
+  /// Whether a parameter of the joint is a function of time.
+  bool is_driven(int joint) const;
   /// A copy whose inerters have none, and are then nothing.
   Model without_inertances() const;
   /// A copy with other masses and inertias of all bodies; nothing else of `bodies` counts.

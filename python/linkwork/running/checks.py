@@ -209,6 +209,8 @@ def near_dependence(dynamics: _core.Dynamics) -> str:
     freedoms = rank.degrees_of_freedom
     are = "is" if freedoms == 1 else "are"
     left = f"there {are} {_freedoms(freedoms)}" if freedoms else "nothing can move"
+    if rank.beside_drivers:
+        left += " beside what is driven"
     return (
         f"joints {listed(dynamics.nearly_dependent_joints())}: {rows} independent of the others by "
         f"{rank.least_part:.1g} only, as where points or axes are rounded, or meant to be as close as that: "
