@@ -82,6 +82,10 @@ class AdaptiveSimulation(Run):
                 typing.Annotated[numpy.typing.ArrayLike, numpy.float64, "[m, 1]"],
             ]
         ] = [],
+        listed: collections.abc.Sequence[
+            tuple[typing.SupportsInt | typing.SupportsIndex, typing.SupportsFloat | typing.SupportsIndex]
+        ]
+        | None = None,
     ) -> None: ...
     def energies_around_events(self) -> list:
         """

@@ -66,18 +66,23 @@ def array(given: Any, what: str, error: type[LinkworkError] = OptionError, *, te
 
 
 def reals(given: Any, texts: bool = False) -> Floats:
-    """The same, texts that are numbers only where they count. UNREADABLE: it is not made of real numbers."""
+    """The same, texts that are numbers only where they count, and truth values only where these do not, as
+    of what functions return. UNREADABLE: it is not made of real numbers."""
     masked = isinstance(given, np.ma.MaskedArray)
     found = given if masked else np.asarray(given)
-    if given is None or found.dtype.kind not in ("biufOSU" if texts else "biufO"):
+    if given is None or found.dtype.kind not in ("iufOSU" if texts else "biufO"):
         raise TypeError("complex numbers would lose a part, and times of NumPy their unit")
+    if texts and isinstance(given, list | tuple) and any(isinstance(it, bool) for it in given):
+        raise TypeError("a truth value is no number")
     numbers: Floats = found.astype(float, copy=False)
     return np.ma.filled(numbers, np.nan) if masked else numbers
 
 
 def is_number(given: Any) -> bool:
-    """Whether it is one finite real number; text is none."""
-    if isinstance(given, str | bytes) or not (isinstance(given, int) or hasattr(given, "__float__")):
+    """Whether it is one finite real number; text is none, nor is a truth value."""
+    if isinstance(given, str | bytes | bool | np.bool_):
+        return False
+    if not (isinstance(given, int) or hasattr(given, "__float__")):
         return False
     if not isinstance(given, int | float) and np.iscomplexobj(given):
         return False

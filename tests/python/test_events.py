@@ -167,6 +167,34 @@ def test_an_event_where_a_run_is_cut_in_two_comes_once(of: str, onward: str) -> 
     assert second.position[-1, 0, 0] == pytest.approx(0.0, abs=1e-12)
 
 
+@pytest.mark.parametrize("ulps", [-3, 0, 3])
+@pytest.mark.parametrize("rtol", [1e-6, 1e-9])
+@pytest.mark.parametrize("integrator", ["bs32", "dopri5", "tsit5"])
+def test_an_event_at_the_very_end_of_a_run_is_in_it_or_in_the_next(
+    integrator: str, rtol: float, ulps: int
+) -> None:
+    """The last step is cut there, and sees it by rounding or not; so do steps that are taken again."""
+    model = lw.Model()
+    model.body("bar", mass=1.0, inertia=(0.003, 0.03, 0.03), position=(0.3, 0, 0))
+    model.revolute("ground", "bar", at=(0, 0, 0), axis=(0, 1, 0))
+
+    def bottom(terminal: bool) -> lw.Event:
+        return lw.Event(lambda t, state: state.body("bar").position[0], "bottom", terminal=terminal)
+
+    how: dict[str, Any] = {"integrator": integrator, "rtol": rtol, "on_inaccurate": "pass"}
+    whole = run(model, 3.0, bottom(False), **how)
+    end = whole.events[0].t + ulps * np.spacing(whole.events[0].t)
+    first = run(model, end, bottom(False), **how)
+    second = run(model, 3.0, bottom(False), **how, start=first.snapshot())
+    times = [it.t for it in (*first.events, *second.events)]
+    assert times == pytest.approx([it.t for it in whole.events], abs=10 * rtol)
+    assert (second.q[-1] == whole.q[-1]).all()
+    first = run(model, end, bottom(True), **how)
+    second = run(model, 3.0, bottom(True), **how, start=first.snapshot())
+    assert second.t[-1] == pytest.approx(whole.events[1].t if first.events else end, abs=10 * rtol)
+    assert [it.t for it in second.events] == [second.t[-1]]
+
+
 def test_an_end_and_a_change_at_the_same_time_both_count() -> None:
     end = lw.Event(lambda t, state: state.body("ball").position[2], "end", terminal=True)
     for events in ([end, floor(1.0)], [floor(1.0), end]):

@@ -8,6 +8,8 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork.arrays import Floats
+from linkwork.constraints import continuation
+from linkwork.constraints.equations import Equations
 from numpy.typing import ArrayLike
 
 Z = (0.0, 0.0, 1.0)
@@ -765,3 +767,20 @@ def test_a_dead_point_before_the_first_frame_is_told_as_such() -> None:
     with pytest.warns(lw.LinkworkWarning, match="an impact"), pytest.raises(lw.NotConvergedError) as later:
         lw.kinematics(model, [0.05, 2.0])
     assert list(later.value.result.t) == [0.05]
+
+
+def test_short_steps_of_a_long_way_are_no_dead_point(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A wheel turns to and fro between two frames: each step is a small part of the way, and goes on."""
+    monkeypatch.setattr(continuation, "MOST_TINY", 5)
+    monkeypatch.setattr(continuation, "TINY", 0.1)
+    model = lw.Model()
+    model.body("wheel", mass=1.0, inertia=(0.1, 0.1, 0.1))
+    model.revolute("ground", "wheel", at=(0, 0, 0), axis=(0, 0, 1), name="pin")
+    model.drive("pin", position=lw.functions.harmonic(20.0, 1.0))
+    motion = continuation.Continuation(Equations(model), 3.0)
+    motion.prepare()
+    motion.begin()
+    motion.go_to(3.0)
+    assert 2 * np.arctan2(motion.at.q[6], motion.at.q[3]) % np.pi == pytest.approx(
+        20 * np.sin(3.0) % np.pi, abs=1e-12
+    )

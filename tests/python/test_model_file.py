@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import math
+import pickle
 import re
 import warnings
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -247,6 +250,31 @@ def test_a_file_that_is_there_is_replaced_only_where_one_says_so(tmp_path: Path)
     assert refused.value.code == "exists" and path.read_bytes() == before
     MECHANISMS["four_bar"].function().save(path, overwrite=True)
     assert lw.Model.load(path).hash() == MECHANISMS["four_bar"].function().hash()
+
+
+@pytest.mark.parametrize("order", list(itertools.permutations(("force", "driver", "rod", "spring")))[::5])
+def test_the_order_in_which_joints_and_forces_take_functions_does_not_count(
+    order: tuple[str, ...], tmp_path: Path
+) -> None:
+    """A file has the joints first."""
+    harmonic = lw.functions.harmonic
+    model = lw.Model()
+    for k, name in enumerate("ab"):
+        model.body(name, mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0, k, 0))
+    model.revolute("ground", "b", at=(0, 1, 0), axis=(0, 0, 1), name="pin")
+    line = {"at": ((0, 3, 0), (1, 0, 0))}
+    add: dict[str, Callable[[], object]] = {
+        "force": lambda: model.force("a", force=(harmonic(1.0, 3.0), 0, 0)),
+        "driver": lambda: model.drive("pin", position=harmonic(0.1, 2.0)),
+        "rod": lambda: model.distance("ground", "a", length=harmonic(0.1, 2.0, 0.0, 3.1), **line),
+        "spring": lambda: model.spring_damper("b", "a", stiffness=harmonic(1.0, 4.0, 0.0, 9.0), **line),
+    }
+    for what in order:
+        add[what]()
+    model.save(tmp_path / "model.yaml")
+    for same in (lw.Model.load(tmp_path / "model.yaml"), pickle.loads(pickle.dumps(model)), model.without()):
+        assert same.hash() == model.hash()
+    assert model.replaced("a", mass=2.0).hash() != model.hash()
 
 
 def test_python_functions_are_refused_by_name(tmp_path: Path) -> None:

@@ -146,7 +146,7 @@ def test_a_long_loop_of_hinges_repeats_three_equations_however_little_it_bends(b
 
 
 def flap(digits: int, turned: lw.functions.TimeFunction | None = None) -> lw.Model:
-    """20 kg on two hinges in one oblique line, points and axes with so many digits, on a table that is turned."""
+    """20 kg on two hinges in one oblique line, points and axes with so many digits; on a turned table."""
     axis = np.array([1.0, 2.0, 0.5]) / np.linalg.norm([1.0, 2.0, 0.5])
     center = np.array([0.4, -0.2, 0.0])
     model = lw.Model()

@@ -16,6 +16,7 @@ constexpr int many_shorter = 8;
 constexpr double shorter = 0.999, short_time = 1e-6;
 
 constexpr double beside_events = 1e-3;                                     // of a step
+constexpr double cut_otherwise = 0.1;  // of a step: between times of one event in steps that are cut otherwise
 constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();  // of times
 constexpr double jump = 1e-9;  // of velocities of drivers, relative: what is less is none
 
@@ -30,7 +31,8 @@ void AdaptiveSimulation::look_for_events() {
     if (stops_.empty()) interpolant().interpolate(system, found.theta, workspace_);
     const double t = stops_.empty() ? std::min(t_ + found.theta * h_, t_new_) : t_new_;
     const Energies known{.work = workspace_[size]};
-    of_step_.push_back({found.event, t, workspace_.head(size), workspace_.head(size), {known, known}});
+    of_step_.push_back(
+        {found.event, since_start(found.event, t), workspace_.head(size), workspace_.head(size), {known, known}});
     if (stops_.empty() && !watch_.event(found.event).stops()) continue;
     stops_.push_back(found);
     t_new_ = t;
@@ -42,6 +44,18 @@ void AdaptiveSimulation::look_for_events() {
   const double theta = stops_.front().theta, beside = theta > beside_events ? -beside_events : beside_events;
   interpolant().interpolate(system, theta + beside, workspace_);
   watch_.approach((workspace_ - y_new_) / (beside * h_));
+}
+
+/// When an event of this step came; steps up to the start of a run that is resumed were those of the run before it, cut
+/// otherwise: what that has listed is not listed again, and what it has not seen came at the start.
+double AdaptiveSimulation::since_start(std::size_t event, double t) {
+  if (!resumed() || !schedule_.listed || !(t_ < start_)) return t;
+  std::vector<Listed>& listed = *schedule_.listed;
+  const auto same = [&](const Listed& it) { return it.event == event && std::abs(it.t - t) <= cut_otherwise * h_; };
+  const auto found = std::find_if(listed.begin(), listed.end(), same);
+  if (found == listed.end()) return std::max(t, after_start());
+  listed.erase(found);
+  return std::min(t, start_);
 }
 
 /// At y_, where `dynamics` is evaluated at its positions.
@@ -114,31 +128,28 @@ void AdaptiveSimulation::strike(const VectorXd& Phi_t_before) {
   y_[y_.size() - 1] += energy() - before;
   sampling_.strike();
   strike.after = {y_, kinetic_energy()};
-  if (!resumed() || t_ > start_) strikes_.push_back(std::move(strike));
+  if (!resumed() || t_ >= start_) strikes_.push_back(std::move(strike));  // at its end nothing strikes the run before
 }
 
-/// Those up to the start of a run that is resumed ended the run before it; by steps that are cut otherwise they may
-/// come a little later.
+/// What ended the run before this one does not end it; by steps that are cut otherwise it may come a little later.
 void AdaptiveSimulation::finish_event(double t_before) {
   auto occurrence = of_step_.end() - std::ssize(stops_);
-  bool ends = false;
-  const auto came = [this](std::size_t event) {
-    const auto same = [event](const Happened& it) { return it.event == event; };
+  bool ends = false, known = false;
+  const auto came = [this](const EventWatch::Found& found) {
+    const auto same = [&](const Happened& it) { return it.event == found.event; };
     return std::any_of(schedule_.happened.begin(), schedule_.happened.end(), same);
   };
-  bool known = repeating() && t_ <= start_;
-  const auto at_start = [this](std::size_t event) {  // of a step that begins there
-    return t_ - start_ <= watch_.resolution(event) + rounding * std::abs(t_);
+  const auto at_start = [this](const EventWatch::Found& found) {  // of a step that begins there
+    return t_ - start_ <= watch_.resolution(found.event) + rounding * std::abs(t_);
   };
   with_time(t_, NAN, [&] { find_drift(); });
   for (const EventWatch::Found& it : stops_) {
     const Event& event = watch_.event(it.event);
     ends = ends || event.terminal;
     if (event.change) with_time(t_, NAN, [&] { ends = apply(event, *occurrence) || ends; });
-    if (resumed() && came(it.event) && (t_before < start_ ? repeating() : at_start(it.event))) {
-      known = true;
+    if (resumed() && came(it) && (t_before < start_ ? repeating() && !schedule_.listed : at_start(it)))
       occurrence->t = start_;  // which is listed already
-    }
+    known = known || (resumed() && occurrence->t <= start_);
     ++occurrence;
   }
   finished_ = finished_ || (ends && !known);

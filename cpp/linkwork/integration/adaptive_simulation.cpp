@@ -485,7 +485,8 @@ void AdaptiveSimulation::record_if_due() {
   if (schedule_.record_every > 0) due = due || at_start;
   for (; next_time_ < times.size() && times[next_time_] == t_; ++next_time_) due = true;
   if (!due && !last) return;
-  const double t = at_start && schedule_.record_every > 0 ? std::max(start_, t_) : t_;
+  double t = at_start && schedule_.record_every > 0 ? std::max(start_, t_) : t_;
+  if (last && resumed()) t = std::max(t, after_start());  // see since_start
   with_time(t_, NAN, [&] {
     if (leapt_ && !stopped) record_in_leap(t, y_);
     else if (finished_) recorder_.record(t, y_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <exception>
 #include <limits>
 #include <optional>
@@ -31,6 +32,8 @@ struct AdaptiveSchedule {
   VectorXd start = {};                  ///< y = (q, v) at t_start; empty: that of the model
   std::vector<double> breaks = {};      ///< times at which something is not smooth, beside those that the model knows
   std::vector<Happened> happened = {};  ///< events that came at t_start
+  /// Of a run that is resumed: events that the run before it has listed since its checkpoint; none: nobody knows.
+  std::optional<std::vector<Listed>> listed = {};
 };
 
 /// Of the accepted steps, and how many were rejected.
@@ -119,6 +122,8 @@ class AdaptiveSimulation final : public Run {
   bool leap();
   const Interpolant& interpolant() const;
   void look_for_events();
+  double since_start(std::size_t event, double t);
+  double after_start() const { return std::nextafter(start_, std::numeric_limits<double>::infinity()); }
   void finish_event(double t_before);
   void list_events();
   void cross_break();

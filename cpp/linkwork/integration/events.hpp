@@ -56,6 +56,12 @@ struct Happened {
   VectorXd before;
 };
 
+/// An event that came before a run is resumed [s].
+struct Listed {
+  std::size_t event;
+  double t;
+};
+
 /// Finds the events of a step from the signs of their functions at its end and at three places inside; after an event
 /// that ended a step also at places ever nearer to the start, where what came back at once can be seen to leave and to
 /// return. A value of zero has no sign: what is zero at the start begins to count when it has become positive or

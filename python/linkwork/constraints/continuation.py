@@ -49,7 +49,7 @@ HARDLY, INSIDE = 1e-2, 0.618
 #: Of the largest rate that a driver asks for: what no velocity gives, where that is no rounding.
 ASKED = 1e-3
 
-#: Steps that are tiny parts of the way, and how many of them are taken before it is given up.
+#: Steps that are tiny parts of the way and hardly move a body, and how many of them in a row there may be.
 TINY, MOST_TINY = 1e-6, 1000
 
 #: The shortest step, as a part of the way, which is the time between two frames in `kinematics`.
@@ -176,7 +176,7 @@ class Continuation:
         while self.at.t < t:
             last = self.at.t + h >= t - smallest
             found = self._step(self.at, t if last else self.at.t + h)
-            short += h < tiny
+            short = short + (h < tiny) if self.way_to(self.at.t + h) < HARDLY else 0
             if found is None or (h > soon and self._touches(found)):
                 h = min(h, t - self.at.t) / 2
                 if h < smallest or short > MOST_TINY:

@@ -543,7 +543,7 @@ def as_time_function(x: TimeFunctionLike, what: str) -> float | TimeFunction:
         x = (x,)
     if isinstance(x, tuple) and len(x) in (1, 3) and all(map(callable, x)):
         for function, name in zip(x, ("value", "first derivative", "second derivative"), strict=False):
-            _finite(_at_zero(function, f"{what}: {name}"), f"{what}: {name} at t = 0")
+            _finite(_at_zero(function, f"{what}: {name}"), f"{what}: {name} at t = 0", given=False)
         if len(x) == 3:
             from linkwork.functions.derivatives import STARTS
 
@@ -591,9 +591,10 @@ def _check_derivatives(f: Any, df: Any, ddf: Any, what: str, starts: Iterable[fl
             )
 
 
-def _finite(x: Any, what: str) -> float:
+def _finite(x: Any, what: str, given: bool = True) -> float:
+    """What is given, or returned by a function."""
     try:
-        value = float(reals(x, texts=True))
+        value = float(reals(x, texts=given))
     except UNREADABLE as error:
         choices = "a number, a function of time, or a tuple of functions (f, df, ddf)"
         raise ModelError(f"{what}: {x!r:.80} is not {choices}", code="not_a_number") from error

@@ -13,7 +13,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core, arguments
 from linkwork.arrays import Floats, VectorLike
@@ -274,18 +274,35 @@ class Model(ModelBuilder):
             assert lw.mechanisms.chain(2).hash() == lw.mechanisms.chain(2).hash()
         """
         core = self._core
-        elements = [*core.joint_arrays().values(), *core.force_arrays().values()]
+        joints, forces = core.joint_arrays(), core.force_arrays()
+        used = self._in_order_of_use(joints["signals"], forces["signals"])
+        for arrays in (joints, forces):
+            arrays["signals"] = _renumbered(arrays["signals"], list(used))
+        elements = [*joints.values(), *forces.values()]
         digest = hashlib.blake2b(digest_size=16)
         for array in (core.gravity, core.mass, core.inertia, core.q0, core.v0, *elements, _history(core)):
             digest.update(np.ascontiguousarray(array).data)
         for joint, special in self._special.items():
             digest.update(f"{joint} {special.facts(core)}".encode())
         with under_way(self):
-            for _, function in (*self._signals, *self._characteristics):
+            for function in self._of_time_first(list(used.values())):
                 digest.update(function.fingerprint())
             for own in self._user_forces:
                 digest.update(own.fingerprint().encode())
         return digest.hexdigest()
+
+    def _in_order_of_use(self, *signals: NDArray[np.int32]) -> dict[int, TimeFunction]:
+        """Functions by their numbers in the model, in the order of the elements: the numbers are in that in
+        which they were added, to joints and forces in turn."""
+        numbers = np.concatenate(signals)
+        _, first = np.unique(numbers, return_index=True)
+        return {k: self._functions[k] for k in numbers[np.sort(first)].tolist() if k >= 0}
+
+    def _of_time_first(self, used: list[TimeFunction]) -> list[TimeFunction]:
+        """With those of joint forces behind those of time, and those of coordinates last."""
+        known, last = set(map(id, used)), {id(function) for _, function in self._characteristics}
+        others = [function for _, function in self._signals if id(function) not in known]
+        return [*(it for it in used if id(it) not in last), *others, *(it for it in used if id(it) in last)]
 
     def __fingerprint__(self) -> str:
         """For those who tell one value from another: see linkwork.fingerprints."""
@@ -340,6 +357,13 @@ def check_bodies(model: Model) -> None:
     check_model(model)
     if not model.body_count:
         raise ModelError(f"model '{model.name}': has no bodies", code="empty")
+
+
+def _renumbered(signals: NDArray[np.int32], order: list[int]) -> NDArray[np.int32]:
+    """Places in `order`; -1 stays."""
+    place = np.full(max(order, default=-1) + 2, -1, np.int32)
+    place[order] = np.arange(len(order))
+    return place[signals]
 
 
 def _history(core: _core.Model) -> Floats:

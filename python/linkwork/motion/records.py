@@ -111,6 +111,8 @@ class Resume(NamedTuple):
     checkpoint: Checkpoint  #: steps from there on to the snapshot are taken once more
     work: float  #: up to the snapshot [J]
     state: str  #: digest of the state of the snapshot
+    #: events that were listed since the checkpoint: the label, and when [s]; None: nobody knows
+    listed: Sequence[tuple[str, float]] | None = None
 
     def __repr__(self) -> str:
         return f"<Resume: {self.checkpoint!r}>"
@@ -157,15 +159,21 @@ class Snapshot(NamedTuple):
         """AttributeError: the former name of `history`."""
         raise AttributeError("'memory' is called 'history' now: ask for that")
 
-    def resumable(self, checkpoint: Checkpoint | None, work: float) -> Snapshot:
+    def resumable(
+        self,
+        checkpoint: Checkpoint | None,
+        work: float,
+        listed: Sequence[tuple[str, float]] | None = None,
+    ) -> Snapshot:
         """
-        The same with what the run needs to go on to the last bit; `work` [J] up to here.
+        The same with what the run needs to go on to the last bit; `work` [J] up to here, and the events that
+        it has `listed` since the checkpoint: the label, and when [s]; None: nobody knows.
 
             start = lw.Snapshot.of(0.0, lw.System(model).initial_state()).resumable(None, work=0.0)
         """
         if checkpoint is None or (checkpoint.state and checkpoint.t > self.t):
             return self
-        return self._replace(resume=Resume(checkpoint, work, self.digest))
+        return self._replace(resume=Resume(checkpoint, work, self.digest, listed))
 
     @property
     def digest(self) -> str:

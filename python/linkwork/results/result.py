@@ -304,7 +304,10 @@ class Result:
                          names=self._header.state_names)  # fmt: skip
         last = int(frame) % count == count - 1
         checkpoint = self._settled() if last else self._remembered
-        return found.resumable(checkpoint, float(self._field("work", frame)))
+        listed = None
+        if checkpoint is not None and checkpoint.t >= self.t[0]:  # else a run before this one has listed some
+            listed = [(it.name, it.t) for it in self.events if it.t >= checkpoint.t]
+        return found.resumable(checkpoint, float(self._field("work", frame)), listed)
 
     def _settled(self) -> Checkpoint | None:
         """What a run begins with that goes on from the last frame to the last bit."""

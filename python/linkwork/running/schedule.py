@@ -203,6 +203,7 @@ class Adaptive:
             events=list(events),
             breaks=list(breaks),
             happened=_happened(events, start),
+            listed=_listed(events, start),
             **_from(start),
         )
 
@@ -244,6 +245,15 @@ def _happened(events: Sequence[_core.Event], start: Snapshot | None) -> list[tup
             code="start",
         )
     return [(k, y) for k, event in enumerate(events) for label, y in known if label == event.name]
+
+
+def _listed(events: Sequence[_core.Event], start: Snapshot | None) -> list[tuple[int, float]] | None:
+    """Those that the run before has listed since its checkpoint, by index, with their times [s]; None: nobody
+    knows."""
+    if start is None or start.resume is None or start.resume.listed is None:
+        return None
+    known = start.resume.listed
+    return [(k, t) for k, event in enumerate(events) for label, t in known if label == event.name]
 
 
 def _from(start: Snapshot | None) -> _Start:

@@ -43,7 +43,7 @@ def quantile(name: str, given: Any) -> Callable[[Floats], Floats]:
 
 
 def _is_bound(given: Any) -> bool:
-    return is_number(given) and not isinstance(given, bool | np.bool_)
+    return is_number(given)
 
 
 def _of_distribution(name: str, given: Any) -> Callable[[Floats], Floats]:

@@ -157,7 +157,7 @@ def _check_numbers(
     for what, number in numbers.items():
         if what not in known:
             raise OptionError(f"{who} has no number '{what}'{nearest(what, known)}", code="parameters")
-        if isinstance(number, bool) or not is_number(number):
+        if not is_number(number):
             raise OptionError(f"{who}: {what} {number!r:.80} is not a finite number", code="parameters")
     for what in needed:
         if what not in numbers:
