@@ -123,7 +123,7 @@ def test_every_topic_of_the_lists_is_noted(name: str, tmp_path: Path) -> None:
     path.write_text(text)
     topics = {entry.topic for entry in coverage.entries.values() if entry.kind == "noted"}
     found = {note.topic for note in read_file(path).notes}
-    assert topics - found == ({"axis2"} if name == "model.sdf" else set())  # named by what is in it
+    assert topics - found == set()
 
 
 def test_what_is_noted_is_named(tmp_path: Path) -> None:

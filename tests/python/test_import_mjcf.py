@@ -700,3 +700,77 @@ def test_a_joint_equality_is_noted_as_rigid(tmp_path: Path) -> None:
     assert [str(it) for it in lw.import_mjcf(path).notes] == [
         "equality 'e': soft in MuJoCo, a rigid coupler here"
     ]
+
+
+RELATED = {
+    "about and along one axis": '<joint name="x" axis="0 0 1"/><joint name="y" type="slide" axis="0 0 1"/>',
+    "about axes at right angles": '<joint name="x" axis="1 0 0"/><joint name="y" axis="0 1 0"/>',
+    "in a plane": '<joint name="x" type="slide" axis="1 0 0"/><joint name="z" type="slide" axis="0 1 0"/>'
+                  '<joint name="y" axis="0 0 1"/>',
+}  # fmt: skip
+
+RELATION = '<equality><joint name="e" joint1="x" joint2="y" polycoef="0.1 2 {} 0 0"/></equality>'
+
+
+@pytest.mark.parametrize("name", RELATED)
+def test_joints_of_one_body_follow_each_other_by_the_relation_of_the_file(name: str, tmp_path: Path) -> None:
+    """M a + c = J^T lambda,  J a = 0,  of x - 2 y = 0.1, by MuJoCo's M and c."""
+    path = written(tmp_path, f'<body name="a" quat="5 1 2 3">{RELATED[name]}{INERTIAL}</body>',
+                   RELATION.format(0), 'constraint="enable"')  # fmt: skip
+    imported = lw.import_mjcf(path, coordinates={"y": 0.3}, velocities={"y": 0.7})
+    theirs = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(theirs)
+    x, y = (theirs.joint(joint).id for joint in "xy")
+    data.qpos[[x, y]], data.qvel[[x, y]] = (0.7, 0.3), (1.4, 0.7)
+    mujoco.mj_forward(theirs, data)
+    J, solved = np.zeros(theirs.nv), np.zeros((2, theirs.nv))
+    J[[x, y]] = 1, -2
+    mujoco.mj_solveM(theirs, data, solved, np.array([J, -data.qfrc_bias]))  # M^-1 J^T, -M^-1 c
+    data.qacc[:] = solved[1] - solved[0] * (J @ solved[1]) / (J @ solved[0])
+    mujoco.mj_rnePostConstraint(theirs, data)
+    expected = np.zeros(6)
+    mujoco.mj_objectAcceleration(theirs, data, mujoco.mjtObj.mjOBJ_BODY, 1, expected, 0)
+    k = imported.model.find("a").index
+    A = lw.rotation.matrix(imported.model.compiled().poses(np.array([k], np.int32))[0, 3:])
+    found = accelerations(imported.model)[k]
+    assert found[:3] == pytest.approx(expected[3:] + theirs.opt.gravity, rel=1e-9, abs=1e-9)
+    assert A @ found[3:] == pytest.approx(expected[:3], rel=1e-9, abs=1e-9)
+    said = [str(note) for note in imported.notes if note.topic == "equality"]
+    assert said == ["equality 'e': soft in MuJoCo, a rigid coupler here"]
+
+
+@pytest.mark.parametrize(
+    ("square", "couple", "how"), [(0, False, ""), (1, True, " by more than a linear relation")]
+)
+def test_joints_of_one_body_are_one_joint_where_no_relation_of_them_is_taken(
+    square: int, couple: bool, how: str, tmp_path: Path
+) -> None:
+    path = written(
+        tmp_path, f'<body name="a">{RELATED["in a plane"]}{INERTIAL}</body>', RELATION.format(square)
+    )
+    imported = lw.import_mjcf(path, couple=couple)
+    assert imported.model.compiled().joint_name(0) == "x+z+y"
+    said = f"equality 'e': that joint 'x' follows 'y'{how} is not represented"
+    assert [str(note) for note in imported.notes] == [said]
+
+
+def test_a_body_named_ground_has_a_free_name_and_one_with_a_tab_has_a_space(tmp_path: Path) -> None:
+    text = (f'<body name="ground"><joint name="j"/>{INERTIAL}'
+            f'<body name="a&#9;b"><joint name="k"/>{INERTIAL}</body></body>')  # fmt: skip
+    imported = lw.import_mjcf(written(tmp_path, text))
+    assert [imported.model.compiled().body_name(k) for k in range(2)] == ["ground 2", "a b"]
+    assert sorted((note.topic, note.subject) for note in imported.notes) == [
+        ("name", "link 'a b'"), ("name", "link 'ground'"),
+    ]  # fmt: skip
+
+
+def test_a_chain_of_bodies_in_each_other_is_read(tmp_path: Path) -> None:
+    """More than Python has calls in calls; MuJoCo takes 498 in a file, 1024 in all."""
+
+    def chain(prefix: str, inner: str) -> str:
+        bodies = (f'<body name="{prefix}{k}" pos="0 0 0.1"><joint/>{INERTIAL}' for k in range(490))
+        return "".join(bodies) + inner + "</body>" * 490
+
+    (tmp_path / "more.xml").write_text(f"<mujocoinclude>{chain('b', '')}</mujocoinclude>")
+    path = written(tmp_path, chain("a", '<include file="more.xml"/>'))
+    assert lw.import_mjcf(path).model.body_count == 980

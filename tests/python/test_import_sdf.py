@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import sys
+from collections import Counter
 from pathlib import Path
+from types import FrameType
 from typing import Any
 
 import linkwork as lw
 import numpy as np
 import pytest
+from linkwork.importers import sdf_scopes
 from robot_files import ROBOTS, about, accelerations, check_refused, topics, turned
 
 FOUR_BAR = ROBOTS / "four_bar.sdf"
@@ -539,3 +543,151 @@ def test_quaternions_and_axes_may_have_any_length(size: str, tmp_path: Path) -> 
     core = loaded(tmp_path, text).model.compiled()
     assert core.q0[3:] == pytest.approx([0.5**0.5, 0.5**0.5, 0, 0], abs=1e-15)
     assert core.joint_arrays()["frame"][0, 1, :, 2] == pytest.approx([0, 0.5**0.5, -(0.5**0.5)], abs=1e-15)
+
+
+PHYSICS = '<physics type="ode" {}><gravity>0 0 {}</gravity></physics>'
+
+#: Version, what the world has, its gravity, and lines with gravity that is not taken.
+FALLS = [
+    ("1.5", PHYSICS.format("", -1.62), -1.62, []),
+    ("1.4", '<physics type="ode"/>', -9.8, []),
+    ("1.5", PHYSICS.format("", -1) + "\n" + PHYSICS.format('default="true"', -2), -2, [2]),
+    ("1.5", PHYSICS.format("", -1) + "<gravity>0 0 -3</gravity>", -3, [2]),
+    ("1.6", PHYSICS.format("", -1.62), -9.8, [2]),
+    ("1.9", PHYSICS.format("", -1.62) + "<gravity>0 0 -3</gravity>", -3, [2]),
+]
+
+
+@pytest.mark.parametrize(("version", "inner", "g", "lines"), FALLS)
+def test_gravity_is_of_physics_before_version_1_6_and_of_the_world_from_then_on(
+    version: str, inner: str, g: float, lines: list[int], tmp_path: Path
+) -> None:
+    path = tmp_path / "world.sdf"
+    path.write_text(f'<sdf version="{version}"><world name="w">\n{inner}<model name="m">{link("a")}'
+                    "</model></world></sdf>")  # fmt: skip
+    imported = lw.import_sdf(path)
+    assert accelerations(imported.model)[0] == pytest.approx([0, 0, g, 0, 0, 0])
+    said = [note.message for note in imported.notes if note.subject == "<gravity>"]
+    assert [text.split(",")[0] for text in said] == [f"in line {line}" for line in lines]
+
+
+def test_a_link_named_ground_has_a_free_name_and_one_with_a_tab_has_a_space(tmp_path: Path) -> None:
+    text = link("ground") + link("a&#9;b") + joint("j", "revolute", "ground", "a&#9;b", axis("0 0 1"))
+    imported = loaded(tmp_path, text)
+    assert [imported.model.compiled().body_name(k) for k in range(2)] == ["ground 2", "a b"]
+    assert topics(imported) == [("name", "link 'a b'"), ("name", "link 'ground'")]
+
+
+SPRING = "<dynamics><spring_stiffness>0.7</spring_stiffness></dynamics>"
+
+#: What acts on the joint that closes a loop, options, and whether its angle is noted.
+CLOSING = [
+    ("", {}, 0),
+    (SPRING, {}, 1),
+    ("<limit><lower>-1</lower><upper>1</upper></limit>", {}, 0),
+    ("<limit><lower>-1</lower><upper>1</upper></limit>", {"limits": "stops"}, 1),
+    ('<mimic joint="left"><multiplier>-1</multiplier></mimic>', {}, 1),
+    ('<mimic joint="left"><multiplier>-1</multiplier></mimic>', {"couple": False}, 0),
+]
+
+
+@pytest.mark.parametrize(("acting", "options", "count"), CLOSING)
+@pytest.mark.parametrize(("turned", "beyond"), [(3.5, True), (0.5, False)])
+def test_the_angle_of_a_joint_that_closes_a_loop_is_noted_where_it_may_be_another(
+    turned: float, beyond: bool, acting: str, options: Any, count: int, tmp_path: Path
+) -> None:
+    """A parallelogram turned by more than half a turn: its last pin is turned back by as much."""
+    text = (
+        *(link("a"), link("b", "0 1 0 0 0 0"), link("c", "2 0 0 0 0 0")),
+        joint("left", "revolute", "world", "a", axis("0 0 1")),
+        joint("right", "revolute", "world", "c", axis("0 0 1")),
+        joint("coupler", "revolute", "c", "b", "<pose>2 0 0 0 0 0</pose>" + axis("0 0 1")),
+        joint("closing", "revolute", "a", "b", axis("0 0 1", acting)),
+    )
+    start = {"left": turned, "right": turned, "coupler": -turned}
+    notes = loaded(tmp_path, "".join(text), coordinates=start, **options).notes
+    said = [str(note) for note in notes if "within a turn:" in note.message]
+    expected = f"closes a loop: its coordinate is taken within a turn: {2 * np.pi - turned:.6g} rad"
+    assert said == [f"joint 'closing': {expected}"] * (count * beyond)
+
+
+def test_a_link_without_weight_is_noted_to_have_it_in_the_potential_energy(tmp_path: Path) -> None:
+    light = link("a").replace("<inertial>", "<gravity>false</gravity><inertial>")
+    text = "force 'a lift' takes 1 of its weight and does work: the weight stays in the potential energy"
+    assert [str(note) for note in loaded(tmp_path, light).notes] == [f"link 'a': {text}"]
+    assert not loaded(tmp_path, light, gravity=(0, 0, 0)).notes
+
+
+@pytest.mark.parametrize("limits", ["note", "stops"])
+def test_limits_of_a_continuous_joint_are_noted_not_taken(limits: Any, tmp_path: Path) -> None:
+    limit = "<limit><lower>-1</lower><upper>inf</upper><effort>3</effort></limit>"
+    text = link("a") + joint("j", "continuous", "world", "a", axis("0 0 1", limit))
+    imported = loaded(tmp_path, text.replace("inf", "1"), limits=limits)
+    assert imported.model.compiled().force_count == 0
+    said = "joint 'j': limits lower -1, upper 1, effort 3 are not represented"
+    assert [str(note) for note in imported.notes] == [said]
+    assert str(loaded(tmp_path, text, limits=limits).notes[0]) == said.replace(" upper 1,", "")
+
+
+@pytest.mark.parametrize(("type_", "unused"), [
+    ("revolute", ["axis2", "thread_pitch", "gearbox_ratio"]),
+    ("fixed", ["axis2", "thread_pitch", "gearbox_ratio"]),
+    ("universal", ["thread_pitch", "gearbox_ratio"]), ("screw", ["axis2", "gearbox_ratio"]),
+])  # fmt: skip
+def test_what_only_joints_of_other_types_have_is_noted(type_: str, unused: list[str], tmp_path: Path) -> None:
+    inner = axis("1 0 0") + axis("0 1 0", tag="axis2") + "<gearbox_ratio>2</gearbox_ratio>"
+    text = link("a") + joint("j", type_, "world", "a", inner + "<thread_pitch>3</thread_pitch>")
+    said = {str(note) for note in loaded(tmp_path, text).notes if note.subject == "joint 'j'"}
+    assert {it for it in said if f"of a {type_} joint is not represented" in it} == {
+        f"joint 'j': its {tag} of a {type_} joint is not represented" for tag in unused
+    }
+
+
+def test_a_joint_of_a_link_with_itself_is_noted(tmp_path: Path) -> None:
+    for type_, inner in (("fixed", ""), ("revolute", axis("0 0 1"))):
+        imported = loaded(tmp_path, link("a") + joint("j", type_, "a", "a", inner))
+        assert imported.model.joint_count == 0
+        assert [str(note) for note in imported.notes] == [
+            "joint 'j': joins a link with itself: it is left out"
+        ]
+
+
+@pytest.mark.parametrize(("version", "known"), [("1.2", True), ("1.12", True), ("1.13", False),
+                                                ("1.99", False), ("2.0", False)])  # fmt: skip
+def test_versions_beyond_those_that_are_known_are_noted(version: str, known: bool, tmp_path: Path) -> None:
+    said = [str(note) for note in loaded(tmp_path, link("a"), version).notes if note.topic == "version"]
+    assert said == [f"sdf: {version} is not known here: read as 1.12"] * (not known)
+
+
+@pytest.mark.parametrize("version", ["0.9", "1.0", "1.1"])
+def test_versions_of_other_elements_are_refused(version: str, tmp_path: Path) -> None:
+    """In SDF 1.0 the mass is an attribute of <inertial>."""
+    with pytest.raises(lw.ModelFileError, match=f":2: sdf version: {version} .*convert .* by `gz sdf -p`"):
+        loaded(tmp_path, '<link name="a"><inertial mass="7"/></link>', version)
+
+
+def test_frames_along_a_line_take_time_as_it_is_long(tmp_path: Path) -> None:
+    """Lines of code that run for each frame more: as many in a long line as in a short one."""
+
+    def lines(count: int) -> int:
+        found = Counter[str]()
+
+        def watch(frame: FrameType, event: str, _: Any) -> Any:
+            if frame.f_code.co_filename != sdf_scopes.__file__:
+                return None
+            found[event] += 1
+            return watch
+
+        frames = [f'<frame name="f{k + 1}" attached_to="f{k}"/>' for k in range(count)]
+        joints = (link(f"l{k}") + joint(f"j{k}", "ball", f"f{k}", f"l{k}") for k in range(1, count))
+        text = link("l0") + '<frame name="f0" attached_to="l0"/>' + "".join([*frames, *joints])
+        before = sys.gettrace()
+        sys.settrace(watch)
+        try:
+            loaded(tmp_path, text)
+        finally:
+            sys.settrace(before)
+        return found["line"]
+
+    short, middle, long = lines(20), lines(40), lines(60)
+    assert 0 < long - middle == middle - short

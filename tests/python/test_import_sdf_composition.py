@@ -102,6 +102,14 @@ def test_an_include_without_a_pose_has_that_of_its_file(tmp_path: Path) -> None:
     assert pose(model, "arm::rod") == pytest.approx(ROBOT @ frame((0, 0, 7)) @ ROD, abs=1e-14)
 
 
+def test_a_placement_frame_of_an_include_takes_a_pose(tmp_path: Path) -> None:
+    (tmp_path / "arm.sdf").write_text(sdf(ARM))
+    inner = "\n<include><uri>arm.sdf</uri><placement_frame>tip</placement_frame>{}</include>"
+    loaded(tmp_path, with_models(inner.format("<pose/>")))
+    with pytest.raises(lw.ModelFileError, match=r":4: include: 'arm.sdf' has a placement_frame.*give <pose>"):
+        loaded(tmp_path, with_models(inner.format("")))
+
+
 def joined(parent: str, child: str) -> str:
     return (
         f'<joint name="hinge" type="revolute"><pose>0.1 0 0 0 0 0</pose><parent>{parent}</parent>'
@@ -283,6 +291,8 @@ WRONG = [
     ('<frame name="f" attached_to="g"/><frame name="g" attached_to="f"/>' + joined("f", "l"),
      r":4: frame 'f' pose: is attached to itself: f -> g -> f"),
     ('<model name="m">' * 60 + "</model>" * 60, r"nested more than 50 deep"),
+    ('<model name="m">' * 5000 + "</model>" * 5000, r"nested more than 50 deep"),
+    ('<model name="m">' * 20000 + "</model>" * 20000, r"elements are nested more than 10000 deep"),
 ]  # fmt: skip
 
 

@@ -384,7 +384,7 @@ WRONG = [
         r":2: DOCTYPE is not taken",
     ),
     ('<robot name="test">', '<sdf name="test">', r"is no XML"),
-    ('<link name="base">', "<link name='base'>" + "<a>" * 200, r"nested more than 100 deep"),
+    ('<link name="base">', "<link name='base'>" + "<a>" * 20_000, r"nested more than 10000 deep"),
     ('<link name="base">', '<xacro:macro name="x"/><link name="base">', r"expand the file by xacro first"),
 ]
 
@@ -562,3 +562,77 @@ def test_long_chains_of_joints_that_follow_each_other_are_read_at_once(tmp_path:
     model = loaded(tmp_path, link("base") + chain + last, coordinates={f"j{count}": 0.3}).model
     assert time.process_time() - begin < 15  # the time of a chain grew with the cube of its length
     assert model.joint_count == 2 * count + 1
+
+
+def test_a_link_named_ground_has_a_free_name(tmp_path: Path) -> None:
+    body = link("ground") + link("ground 2") + joint("ground", "revolute", "ground", "ground 2")
+    model = loaded(tmp_path, body, floating=True)
+    assert [model.model.compiled().body_name(k) for k in range(2)] == ["ground 3", "ground 2"]
+    said = "link 'ground': is called 'ground 3' here: 'ground' is the name of the ground"
+    assert [str(note) for note in model.notes if note.topic == "name"] == [said]
+    fixed = loaded(tmp_path, body)  # the base is the ground
+    assert fixed.model.body_count == 1 and "name" not in {note.topic for note in fixed.notes}
+
+
+def test_names_with_tabs_and_line_breaks_are_taken_with_spaces(tmp_path: Path) -> None:
+    """Also where what they name is meant, and `coordinates` take the name of the file and the new one."""
+    body = (link("base") + link("a&#9;b") + link("a b") + link("c&#10;d")
+            + joint("x&#9;y", "continuous", "base", "a&#9;b") + joint("x y", "continuous", "a&#9;b", "a b")
+            + joint("m&#10;n", "continuous", "base", "c&#10;d",
+                    '<mimic joint="x&#9;y" multiplier="2"/>'))  # fmt: skip
+    imported = loaded(tmp_path, body, coordinates={"x\ty": 0.3, "x y": 0.2})
+    core = imported.model.compiled()
+    assert [core.body_name(k) for k in range(core.body_count)] == ["a b 2", "a b", "c d"]
+    assert [core.joint_name(k) for k in range(4)] == ["x y 2", "x y", "m n", "m n mimic"]
+    assert {note.subject: note.message for note in imported.notes if note.topic == "name"} == {
+        "link 'a b 2'": r"its name 'a\tb' is 'a b 2' here: to be printed",
+        "link 'c d'": r"its name 'c\nd' is 'c d' here: to be printed",
+        "joint 'x y 2'": r"its name 'x\ty' is 'x y 2' here: to be printed",
+        "joint 'm n'": r"its name 'm\nn' is 'm n' here: to be printed",
+    }
+    same = loaded(tmp_path, body, coordinates={"x y 2": 0.3, "x y": 0.2}).model.compiled()
+    assert np.array_equal(same.q0, core.q0) and np.abs(core.q0[4]) > 0.1
+    with pytest.raises(lw.ModelFileError, match=r":3: link 'a b 2': principal moments"):
+        loaded(tmp_path, body.replace('izz="0.15"', 'izz="1.5"', 2).replace('izz="1.5"', 'izz="0.15"', 1))
+
+
+@pytest.mark.parametrize("type_", ["continuous", "planar"])
+def test_ends_of_joints_that_have_none_are_noted(type_: str, tmp_path: Path) -> None:
+    limit = '<axis xyz="0 0 1"/><limit lower="-1" upper="0" effort="3"/>'
+    imported = loaded(
+        tmp_path, link("base") + link("a") + joint("j", type_, "base", "a", limit), limits="stops"
+    )
+    said = [str(note) for note in imported.notes if note.topic == "limits"]
+    assert said == ["joint 'j': limits lower -1, upper 0, effort 3 are not represented"]
+
+
+def test_a_coupler_has_a_name_that_no_joint_has(tmp_path: Path) -> None:
+    names = ["k", "k mimic", "k mimic mimic"]
+    body = link("base") + link("l") + "".join(
+        link(name) + joint(name, "continuous", "base", name, '<mimic joint="j"/>' * (name == "k"))
+        for name in names
+    ) + joint("j", "continuous", "base", "l")  # fmt: skip
+    core = loaded(tmp_path, body).model.compiled()
+    assert [core.joint_name(k) for k in range(core.joint_count)] == [*names, "j", "k mimic mimic 2"]
+
+
+@pytest.mark.parametrize("start", [1e6, 1e12, -1e15])
+def test_the_note_of_many_turns_says_the_angle_that_is_used(start: float, tmp_path: Path) -> None:
+    body = link("base") + link("a") + joint("j", "continuous", "base", "a", '<axis xyz="0 0 1"/>')
+    imported = loaded(tmp_path, body, coordinates={"j": start}, gravity=(0, 0, 0))
+    used = lw.simulate(imported.model, t_end=1e-3, step=1e-3).coordinate("j").value[0]
+    (said,) = (note.message for note in imported.notes if note.topic == "coordinates")
+    assert float(said.split()[-2]) == pytest.approx(used, abs=1e-5)
+
+
+def test_negative_moments_are_made_the_nearest_but_never_taken_as_they_are(tmp_path: Path) -> None:
+    """(3, 1, -1) has the second moments -3/2, 1/2, 5/2."""
+    bad = link("arm")
+    for part, by in (('"0.3"', '"3"'), ('"0.2"', '"1"'), ('"0.15"', '"-1"')):
+        bad = bad.replace(part, by)
+    body = link("base") + bad + joint("hinge", "revolute", "base", "arm")
+    for options in ({}, {"inertia_as_is": True}):
+        with pytest.raises(lw.ModelFileError, match="moment of inertia -1 .* is negative; repair_inertia"):
+            loaded(tmp_path, body, **options)
+    repaired = loaded(tmp_path, body, repair_inertia=True).model.compiled().inertia[0]
+    assert np.diag(repaired) == pytest.approx([3.0, 2.5, 0.5])

@@ -24,6 +24,7 @@ from linkwork.importers.description import (
 )
 from linkwork.importers.frames import Frame, turned
 from linkwork.importers.groups import Group, check_light, grouped, moments_of, real_inertia
+from linkwork.importers.names import free, rename, spaced
 from linkwork.importers.stops import Stops
 from linkwork.importers.tree import LinkState, link_states, starts
 from linkwork.modeling.builder import LONGEST
@@ -102,7 +103,7 @@ def check_options(options: Options) -> None:
     for name in ("coordinates", "velocities"):
         _check_values(name, options.get(name))
     if (angle := options.get("align_axes")) is not None and (
-        isinstance(angle, bool) or not is_number(angle) or not 0 <= angle <= MOST_ALIGNED
+        not is_number(angle) or not 0 <= angle <= MOST_ALIGNED
     ):
         text = f"align_axes {angle!r:.60} is no angle from 0 to {MOST_ALIGNED:g} rad, nor None"
         raise OptionError(text, code="align_axes")
@@ -130,26 +131,32 @@ def build(description: Description, options: Options, lines: Mapping[str, int] |
 
     ModelFileError: a moving link without inertia, what no body or joint can be. ModelError: coordinates.
     """
+    names = rename(description)
+    lines = names.lines(lines or {})
     floating = options.get("floating")
     if floating is not None:
         description.grounded = () if floating else description.links
     align_axes(description, options.get("align_axes"))
-    coordinates = options.get("coordinates") or {}
-    states = link_states(description, coordinates, options.get("velocities") or {})
+    coordinates, velocities = (
+        {names.joints.get(name, name): value for name, value in (given or {}).items()}
+        for given in (options.get("coordinates"), options.get("velocities"))
+    )
+    states = link_states(description, coordinates, velocities)
     groups = grouped(description, states, options.get("merge_fixed", False))
     faults: list[Fault] = []
-    check_light(description, groups, options.get("keep_massless", False), lines or {}, faults)
+    check_light(description, groups, options.get("keep_massless", False), lines, faults)
     gravity = options.get("gravity")
     model = Model(description.gravity if gravity is None else gravity, _model_name(description))
-    builder = _Builder(description, model, states, groups, starts(description, coordinates, states), options)
+    at_start = starts(description, coordinates, states, options.get("couple", True))
+    builder = _Builder(description, model, states, groups, at_start, options)
     for group in builder.moving:
-        _collect(faults, lines or {}, "link", group.main, partial(builder.add_body, group))
+        _collect(faults, lines, "link", group.main, partial(builder.add_body, group))
     for joint in description.joints if not faults else ():
-        _collect(faults, lines or {}, "joint", joint.name, partial(builder.add_joint, joint))
+        _collect(faults, lines, "joint", joint.name, partial(builder.add_joint, joint))
     for coupling in description.couplings if not faults else ():
         if options.get("couple", True):
             add = partial(builder.add_coupling, coupling)
-            _collect(faults, lines or {}, "joint", coupling.follower, add)
+            _collect(faults, lines, "joint", coupling.follower, add)
         else:
             builder.note_coupling(coupling, "it moves freely")
     if faults:
@@ -160,8 +167,7 @@ def build(description: Description, options: Options, lines: Mapping[str, int] |
 
 def _model_name(description: Description) -> str:
     """Of the description, as a model can have it: nothing is found by it, it need not be the file's."""
-    shown = (c if c.isprintable() else " " if c.isspace() else "" for c in description.name)
-    name = "".join(shown)[:LONGEST]
+    name = "".join(c for c in spaced(description.name) if c.isprintable())[:LONGEST]
     if name != description.name:
         text = f"its name {description.name!r:.80} is {name!r:.80} here: to be printed, and not too long"
         description.note("name", "model", text)
@@ -242,7 +248,7 @@ class _Builder:
             self._description.note("inertia", f"link '{group.main}'", text)
             J = real if self._repair_inertia else J
         self._bodies[group.main] = self._model.body(
-            group.main,
+            self._body_name(group.main),
             mass=group.mass,
             inertia=J,
             position=position,
@@ -253,6 +259,16 @@ class _Builder:
         )
         for link in group.links:
             self._lift(link, group)
+
+    def _body_name(self, link: str) -> str:
+        """Of the link, but for the name that only the ground has."""
+        ground = self._model.ground.name
+        if link != ground:
+            return link
+        name = free(link, self._description.links.__contains__)
+        text = f"is called '{name}' here: '{ground}' is the name of the ground"
+        self._description.note("name", f"link '{link}'", text)
+        return name
 
     def add_shapes(self) -> None:
         """What links look like, on the bodies that they are part of, and on the ground."""
@@ -277,13 +293,20 @@ class _Builder:
         force = -link.weightless * link.mass * np.asarray(self._model.compiled().gravity)
         if force.any():
             at = self._side(name, Frame(r=link.center)).at
-            self._model.force(self._bodies[group.main], force=force.tolist(), at=at, name=f"{name} lift")
+            lift = self._model.force(
+                self._bodies[group.main], force=force.tolist(), at=at, name=f"{name} lift"
+            )
+            text = f"force '{lift.name}' takes {link.weightless:g} of its weight and does work"
+            text += ": the weight stays in the potential energy"
+            self._description.note("gravity", f"link '{name}'", text)
 
     def add_joint(self, joint: JointDescription) -> None:
         in_parent, in_child = joint.at_zero()
         a, b = self._side(joint.parent, in_parent), self._side(joint.child, in_child)
         if a.body == b.body:
-            if joint.kind != "fixed":
+            if joint.parent == joint.child:
+                self._note("rigid", joint, "joins a link with itself: it is left out")
+            elif joint.kind != "fixed":
                 self._note("rigid", joint, "joins links of one rigid group: it cannot move")
             return
         _check_dissipation(joint)
@@ -305,10 +328,18 @@ class _Builder:
                 return
         terms = [(coupling.follower, 1.0), (coupling.leader, -coupling.multiplier)]
         given = [(name, self._coordinates[name], factor) for name, factor in terms if factor]
-        taken = self._model.compiled().find_joint(coupling.name) >= 0
-        name = f"{coupling.name} {coupling.kind}" if taken else coupling.name
         offset = coupling.offset + sum(factor * self._references[name] for name, factor in terms)
-        self._model.coupler(given, offset=offset, name=name)
+        self._model.coupler(given, offset=offset, name=self._coupler_name(coupling))
+
+    def _coupler_name(self, coupling: Coupling) -> str:
+        """That of the file, or, where a joint has it, with the kind behind it, or with a number."""
+
+        def is_taken(name: str) -> bool:
+            return self._model.compiled().find_joint(name) >= 0
+
+        if not is_taken(coupling.name):
+            return coupling.name
+        return free(f"{coupling.name} {coupling.kind}", is_taken)
 
     def note_coupling(self, coupling: Coupling, reason: str) -> None:
         text = f"that it follows {coupling} is not represented: {reason}"
@@ -334,7 +365,8 @@ class _Builder:
             turns = np.ceil(start / (2 * np.pi) - 0.5)
             if motion.rotation and abs(start) > np.pi and turns:
                 text = f"turned by {start:.6g} rad at the start: its angle in results begins within a turn"
-                self._note("coordinates", joint, f"{text}, at {start - 2 * np.pi * turns:.6g} rad")
+                within = np.arctan2(np.sin(start), np.cos(start))  # start - 2 pi turns would lose digits
+                self._note("coordinates", joint, f"{text}, at {within:.6g} rad")
 
     # The angle of a force begins in (-pi, pi]. Where that of a joint begins near half a turn or beyond, the
     # force counts from there: x_b is turned back by the start, theta = q - q(0).

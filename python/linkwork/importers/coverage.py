@@ -127,26 +127,33 @@ class Coverage:
         key = f"{around}/{tag}" if around else tag
         return self._same.get(key, key)
 
-    def survey(self, node: Node, key: str = "") -> Iterator[Met]:
-        """All in a file, from its root on; of what is listed as a whole only the outermost element."""
-        entry = self[key] if key else Entry("represented")
-        if key:
-            yield Met(node, "", key, entry)
-        if entry is None or f"{key}/**" in self.entries:
-            return
+    def survey(self, root: Node) -> Iterator[Met]:
+        """All in a file, in its order; of what is listed as a whole only the outermost element."""
+        waiting = [Met(root, "", "", Entry("represented"))]
+        while waiting:  # elements may be deeper in each other than calls
+            met = waiting.pop()
+            if met.key:
+                yield met
+            if met.entry not in (None, AGAIN) and f"{met.key}/**" not in self.entries:
+                yield from self._at(met.node, met.key)
+                waiting += reversed(list(self._below(met.node, met.key)))
+
+    def _at(self, node: Node, key: str) -> Iterator[Met]:
+        """The text and the attributes of an element."""
         if node.text.strip() and (key in self._around or not self._texts):
             yield Met(node, "", key, TEXT)
         for attribute in node.attributes:
             if not attribute.startswith("xmlns"):
                 yield Met(node, attribute, f"{key}@{attribute}", self[f"{key}@{attribute}"])
+
+    def _below(self, node: Node, key: str) -> Iterator[Met]:
+        """The elements in an element."""
         seen: set[str] = set()
         for child in node.children:
             inner = self.key(key, child.tag)
-            if inner in seen and self._is_single(inner):
-                yield Met(child, "", inner, AGAIN)
-                continue
+            again = inner in seen and self._is_single(inner)
             seen.add(inner)
-            yield from self.survey(child, inner)
+            yield Met(child, "", inner, AGAIN if again else self[inner])
 
     def _is_single(self, key: str) -> bool:
         entry = self[key]

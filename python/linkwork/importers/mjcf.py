@@ -57,8 +57,8 @@ def import_mjcf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imp
     are those of MuJoCo, zero or `ref` in the file's pose; flags that disable gravity, equalities, springs,
     dampers or friction are heeded. Several joints of one body are one joint here where one does the same: two
     slides and a hinge across them, two hinges that meet at right angles, a slide and a hinge along one axis.
-    All others, and those with springs, damping, friction, armature or stops, follow each other with massless
-    links between them.
+    All others, and those with springs, damping, friction, armature, stops or linear joint equalities, follow
+    each other with massless links between them.
 
     Bodies look like their geoms, but for planes of the world and geoms of the groups that MuJoCo does not
     show.
@@ -87,11 +87,10 @@ def import_mjcf(path: str | os.PathLike[str], **options: Unpack[Options]) -> Imp
 
 def _lines(node: Node) -> Iterator[tuple[str, int]]:
     """Where named bodies and joints are; what a file includes or MuJoCo names is not there."""
-    for child in node.children:
+    for child in node.below():
         name = child.attributes.get("name")
         if name and child.tag in ("body", "joint", "freejoint"):
             yield f"{'link' if child.tag == 'body' else 'joint'} {name}", child.line
-        yield from _lines(child)
 
 
 def _report(reader: Reader, description: Description) -> None:
@@ -139,6 +138,7 @@ class _MujocoModel:
         self._path, self._model, self._mj, self._lines = path, model, mujoco, lines
         self._name = Names(model)
         self._dynamics, self._compensation = JointDynamics(model), GravityCompensation(model)
+        self._coupled = set(self._in_relations()) if options.get("couple", True) else set[int]()
         self._links: dict[str, LinkDescription] = {}
         self._faults: list[Fault] = []
 
@@ -192,7 +192,7 @@ class _MujocoModel:
             yield JointDescription(label, "fixed", parent, name, pose)
             return
         kind, motions = self._kind(types, joints)
-        if len(types) > 1 and (kind is None or self._has_own_forces(joints)):
+        if len(types) > 1 and (kind is None or self._need_coordinates(joints)):
             yield from self._one_by_one(joints, name, pose, out)
             return
         turning = [k for t, k in zip(types, joints, strict=True) if t != self._mj.mjtJoint.mjJNT_SLIDE]
@@ -204,9 +204,26 @@ class _MujocoModel:
         self._complete(joint, joints, out)
         yield joint
 
-    def _has_own_forces(self, joints: range) -> bool:
-        """Whether what acts on several joints needs the coordinate of each."""
-        return self._dynamics.any_at(joints) or self._stops and has_limits(self._model, joints)
+    def _need_coordinates(self, joints: range) -> bool:
+        """Whether what acts on several joints, or leads one of them, needs the coordinate of each."""
+        if self._dynamics.any_at(joints) or not self._coupled.isdisjoint(joints):
+            return True
+        return self._stops and has_limits(self._model, joints)
+
+    def _in_relations(self) -> Iterator[int]:
+        """Joints of linear relations that act."""
+        model = self._model
+        for k in range(model.neq):
+            if self._acts(k) and int(model.eq_type[k]) == self._mj.mjtEq.mjEQ_JOINT and self._is_linear(k):
+                yield from (int(model.eq_obj1id[k]), int(model.eq_obj2id[k]))
+
+    def _acts(self, equality: int) -> bool:
+        model = self._model
+        return bool(model.eq_active0[equality]) and not is_disabled(model, "equality", "constraint")
+
+    def _is_linear(self, equality: int) -> bool:
+        """Of a joint equality: whether it relates two joints, by no more than a constant and a factor."""
+        return int(self._model.eq_obj2id[equality]) >= 0 and not any(self._model.eq_data[equality][2:5])
 
     # T_1(q_1) T_2(q_2) ..., each about its own anchor, in axes of the body
     def _one_by_one(
@@ -303,7 +320,7 @@ class _MujocoModel:
         model, kinds = self._model, self._mj.mjtEq
         for k in range(model.neq):
             name, type_, data = self._name("equality", k), int(model.eq_type[k]), model.eq_data[k]
-            if not model.eq_active0[k] or is_disabled(model, "equality", "constraint"):
+            if not self._acts(k):
                 why = "is not active" if not model.eq_active0[k] else "is disabled by a flag"
                 out.note("equality", f"equality '{name}'", f"{why}: left out")
                 continue
@@ -329,10 +346,10 @@ class _MujocoModel:
         """A linear relation between two joints that stand for themselves; False: it is another one."""
         model = self._model
         one, other = int(model.eq_obj1id[k]), int(model.eq_obj2id[k])
-        constant, factor, *powers = model.eq_data[k][:5].tolist()
+        constant, factor = model.eq_data[k][:2].tolist()
         follower, leader = (self._name("joint", joint) for joint in (one, other))
         known = {joint.name for joint in out.joints if len(joint.motions) == 1}
-        if other < 0 or any(powers) or not known.issuperset((follower, leader)):
+        if not self._is_linear(k) or not known.issuperset((follower, leader)):
             return False
         out.couplings = [*out.couplings, Coupling("equality", name, follower, leader, factor, constant)]
         if self._options.get("couple", True):
@@ -348,7 +365,8 @@ class _MujocoModel:
         if other < 0:
             return f"that it holds joint '{one}' at {model.eq_data[k][0]:g} from its reference"
         leader = self._name("joint", other)
-        return f"that joint '{one}' follows '{leader}' by more than a linear relation of one coordinate each"
+        how = "" if self._is_linear(k) else " by more than a linear relation"
+        return f"that joint '{one}' follows '{leader}'{how}"
 
     def _site(self, site: int) -> Frame:
         return from_quaternion(self._model.site_pos[site], self._model.site_quat[site])

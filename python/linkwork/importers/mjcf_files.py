@@ -32,18 +32,20 @@ class _Files:
 
     def expanded(self, node: Node, folder: Path, line: int | None, depth: int) -> Node:
         """With what is included; `line` instead of the node's own, in another file than the first."""
-        out = Node(node.tag, node.attributes, node.line if line is None else line)
-        out.text = node.text
-        out.children = children = list[Node]()
-        for child in node.children:
-            if child.tag == "include":
-                children += self._read(child, folder, line, depth)
-                continue
-            children.append(self.expanded(child, folder, line, depth))
-            if (node.tag, child.tag) == ("asset", "model"):
-                root = Node("mujoco", {}, children[-1].line)
-                root.children = self._read(child, folder, line, depth)
-                self.attached.append(root)
+        out = _copied(node, line)
+        copied = [(node, out)]  # elements may be deeper in each other than calls
+        for old, new in copied:  # which grows meanwhile
+            new.children = children = list[Node]()
+            for child in old.children:
+                if child.tag == "include":
+                    children += self._read(child, folder, line, depth)
+                    continue
+                children.append(_copied(child, line))
+                copied.append((child, children[-1]))
+                if (old.tag, child.tag) == ("asset", "model"):
+                    root = Node("mujoco", {}, children[-1].line)
+                    root.children = self._read(child, folder, line, depth)
+                    self.attached.append(root)
         return out
 
     def _read(self, node: Node, folder: Path, line: int | None, depth: int) -> Sequence[Node]:
@@ -59,3 +61,10 @@ class _Files:
             return []
         at = node.line if line is None else line
         return self.expanded(reader.root, paths[0].parent, at, depth + 1).children
+
+
+def _copied(node: Node, line: int | None) -> Node:
+    """Without what is in it; `line` as for _Files.expanded."""
+    out = Node(node.tag, node.attributes, node.line if line is None else line)
+    out.text = node.text
+    return out

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from linkwork.importers.names import free
+
 if TYPE_CHECKING:
     import mujoco
 
@@ -31,10 +33,8 @@ class Names:
 
     def free(self, kind: str, wanted: str) -> str:
         """For one more body or joint: the name that is wanted, or with a number behind it."""
-        taken, name, number = self._taken[ROLES[kind]], wanted, 1
-        while name in taken:
-            number += 1
-            name = f"{wanted} {number}"
+        taken = self._taken[ROLES[kind]]
+        name = free(wanted, taken.__contains__)
         taken.add(name)
         return name
 

@@ -25,9 +25,9 @@ from linkwork.importers.description import (
     Motion,
 )
 from linkwork.importers.frames import Frame
-from linkwork.importers.robot_file import RobotFile, coupling, direction, set_inertia
+from linkwork.importers.robot_file import UNLIMITED, RobotFile, coupling, direction, set_inertia
 from linkwork.importers.sdf_coverage import SDF
-from linkwork.importers.sdf_includes import Library, Source
+from linkwork.importers.sdf_includes import LATEST, Library, Source, version
 from linkwork.importers.sdf_scopes import Scope
 from linkwork.importers.sdf_visuals import shapes_of
 from linkwork.importers.visuals import Visuals
@@ -40,11 +40,21 @@ Z = np.array([0.0, 0.0, 1.0])
 #: What says how a joint moves: its first axis, its second.
 AXES = ("axis", "axis2")
 
+#: Elements that only joints of some types have, by these.
+ONLY = {
+    "universal revolute2 gearbox": "axis2",
+    "screw": "thread_pitch screw_thread_pitch",
+    "gearbox": "gearbox_ratio gearbox_reference_body",
+}
+
 #: Cosines of an angle from which on two axes are one, up to their sense: 1 less this.
 SAME_AXIS = 1e-5
 
 #: Acceleration [m/s2] where a file has no other.
 GRAVITY = [0.0, 0.0, -9.8]
+
+#: The version from which on it is of the world, not of <physics>.
+GRAVITY_OF_WORLDS = (1, 6)
 
 #: The inertia [kg m2] where a file has no other.
 INERTIA = {"ixx": 1.0, "iyy": 1.0, "izz": 1.0, "ixy": 0.0, "ixz": 0.0, "iyz": 0.0}
@@ -85,7 +95,8 @@ def import_sdf(
 
     Not represented, and listed in the notes: limits, unless limits="stops", plugins, collision geometry, and
     what else linkwork.importers.sdf_coverage lists. ModelFileError: what is wrong in the file, with lines;
-    moving links without inertia. ModelError: wrong coordinates. FileError: `search_path` leads nowhere.
+    versions before 1.2; moving links without inertia. ModelError: wrong coordinates. FileError: `search_path`
+    leads nowhere.
     """
     places = folders(search_path, "search_path")
     library, source = Library.of(path, places)
@@ -108,7 +119,9 @@ class _SdfFile(RobotFile):
         wanted = options.get("shapes", True)
         self._visuals: dict[str, Visuals] = {}  #: by the path of the file
         self._visuals_of = partial(Visuals, search_path=search_path, note=self.note, wanted=wanted)
-        self.root = Scope(self._first(), source, library)
+        first = self._first()
+        self.gravity = self._gravity(first, source.version)
+        self.root = Scope(first, source, library)
         self.grounded: set[str] = set()  #: links of static models
         self._gearboxes: list[tuple[Scope, str, Node]] = []
         for read in (self._read_links, self._read_joints):
@@ -131,6 +144,9 @@ class _SdfFile(RobotFile):
             def note(topic: str, subject: str, message: str, where: str = where) -> None:
                 self.note(topic, subject, message + where)
 
+            if (found := version(reader.root)) is not None and found > LATEST:
+                known = ".".join(map(str, LATEST))
+                note("version", "sdf", f"{'.'.join(map(str, found))} is not known here: read as {known}")
             report(SDF.survey(reader.root), note, reader.add)
 
     def _first(self) -> Node:
@@ -140,12 +156,22 @@ class _SdfFile(RobotFile):
         if len(found) != 1:
             reader.add(root, "sdf", f"has {len(found)} models; one is taken, or one world of many")
             reader.finish()
-        world = found[0] if found[0].tag == WORLD else None
-        gravity = world.one("gravity") if world else None
-        self.gravity = reader.numbers(
-            gravity or root, gravity.text if gravity else None, 3, "gravity", GRAVITY
-        )
         return found[0]
+
+    def _gravity(self, first: Node, version: tuple[int, int]) -> list[float]:
+        """Of a world, or, before SDF 1.6, of its physics: that which is the default, or the first."""
+        reader, world = self._reader, first.tag == WORLD
+        given = first.one("gravity") if world else None
+        all_physics = list(first.all("physics")) if world else []
+        if given is None and all_physics and version < GRAVITY_OF_WORLDS:
+            default = [
+                it for it in all_physics if reader.boolean(it, it.attributes.get("default"), "default")
+            ]
+            given = (default or all_physics)[0].one("gravity")
+        for node in (it for physics in all_physics for it in physics.all("gravity") if it is not given):
+            why = "another one is" if version < GRAVITY_OF_WORLDS else "since SDF 1.6 it is that of the world"
+            self.note("element", "<gravity>", f"in line {node.line}, of <physics>, is not taken: {why}")
+        return reader.numbers(given or first, given.text if given else None, 3, "gravity", GRAVITY)
 
     def _read_links(self, scope: Scope) -> None:
         for tag, name in ((tag, name) for tag, named in scope.nodes.items() for name in named):
@@ -236,6 +262,7 @@ class _SdfFile(RobotFile):
         if ends is None or reader.faults.count:
             return None
         if type_ == "gearbox":
+            self._note_unused(node, who, type_)
             self._note_dynamics(node, who, AXES)
             self.note_children(node, who, ("physics", "sensor"))
             self._gearboxes.append((scope, name, node))
@@ -255,7 +282,8 @@ class _SdfFile(RobotFile):
         if joint.kind == "screw":
             self._screw(reader, node, joint, who)
         if count == 1:
-            self._dynamics(scope, node, joint, who)
+            self._dynamics(scope, node, joint, who, type_)
+        self._note_unused(node, who, type_)
         self._note_dynamics(node, who, AXES[1:] if count == 1 else AXES)
         self.note_children(node, who, ("physics", "sensor"))
         return joint
@@ -298,7 +326,7 @@ class _SdfFile(RobotFile):
             given = here.A.T @ (frame.A @ given)
         return given
 
-    def _dynamics(self, scope: Scope, node: Node, joint: JointDescription, who: str) -> None:
+    def _dynamics(self, scope: Scope, node: Node, joint: JointDescription, who: str, type_: str) -> None:
         reader, axis = scope.reader, node.one("axis")
         dynamics, limit, mimic = (axis.one(tag) if axis else None for tag in ("dynamics", "limit", "mimic"))
         for tag in ("damping", "friction", "spring_stiffness", "spring_reference"):
@@ -306,11 +334,12 @@ class _SdfFile(RobotFile):
             if dynamics is not None:
                 setattr(joint, field, reader.number(dynamics, dynamics.word(tag), f"{who} {tag}", 0.0))
         if limit is not None:
-            self._limits(reader, limit, joint)
+            self._limits(reader, limit, joint, type_ != "continuous")
         if mimic is not None:
             self.couplings.append(self._mimic(scope, mimic, joint))
 
-    def _limits(self, reader: Reader, limit: Node, joint: JointDescription) -> None:
+    def _limits(self, reader: Reader, limit: Node, joint: JointDescription, ends: bool) -> None:
+        """`ends`: a joint of this type has some."""
         who = f"joint '{joint.name}'"
         lower, upper = (
             sign * np.inf if _is_infinite(limit.word(end), sign) else
@@ -319,6 +348,10 @@ class _SdfFile(RobotFile):
         )  # fmt: skip
         words = ((tag, limit.word(tag)) for tag in ("effort", "velocity", "stiffness", "dissipation"))
         found = [f"{tag} {text}" for tag, text in words if text and not _is_infinite(text, 1)]
+        if not ends:
+            given = {"lower": lower, "upper": upper}
+            found = [f"{end} {value:g}" for end, value in given.items() if abs(value) < UNLIMITED] + found
+            lower, upper = -np.inf, np.inf
         unit = {"revolute": "rad", "translational": "m"}.get(joint.kind, "")
         self.limit(joint, lower, upper, unit, found)
 
@@ -365,6 +398,11 @@ class _SdfFile(RobotFile):
                 if abs(along) > 1 - SAME_AXIS:
                     return joint.name, np.sign(along) * (1.0 if joint.parent == a else -1.0)
         return None
+
+    def _note_unused(self, node: Node, who: str, type_: str) -> None:
+        """What joints of other types have."""
+        unused = [tag for types, tags in ONLY.items() if type_ not in types.split() for tag in tags.split()]
+        self.note_children(node, who, tuple(unused), f" of a {type_} joint")
 
     def _note_dynamics(self, node: Node, who: str, tags: Sequence[str]) -> None:
         for tag in tags:

@@ -20,6 +20,9 @@ MOST = 10_000
 #: The version of files that give none.
 NEWEST = (1, 11)
 
+#: The first and the last version that are known. What came before had other elements, of other meanings.
+OLDEST, LATEST = (1, 2), (1, 12)
+
 #: Models in models, in one file or by includes.
 DEPTH = 50
 
@@ -70,6 +73,8 @@ class Library:
                 raise _refused(
                     "is to be merged, which is not taken: leave merge out; names get a prefix then"
                 )
+            if node.one("placement_frame") is not None and node.one("pose") is None:
+                raise _refused("has a placement_frame, which takes a pose: give <pose>")
             if self.models > MOST:
                 raise _refused(f"is one of more than {MOST} includes")
             return self._included(uri, source)
@@ -113,8 +118,13 @@ class Library:
 
 def _reader(path: str | os.PathLike[str]) -> Reader:
     reader = Reader(path, "sdf")
-    if version(reader.root) is None:
-        reader.add(reader.root, "sdf version", f"'{_said(reader.root)}' is no version, such as 1.9")
+    found, field = version(reader.root), "sdf version"
+    if found is None:
+        reader.add(reader.root, field, f"'{_said(reader.root)}' is no version, such as 1.9")
+    elif found < OLDEST:
+        text = f"{_said(reader.root)} is not taken, which has other elements: convert the file by `gz sdf -p`"
+        reader.add(reader.root, field, text)
+        reader.finish()
     return reader
 
 

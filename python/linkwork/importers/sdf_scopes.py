@@ -63,6 +63,7 @@ class Scope:
         self.nodes: dict[str, dict[str, Node]] = {tag: {} for tag in TAGS}
         self.models: dict[str, Scope] = {}
         self._known: dict[tuple[str, str], Frame] = {}
+        self._links: dict[str, str | None] = {}  #: of names whose link was asked for
         for child in node.children:
             if child.tag in ("link", "frame", "joint"):
                 self._add(child, child.tag, child.attributes.get("name", ""))
@@ -131,25 +132,38 @@ class Scope:
 
     def link(self, name: str) -> str | None:
         """The full name of the link that a frame is attached to, or world; None: there is no such frame."""
-        passed: list[str] = []
-        while name not in ("", MODEL):
-            if name == WORLD:
-                return WORLD
-            tag = self._tag(name)
-            if tag == "link":
-                return self.prefix + name
-            if tag == "model":
-                return self.models[name].link("")
-            if tag is None:
-                inner = self._inner(name)
-                return inner[0].link(inner[1]) if inner else None
-            node = self.nodes[tag][name]
+        passed: dict[str, None] = {}
+        while name not in self._links and (holder := self._attached_to(name)) is not None:
             if name in passed:
+                node = self.nodes[self._tag(name) or "frame"][name]
                 self._refuse_ring(node, "attached to", [*passed, name])
                 return None
-            passed.append(name)
-            name = node.attributes.get("attached_to", "") if tag == "frame" else node.word("child") or ""
-        return WORLD if self.is_world else self._canonical_link()
+            passed[name] = None
+            name = holder
+        found = self._links[name] if name in self._links else self._end(name)
+        self._links |= dict.fromkeys([*passed, name], found)
+        return found
+
+    def _attached_to(self, name: str) -> str | None:
+        """What a frame or joint is attached to; None: the name is that of something else."""
+        tag = self._tag(name) if name not in ("", MODEL, WORLD) else None
+        if tag not in ("frame", "joint"):
+            return None
+        node = self.nodes[tag][name]
+        return node.attributes.get("attached_to", "") if tag == "frame" else node.word("child") or ""
+
+    def _end(self, name: str) -> str | None:
+        """The full name of the link of what is attached to nothing else here, as for `link`."""
+        if name in ("", MODEL):
+            return WORLD if self.is_world else self._canonical_link()
+        if name == WORLD:
+            return WORLD
+        tag, inner = self._tag(name), self._inner(name)
+        if tag == "link":
+            return self.prefix + name
+        if tag == "model":
+            return self.models[name].link("")
+        return inner[0].link(inner[1]) if inner else None
 
     def _canonical_link(self) -> str | None:
         """The one that the model names, or its first, or that of the first model in it that has one."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -126,19 +126,46 @@ def link_states(description: Description, coordinates: Values, velocities: Value
 
 
 def starts(
-    description: Description, coordinates: Values, states: Mapping[str, LinkState]
+    description: Description, coordinates: Values, states: Mapping[str, LinkState], coupled: bool
 ) -> dict[str, Floats]:
-    """The coordinates of each joint at t = 0; of several that close a loop those of the file."""
+    """The coordinates of each joint at t = 0; of several that close a loop those of the file.
+
+    `coupled`: couplings act. Noted: angles of these on which something acts and which may be beyond half a
+    turn.
+    """
     q = joint_values(description, coordinates)
     tree = {joint.name for joint in spanning_tree(description).values() if joint is not None}
     found: dict[str, Floats] = {}
     for joint in description.joints:
+        found[joint.name] = q.get(joint.name, np.zeros(len(joint.motions))) + joint.reference
         if joint.name not in tree and len(joint.motions) == 1:
             value = _measured(joint, states[joint.parent], states[joint.child])
-        else:
-            value = q.get(joint.name, np.zeros(len(joint.motions)))
-        found[joint.name] = value + joint.reference
+            found[joint.name] = value + joint.reference
+    if _turned(description, q) > np.pi:
+        _note_within_a_turn(description, found, tree, coupled)
     return found
+
+
+def _turned(description: Description, q: Mapping[str, Floats]) -> float:
+    """The sizes of all angles together [rad]: that of a joint that closes a loop can be as large."""
+    total = 0.0
+    for joint in (joint for joint in description.joints if joint.name in q):
+        turns = [motion.rotation for motion in joint.motions]
+        total += float(np.abs(q[joint.name][turns]).sum())
+    return total
+
+
+def _note_within_a_turn(
+    description: Description, found: Mapping[str, Floats], tree: Collection[str], coupled: bool
+) -> None:
+    couplings = description.couplings if coupled else ()
+    related = {name for coupling in couplings for name in (coupling.follower, coupling.leader)}
+    for joint in description.joints:
+        turns = len(joint.motions) == 1 and joint.motions[0].rotation and joint.name not in tree
+        if turns and (joint.stiffness or joint.stops or joint.name in related):
+            angle = float(found[joint.name][0])
+            text = f"closes a loop: its coordinate is taken within a turn: {angle:.6g} rad"
+            description.note("coordinates", f"joint '{joint.name}'", text)
 
 
 def _measured(joint: JointDescription, parent: LinkState, child: LinkState) -> Floats:

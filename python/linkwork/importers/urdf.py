@@ -217,10 +217,13 @@ class _Robot(RobotFile):
         who = f"joint '{joint.name}'"
         lower, upper = (self._reader.number(limit, limit.attributes.get(end), f"{who} limit {end}", 0.0)
                         for end in ("lower", "upper"))  # fmt: skip
+        ends = type_ in ("revolute", "prismatic")
         found = [
-            f"{what} {text}" for what, text in limit.attributes.items() if what not in ("lower", "upper")
+            f"{what} {text}"
+            for what, text in limit.attributes.items()
+            if not ends or what not in ("lower", "upper")
         ]
-        if type_ not in ("revolute", "prismatic"):
+        if not ends:
             lower, upper = -np.inf, np.inf
         self.limit(joint, lower, upper, "rad" if type_ == "revolute" else "m", found)
 

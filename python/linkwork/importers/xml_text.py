@@ -14,7 +14,7 @@ from linkwork.errors import Fault, Faults, FileError, ModelFileError, cause
 from linkwork.modeling.files import content
 
 #: Largest file [bytes], levels of elements in each other, and attributes of one.
-SIZE, DEPTH, ATTRIBUTES = 2**26, 100, 1000
+SIZE, DEPTH, ATTRIBUTES = 2**26, 10_000, 1000
 
 
 #: Of elements without attributes: one for all.
@@ -45,6 +45,17 @@ class Node:
         for tag in tags:
             node = node.one(tag) if node is not None else None
         return node
+
+    def below(self) -> Iterator[Node]:
+        """All that is in it, in the order of the file."""
+        waiting = [iter(self.children)]  # elements may be deeper in each other than calls
+        while waiting:
+            child = next(waiting[-1], None)
+            if child is None:
+                waiting.pop()
+                continue
+            yield child
+            waiting.append(iter(child.children))
 
     def word(self, *tags: str) -> str | None:
         """The text of a descendant."""
