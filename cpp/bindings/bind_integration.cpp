@@ -360,21 +360,30 @@ void bind_fixed_steps(py::module_& module) {
            py::arg("y"));
 }
 
+using HappenedEvents = std::vector<std::pair<std::size_t, VectorXd>>;
+using ListedEvents = std::vector<std::pair<std::size_t, double>>;
+
+std::vector<Happened> happened_of(const HappenedEvents& given) {
+  std::vector<Happened> out;
+  for (const auto& [event, before] : given) out.push_back({event, before});
+  return out;
+}
+
+std::optional<std::vector<Listed>> listed_of(const std::optional<ListedEvents>& given) {
+  if (!given) return std::nullopt;
+  std::vector<Listed> out;
+  for (const auto& [event, t] : *given) out.push_back({event, t});
+  return out;
+}
+
 // Long: one statement a method, and what a run is made from by name.
 void bind_adaptive_steps(py::module_& module) {
   py::class_<AdaptiveSimulation, Run>(module, "AdaptiveSimulation", "A run with steps as large as tolerances allow.")
       .def(py::init([](Dynamics& dynamics, const EmbeddedPair& pair, double t_end, double rtol, double atol,
                        double largest_step, std::int64_t record_every, std::vector<double> times,
                        std::vector<Event> events, double t_start, const VectorXd& start, std::vector<double> breaks,
-                       const std::vector<std::pair<std::size_t, VectorXd>>& happened,
-                       const std::optional<std::vector<std::pair<std::size_t, double>>>& listed) {
+                       const HappenedEvents& happened, const std::optional<ListedEvents>& listed) {
              const Busy busy(dynamics);
-             std::vector<Happened> came;
-             for (const auto& [event, before] : happened) came.push_back({event, before});
-             std::optional<std::vector<Listed>> known;
-             if (listed) known.emplace();
-             for (const auto& [event, t] : listed.value_or(std::vector<std::pair<std::size_t, double>>()))
-               known->push_back({event, t});
              return std::make_unique<AdaptiveSimulation>(dynamics, pair,
                                                          AdaptiveSchedule{.t_end = t_end,
                                                                           .tolerances = {rtol, atol},
@@ -384,15 +393,14 @@ void bind_adaptive_steps(py::module_& module) {
                                                                           .t_start = t_start,
                                                                           .start = start,
                                                                           .breaks = std::move(breaks),
-                                                                          .happened = std::move(came),
-                                                                          .listed = std::move(known)},
+                                                                          .happened = happened_of(happened),
+                                                                          .listed = listed_of(listed)},
                                                          std::move(events));
            }),
            py::arg("dynamics"), py::arg("pair"), py::arg("t_end"), py::arg("rtol"), py::arg("atol"),
            py::arg("largest_step"), py::arg("record_every"), py::arg("times"), py::arg("events") = std::vector<Event>(),
            py::arg("t_start") = 0.0, py::arg("start") = VectorXd(), py::arg("breaks") = std::vector<double>(),
-           py::arg("happened") = std::vector<std::pair<std::size_t, VectorXd>>(), py::arg("listed") = py::none(),
-           py::keep_alive<1, 2>())
+           py::arg("happened") = HappenedEvents(), py::arg("listed") = py::none(), py::keep_alive<1, 2>())
       .def("take_occurrences", exclusive(+[](AdaptiveSimulation& run) {
              py::list out;
              for (const Occurrence& it : run.take_occurrences())

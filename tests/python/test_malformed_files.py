@@ -188,6 +188,8 @@ CASES: list[Case] = [
     ("simulation: {t_end: 0.1, step: 1e-3}", "simulation: {t_end: two}", 4, "simulation.t_end",
      "t_end 'two' s must be a finite number, zero or positive"),
     ("simulation: {t_end: 0.1, step: 1e-3}", "simulation: {t_end: 1, times: [0.1]}", 4, "simulation.times",
+     "is an argument of simulate that no file has"),
+    ("simulation: {t_end: 0.1, step: 1e-3}", "simulation: {t_end: 1, tines: [0.1]}", 4, "simulation.tines",
      "is no argument of simulate"),
     ("simulation: {t_end: 0.1, step: 1e-3}", "simulation: {t_end: 1, formulation: foo}", 4,
      "simulation.formulation", "formulation 'foo' does not exist"),

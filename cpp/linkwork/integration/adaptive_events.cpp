@@ -15,8 +15,8 @@ namespace {
 constexpr int many_shorter = 8;
 constexpr double shorter = 0.999, short_time = 1e-6;
 
-constexpr double beside_events = 1e-3;                                     // of a step
-constexpr double cut_otherwise = 0.1;  // of a step: between times of one event in steps that are cut otherwise
+constexpr double beside_events = 1e-3;  // of a step
+constexpr double cut_otherwise = 0.1;   // of a step: between times of one event in steps that are cut otherwise
 constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();  // of times
 constexpr double jump = 1e-9;  // of velocities of drivers, relative: what is less is none
 

@@ -33,6 +33,9 @@ __all__ = ["LEAST_RTOL", "RUN_SETTINGS", "check_estimate", "check_setting", "che
 #: The smallest relative tolerance that double precision holds.
 LEAST_RTOL = 1e-13
 
+#: Arguments of `simulate` that are no settings of a model.
+OF_CALLS = ("model", "times", "events", "start", "output", "overwrite", "progress")
+
 #: Times that are one, relative.
 SAME_TIME = 1e-9
 
@@ -48,6 +51,8 @@ def refused(settings: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
                 check_setting(RENAMED.get(name, name), value)
                 continue
             why = f"is no argument of simulate{nearest(str(name), known)}"
+            if name in OF_CALLS:
+                why = "is an argument of simulate that no file has: give it with the call"
         except OptionError as error:
             why = str(error)
         good = False
