@@ -120,18 +120,20 @@ def check_takes(function: Callable[..., Any], names: Iterable[str], who: str) ->
         ) from error
 
 
-def check_called(function: Callable[..., Any], names: Sequence[str], who: str) -> None:
-    """ModelError: `function` cannot be called with these arguments, by their places."""
+def check_called(
+    function: Callable[..., Any], names: Sequence[str], who: str, error: type[LinkworkError] = ModelError
+) -> None:
+    """`error`: `function` cannot be called with these arguments, by their places."""
     try:
         signature = inspect.signature(function)
     except (TypeError, ValueError):  # of what has none the call tells
         return
     try:
         signature.bind(*names)
-    except TypeError as error:
-        raise ModelError(
-            f"{who}: its function does not take ({', '.join(names)}): {error}", code="signature"
-        ) from error
+    except TypeError as cause:
+        raise error(
+            f"{who}: its function does not take ({', '.join(names)}): {cause}", code="signature"
+        ) from cause
 
 
 def is_iterable(given: Any) -> TypeGuard[Iterable[Any]]:

@@ -31,6 +31,13 @@ namespace support {
 
 using namespace linkwork;
 
+/// Sanitizers make programs ten times as slow, or more: what they look for is found by fewer of the same.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool sanitized = true;
+#else
+constexpr bool sanitized = false;
+#endif
+
 /// The same numbers on every machine and with every standard library.
 class Random {
  public:

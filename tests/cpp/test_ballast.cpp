@@ -98,8 +98,9 @@ TEST_CASE("massless links with joints of every kind are eliminated as they are, 
 TEST_CASE("trees of all joints are eliminated as they are wherever no motion is without inertia") {
   for_every_instruction_set([](SaddleSolver& solver) {
     Random random(212);
+    constexpr int trials = sanitized ? 60 : 300;
     int solved = 0;
-    for (int trial = 0; trial < 300; ++trial) {
+    for (int trial = 0; trial < trials; ++trial) {
       Model model(random.vec3(9.81));
       for (int body = 0; body < 9; ++body) {
         model.add_body("body" + std::to_string(body), random.number() < -0.5 ? link(random) : random_body(random));
@@ -112,7 +113,7 @@ TEST_CASE("trees of all joints are eliminated as they are wherever no motion is 
       check_solves_as_it_is(solver, system, random);
       ++solved;
     }
-    CHECK(solved > 10);
+    CHECK(solved > trials / 30);
   });
 }
 

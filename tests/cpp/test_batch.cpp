@@ -84,7 +84,7 @@ TEST_CASE("a large model, whose D is written past the caches, has the equations 
     }
     return evaluate_initially(System(model, instruction_set(level)));
   };
-  for (int level = 0; level < instruction_set_count(); ++level) {
+  for (int level = sanitized ? instruction_set_count() - 1 : 0; level < instruction_set_count(); ++level) {
     INFO(std::string(instruction_set(level).name));
     const Evaluation a = evaluate_chain(small, level), b = evaluate_chain(large, level);
     CHECK(same_bits(a.D.data(), b.D.data(), 12 * a.Phi.size()));

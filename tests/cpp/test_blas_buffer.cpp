@@ -45,12 +45,6 @@ bool no_solver_has_blas() {
 
 }  // namespace
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool sanitized = true;  // by what ends where there is no memory
-#else
-constexpr bool sanitized = false;
-#endif
-
 TEST_CASE("where there is no memory for the buffer of BLAS it is refused, and had later; it is taken once" *
           doctest::skip(sanitized || no_solver_has_blas())) {
   CHECK(refused());

@@ -135,7 +135,7 @@ TEST_CASE("entries at the same place add up") {
 TEST_CASE("rows with entries in most columns are taken last and change nothing") {
   Random random(106);
   const int blocks = 90, dense = 4;  // 3 columns each on 4 rows of its own, and all on the dense rows
-  for (int repetition = 0; repetition < 6; ++repetition) {
+  for (int repetition = 0; repetition < (sanitized ? 1 : 6); ++repetition) {
     MatrixXd A = MatrixXd::Zero(4 * blocks + dense, 3 * blocks);
     for (int k = 0; k < blocks; ++k) A.block(4 * k, 3 * k, 4, 3) = random.matrix(4, 3);
     A.bottomRows(dense) = random.matrix(dense, 3 * blocks);

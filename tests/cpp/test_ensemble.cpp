@@ -8,6 +8,9 @@ using namespace support;
 
 namespace {
 
+constexpr double duration = sanitized ? 0.01 : 0.05;  // of fixed steps [s]
+constexpr int every = sanitized ? 2 : 10;             // of these a frame
+
 Options deterministic(const char* stabilization = "sampled_baumgarte") {
   Options options;
   options.deterministic = true;
@@ -24,7 +27,7 @@ std::vector<VectorXd> last_states(const std::vector<Model>& models, const Option
     dynamics.push_back(std::make_unique<Dynamics>(model, options));
     all.push_back(dynamics.back().get());
   }
-  Ensemble ensemble(all, rk4(), FixedSteps(0.05, 1e-3, 10), widest);
+  Ensemble ensemble(all, rk4(), FixedSteps(duration, 1e-3, every), widest);
   ensemble.run(threads);
   std::vector<VectorXd> out;
   for (const Ensemble::Member& member : ensemble.take()) {
@@ -98,7 +101,7 @@ TEST_CASE("lanes have the same bits at every width of registers, and those of th
     std::vector<VectorXd> single;
     for (const Model& model : models) {
       Dynamics dynamics(model, deterministic(stabilization));
-      Simulation simulation(dynamics, make_runge_kutta(rk4()), {0.05, 1e-3, 10});
+      Simulation simulation(dynamics, make_runge_kutta(rk4()), {duration, 1e-3, every});
       const Frames frames = simulation.advance(1000, INFINITY);
       single.emplace_back(last(frames.q, static_cast<int>(frames.q.size() / 6)));
     }
@@ -138,7 +141,7 @@ TEST_CASE("a hinge whose axes are turned away from each other leaves its lane, a
 
 TEST_CASE("runs that follow tolerances side by side are those by themselves, at every width, in every order") {
   const std::vector<Model> models = trees_and_loops();
-  const AdaptiveSchedule schedule{.t_end = 0.2, .tolerances = {1e-5, 1e-8}, .record_every = 1};
+  const AdaptiveSchedule schedule{.t_end = sanitized ? 0.04 : 0.2, .tolerances = {1e-5, 1e-8}, .record_every = 1};
   std::vector<Frames> single;
   for (const Model& model : models) {
     Dynamics dynamics(model, deterministic());

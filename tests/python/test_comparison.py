@@ -233,6 +233,21 @@ def test_a_known_solution_can_be_the_reference(tmp_path: Path) -> None:
     assert "only known to 0.001" in told.recommend(2e-3)
 
 
+def test_a_reference_of_another_model_is_told_and_one_of_another_place_refused() -> None:
+    def lifted(mass: float, height: float) -> lw.Model:
+        model = lw.Model()
+        model.body("rod", mass=mass, inertia=(0.1, 0.1, 0.1), position=(1, 0, height))
+        model.revolute("ground", "rod", at=(0, 0, height), axis=(0, 1, 0))
+        return model
+
+    how: dict[str, Any] = {"steps": [1e-2], "integrators": ["rk4"], "processes": 1, "progress": False}
+    heavy, high = (lw.simulate(lifted(*it), 0.2, rtol=1e-8, progress=False) for it in ((2, 0), (1, 1)))
+    with pytest.warns(lw.LinkworkWarning, match="with other numbers.*an error of every method"):
+        lw.compare(lifted(1, 0), 0.2, reference=heavy, **how)
+    with pytest.raises(lw.OptionError, match="body 'rod' begins 1 m from where it is in the model"):
+        lw.compare(lifted(1, 0), 0.2, reference=high, **how)
+
+
 def test_a_reference_of_other_times_is_compared_where_the_times_meet() -> None:
     """Frames at multiples of 7 ms, a step of 10 ms: 0, 0.07, 0.14 and the end."""
     exact = lw.simulate(mechanisms.pendulum(), 0.2, 7e-3, record_every=1, progress=False)

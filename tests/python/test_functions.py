@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from typing import Any
 
 import linkwork as lw
 import numpy as np
@@ -366,3 +367,27 @@ def test_a_table_is_the_one_that_was_given() -> None:
     for array in (samples.coefficients, pieces.coefficients, pieces.breaks):
         with pytest.raises(ValueError, match="read-only"):
             array *= 2
+
+
+def test_functions_that_do_not_take_the_time_are_refused_by_name() -> None:
+    model = lw.Model()
+    model.body("b", mass=1.0, inertia=(1, 1, 1))
+    with pytest.raises(lw.ModelError, match="force_x: value: its function does not take \\(t\\)"):
+        model.force("b", force=(lambda a, b: 1.0, 0, 0))
+    event = lw.Event(lambda t: t)  # type: ignore[arg-type]
+    with pytest.raises(lw.OptionError, match="its function does not take \\(t, state\\)"):
+        lw.simulate(model, 0.1, rtol=1e-6, events=event, progress=False)
+
+
+@pytest.mark.parametrize("given", [True, np.True_, [True, 1, 1]])
+def test_truth_values_are_no_numbers(given: Any) -> None:
+    """But what a function returns, as `t > 1`, which is 0 or 1."""
+    model = lw.Model()
+    model.body("b", mass=1.0, inertia=(1, 1, 1), position=(0, 0, 1))
+    with pytest.raises(lw.ModelError, match="is not"):
+        if isinstance(given, list):
+            model.body("c", mass=1.0, inertia=given)
+        else:
+            model.spring_damper("ground", "b", at=((0, 0, 0), (0, 0, 1)), stiffness=given)
+    model.force("b", force=(lambda t: t > 1.0, 0, 0))
+    assert lw.simulate(model, 0.1, 1e-2, progress=False).v[-1, 0, 0] == 0.0

@@ -367,7 +367,8 @@ def leaping(verdict: Verdict, moments: Iterable[tuple[float, str]]) -> Verdict:
     for t, what in moments:
         if worst.t <= t <= worst.t + worst.h:
             leapt = f"steps leap over what {what} does at t = {t:.5g} s, {_off(verdict.error)}"
-            remedy = "give it its breaks (linkwork.functions.with_breaks), or a shorter step"
+            breaks = "give it its breaks (linkwork.functions.with_breaks), at which steps by rtol end"
+            remedy = f"{breaks}, or a shorter step"
             return replace(verdict, sentence=f"{leapt}: {remedy}")
     return verdict
 

@@ -9,6 +9,8 @@ import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
+import numpy as np
+
 from linkwork.arguments import path
 from linkwork.arrays import Floats
 from linkwork.comparison import runs
@@ -34,6 +36,9 @@ log = logging.getLogger(__name__)
 
 #: Without steps: twice, once and half the step that a method of order 4 needs for an error of about this.
 USUAL_ERROR = 1e-4
+
+#: Of the size of a model: farther away than assembly puts its bodies.
+ELSEWHERE = 0.1
 
 #: What `compare` takes by name.
 _NAMES = ("formulations", "stabilizations", "integrators", "linear_solvers", "steps", "tolerances",
@@ -230,7 +235,8 @@ def _solved(
 
 
 def _checked(reference: Reference, model: Model, t_end: float) -> Reference:
-    """OptionError: a solution of another mechanism, or one that ends too early."""
+    """OptionError: a solution of another mechanism, or one that ends too early. LinkworkWarning: it may
+    be one of another."""
     bodies = reference.motion.q.shape[1]
     if bodies != model.body_count:
         raise OptionError(
@@ -242,7 +248,28 @@ def _checked(reference: Reference, model: Model, t_end: float) -> Reference:
         raise OptionError(
             f"reference: ends at {last:g} s, the comparison at {t_end:g} s; shorten it", code="reference"
         )
+    if reference.motion.t[0] == 0.0:
+        _check_start(reference, model)
+    if reference.model_hash not in (None, model.hash()):
+        warn(
+            "reference: it is of a model with other numbers, functions or another initial state than this: "
+            f"what the two differ by counts as an error of every method (hash {reference.model_hash}, not "
+            f"{model.hash()})"
+        )
     return reference
+
+
+def _check_start(reference: Reference, model: Model) -> None:
+    """OptionError: its bodies begin elsewhere."""
+    own, given = model.compiled().q0.reshape(-1, 7)[:, :3], reference.motion.q[0, :, :3]
+    apart = np.linalg.norm(own - given, axis=1)
+    body, size = int(np.argmax(apart)), float(np.ptp(own, axis=0).max() + reference.scales.length.max())
+    if apart[body] > ELSEWHERE * size:
+        raise OptionError(
+            f"reference: body '{model.compiled().body_name(body)}' begins {apart[body]:.3g} m from where it "
+            "is in the model; give a result of this model",
+            code="reference",
+        )
 
 
 def _suggested_steps(model: Model, t_end: float) -> list[float]:

@@ -59,6 +59,7 @@ class Reference:
     seconds: float | None
     unique_joints: Sequence[str]
     joint_count: int
+    model_hash: str | None = None  #: of what was run; None: not known
 
     def errors(self, motion: Sampled) -> dict[str, float]:
         """Largest pose, velocity, state and reaction error of another motion."""
@@ -180,7 +181,7 @@ def _made(result: Result, description: str, tighter: Result | None) -> Reference
     return Reference(
         motion, scales, description, error, steps=result.statistics.get("steps"),
         seconds=result.statistics.get("driver_seconds"), unique_joints=joints,
-        joint_count=len(result.joint_names),
+        joint_count=len(result.joint_names), model_hash=result.manifest.get("model_hash"),
     )  # fmt: skip
 
 

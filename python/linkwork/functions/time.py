@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork import _core
-from linkwork.arguments import UNREADABLE, array, is_number, number, reals
+from linkwork.arguments import UNREADABLE, array, check_called, is_number, number, reals
 from linkwork.arrays import Floats, ReadOnly
 from linkwork.errors import ModelError, counted
 from linkwork.fingerprints import law
@@ -543,6 +543,7 @@ def as_time_function(x: TimeFunctionLike, what: str) -> float | TimeFunction:
         x = (x,)
     if isinstance(x, tuple) and len(x) in (1, 3) and all(map(callable, x)):
         for function, name in zip(x, ("value", "first derivative", "second derivative"), strict=False):
+            check_called(function, ("t",), f"{what}: {name}")
             _finite(_at_zero(function, f"{what}: {name}"), f"{what}: {name} at t = 0", given=False)
         if len(x) == 3:
             from linkwork.functions.derivatives import STARTS

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork import _core
-from linkwork.arguments import UNREADABLE, array, is_iterable, is_number, is_text
+from linkwork.arguments import UNREADABLE, array, check_called, is_iterable, is_number, is_text
 from linkwork.arrays import Floats
 from linkwork.errors import ModelError, OptionError
 from linkwork.fingerprints import law
@@ -165,6 +165,8 @@ class Event:
                 raise OptionError(
                     f"event '{self.label}': {what} {given!r} is no function of (t, state)", code="event"
                 )
+            if given is not None:
+                check_called(given, ("t", "state"), f"event '{self.label}': {what}", OptionError)
 
         asked = calls or self._calls(model)
 
