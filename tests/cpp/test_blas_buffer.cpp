@@ -7,6 +7,7 @@
 #include <new>
 
 #include "linkwork/linear/linear_solver.hpp"
+#include "support.hpp"
 
 using namespace linkwork;
 
@@ -46,7 +47,7 @@ bool no_solver_has_blas() {
 }  // namespace
 
 TEST_CASE("where there is no memory for the buffer of BLAS it is refused, and had later; it is taken once" *
-          doctest::skip(sanitized || no_solver_has_blas())) {
+          doctest::skip(support::sanitized || no_solver_has_blas())) {
   CHECK(refused());
   CHECK(refused());
   reserve_blas_buffer();
