@@ -363,16 +363,21 @@ void bind_fixed_steps(py::module_& module) {
 using HappenedEvents = std::vector<std::pair<std::size_t, VectorXd>>;
 using ListedEvents = std::vector<std::pair<std::size_t, double>>;
 
-std::vector<Happened> happened_of(const HappenedEvents& given) {
-  std::vector<Happened> out;
-  for (const auto& [event, before] : given) out.push_back({event, before});
+template <class Event, class List>
+std::vector<Event> events_of(const List& given) {
+  std::vector<Event> out;
+  for (const auto& [event, value] : given) out.push_back({event, value});
   return out;
 }
 
 std::optional<std::vector<Listed>> listed_of(const std::optional<ListedEvents>& given) {
-  if (!given) return std::nullopt;
-  std::vector<Listed> out;
-  for (const auto& [event, t] : *given) out.push_back({event, t});
+  return given ? std::optional(events_of<Listed>(*given)) : std::nullopt;
+}
+
+std::optional<ListedEvents> listed_events(const AdaptiveSimulation& run) {
+  if (!run.knows_listed()) return std::nullopt;
+  ListedEvents out;
+  for (const Listed& it : run.listed()) out.emplace_back(it.event, it.t);
   return out;
 }
 
@@ -393,7 +398,7 @@ void bind_adaptive_steps(py::module_& module) {
                                                                           .t_start = t_start,
                                                                           .start = start,
                                                                           .breaks = std::move(breaks),
-                                                                          .happened = happened_of(happened),
+                                                                          .happened = events_of<Happened>(happened),
                                                                           .listed = listed_of(listed)},
                                                          std::move(events));
            }),
@@ -408,6 +413,7 @@ void bind_adaptive_steps(py::module_& module) {
              return out;
            }),
            "(index of the event, t, y before, y after) of the events since the last call; y = (q, v).")
+      .def_property_readonly("listed_events", &listed_events, "(index, t) of all; None: not all are known.")
       .def("energies_around_events", exclusive(+[](const AdaptiveSimulation& run) {
              py::list out;
              for (const auto& [before, after] : run.energies_around_events())

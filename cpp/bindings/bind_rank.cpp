@@ -24,7 +24,7 @@ std::vector<std::string> nearly_dependent_joints(const System& system, const Ran
   std::vector<std::string> out;
   const VectorXd q = system.model().initial_q();
   const TimedPose start{0.0, q, history};
-  for (double near = 1.01 * rank.near; out.empty() && near < 1.0; near *= 2.0)
+  for (double near = std::max(1.01 * rank.near, rank_tolerance); out.empty() && near < 1.0; near *= 2.0)
     for (const int joint : examine_pose(system, start, rank.redundant_rows, near).joints)
       out.push_back(system.model().joint_name(joint));
   return out;

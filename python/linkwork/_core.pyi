@@ -100,6 +100,11 @@ class AdaptiveSimulation(Run):
         """
         (t, potential energy, y before, kinetic energy before, y after, kinetic energy after) of bodies struck by drivers since the last call; y = (q, v, work).
         """
+    @property
+    def listed_events(self) -> list[tuple[int, float]] | None:
+        """
+        (index, t) of all; None: not all are known.
+        """
 
 class Assembler:
     """

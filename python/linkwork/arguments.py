@@ -72,10 +72,14 @@ def reals(given: Any, texts: bool = False) -> Floats:
     found = given if masked else np.asarray(given)
     if given is None or found.dtype.kind not in ("iufOSU" if texts else "biufO"):
         raise TypeError("complex numbers would lose a part, and times of NumPy their unit")
-    if texts and isinstance(given, list | tuple) and any(isinstance(it, bool) for it in given):
+    if texts and (isinstance(given, list | tuple) or found.dtype == object) and _has_truth(given):
         raise TypeError("a truth value is no number")
     numbers: Floats = found.astype(float, copy=False)
     return np.ma.filled(numbers, np.nan) if masked else numbers
+
+
+def _has_truth(given: Any) -> bool:
+    return any(isinstance(it, bool | np.bool_) for it in np.asarray(given, dtype=object).flat)
 
 
 def is_number(given: Any) -> bool:

@@ -167,32 +167,59 @@ def test_an_event_where_a_run_is_cut_in_two_comes_once(of: str, onward: str) -> 
     assert second.position[-1, 0, 0] == pytest.approx(0.0, abs=1e-12)
 
 
-@pytest.mark.parametrize("ulps", [-3, 0, 3])
+@pytest.mark.parametrize("on_the_way", ["", "its end alone", "a short run before it", "another event"])
 @pytest.mark.parametrize("rtol", [1e-6, 1e-9])
 @pytest.mark.parametrize("integrator", ["bs32", "dopri5", "tsit5"])
 def test_an_event_at_the_very_end_of_a_run_is_in_it_or_in_the_next(
-    integrator: str, rtol: float, ulps: int
+    integrator: str, rtol: float, on_the_way: str
 ) -> None:
     """The last step is cut there, and sees it by rounding or not; so do steps that are taken again."""
     model = lw.Model()
     model.body("bar", mass=1.0, inertia=(0.003, 0.03, 0.03), position=(0.3, 0, 0))
     model.revolute("ground", "bar", at=(0, 0, 0), axis=(0, 1, 0))
 
-    def bottom(terminal: bool) -> lw.Event:
-        return lw.Event(lambda t, state: state.body("bar").position[0], "bottom", terminal=terminal)
+    def at(x: float, terminal: bool = False) -> lw.Event:
+        return lw.Event(lambda t, state: state.body("bar").position[0] - x, terminal=terminal)
 
+    others = [at(0.002)] if on_the_way == "another event" else []
     how: dict[str, Any] = {"integrator": integrator, "rtol": rtol, "on_inaccurate": "pass"}
-    whole = run(model, 3.0, bottom(False), **how)
-    end = whole.events[0].t + ulps * np.spacing(whole.events[0].t)
-    first = run(model, end, bottom(False), **how)
-    second = run(model, 3.0, bottom(False), **how, start=first.snapshot())
-    times = [it.t for it in (*first.events, *second.events)]
-    assert times == pytest.approx([it.t for it in whole.events], abs=10 * rtol)
-    assert (second.q[-1] == whole.q[-1]).all()
-    first = run(model, end, bottom(True), **how)
-    second = run(model, 3.0, bottom(True), **how, start=first.snapshot())
-    assert second.t[-1] == pytest.approx(whole.events[1].t if first.events else end, abs=10 * rtol)
-    assert [it.t for it in second.events] == [second.t[-1]]
+    whole = run(model, 3.0, *others, at(0.0), **how)
+    crossing = whole.events[len(others)].t
+
+    def cut(end: float, *events: lw.Event) -> tuple[list[float], lw.Result]:
+        """Of the first run, and what goes on from it."""
+        begun = run(model, end - 1e-4, *events, **how) if on_the_way == "a short run before it" else None
+        start = {} if begun is None else {"start": begun.snapshot()}
+        times = {"times": [end]} if on_the_way == "its end alone" else {}
+        first = run(model, end, *events, **how, **start, **times)
+        listed = [it.t for part in (begun, first) if part is not None for it in part.events]
+        return listed, run(model, 3.0, *events, **how, start=first.snapshot())
+
+    for ulps in (-3, 0, 3):
+        end = crossing + ulps * np.spacing(crossing)
+        before, second = cut(end, *others, at(0.0))
+        times = [*before, *(it.t for it in second.events)]
+        assert times == pytest.approx([it.t for it in whole.events], abs=10 * rtol)
+        assert (second.q[-1] == whole.q[-1]).all()
+        before, second = cut(end, *others, at(0.0, terminal=True))
+        found = len(before) > len(others)
+        expected = next(it.t for it in whole.events if it.t > crossing + 0.1) if found else end
+        assert second.t[-1] == pytest.approx(expected, abs=10 * rtol)
+        assert second.events[-1].t == second.t[-1]
+
+
+def test_bodies_struck_where_a_terminal_event_ended_the_run_are_told_of_once() -> None:
+    model = lw.Model()
+    model.body("wheel", mass=1.0, inertia=(0.1, 0.1, 0.1))
+    model.revolute("ground", "wheel", at=(0, 0, 0), axis=(0, 0, 1), name="pin")
+    bend = lw.functions.piecewise_polynomial([0.0, 1.0, 9.0], [[0.0, -1.0], [-1.0, 1.0]])
+    model.drive("pin", position=bend)
+    model = lw.assemble(model).model
+    end = lw.Event(lambda t, state: t - (1.0 - 1e-15), "end", terminal=True)
+    for first in (run(model, 2.0, end, rtol=1e-8), run(model, 1.0, rtol=1e-8)):
+        events = [end] if first.events else []
+        second = run(model, 2.0, *events, rtol=1e-8, start=first.snapshot())
+        assert len(first._strikes) + len(second._strikes) == 1
 
 
 def test_an_end_and_a_change_at_the_same_time_both_count() -> None:

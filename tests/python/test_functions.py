@@ -379,13 +379,23 @@ def test_functions_that_do_not_take_the_time_are_refused_by_name() -> None:
         lw.simulate(model, 0.1, rtol=1e-6, events=event, progress=False)
 
 
-@pytest.mark.parametrize("given", [True, np.True_, [True, 1, 1]])
+@pytest.mark.parametrize(
+    "given",
+    [
+        True,
+        np.True_,
+        [True, 1, 1],
+        (1, np.True_, 1),
+        np.array([True, 1, 1], object),
+        (np.eye(3) == 1).tolist(),
+    ],
+)
 def test_truth_values_are_no_numbers(given: Any) -> None:
     """But what a function returns, as `t > 1`, which is 0 or 1."""
     model = lw.Model()
     model.body("b", mass=1.0, inertia=(1, 1, 1), position=(0, 0, 1))
     with pytest.raises(lw.ModelError, match="is not"):
-        if isinstance(given, list):
+        if np.ndim(given) > 0:
             model.body("c", mass=1.0, inertia=given)
         else:
             model.spring_damper("ground", "b", at=((0, 0, 0), (0, 0, 1)), stiffness=given)

@@ -227,3 +227,17 @@ def test_forces_of_the_users_own_are_counted_and_listed() -> None:
     rows = {row["name"]: row for row in model.table("forces")}
     assert rows["controller"]["kind"] == "joint_force" and rows["controller"]["b"] == "arm"
     assert rows["controller"]["parameters"] == "angle of 'h'" and rows["wind"]["parameters"] == "on hand"
+
+
+def test_a_function_that_several_elements_share_is_one_of_each() -> None:
+    """Copies, as in another process, have equal ones in its place."""
+    shared = lw.functions.harmonic(1.0, 3.0)
+    hashes = []
+    for functions in ((shared, shared), (lw.functions.harmonic(1.0, 3.0), lw.functions.harmonic(1.0, 3.0))):
+        model = lw.Model()
+        model.body("rod", mass=1.0, inertia=(0.1, 0.1, 0.1))
+        model.revolute("ground", "rod", at=(0, 0, 0), axis=(0, 0, 1), name="pin")
+        model.force("rod", force=(functions[0], 0, 0))
+        model.joint_force("pin", functions[1])
+        hashes += [model.hash(), model.without().hash()]
+    assert len(set(hashes)) == 1

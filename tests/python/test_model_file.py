@@ -262,9 +262,10 @@ def test_the_order_in_which_joints_and_forces_take_functions_does_not_count(
     for k, name in enumerate("ab"):
         model.body(name, mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0, k, 0))
     model.revolute("ground", "b", at=(0, 1, 0), axis=(0, 0, 1), name="pin")
+    shared = harmonic(1.0, 3.0)
     line = {"at": ((0, 3, 0), (1, 0, 0))}
     add: dict[str, Callable[[], object]] = {
-        "force": lambda: model.force("a", force=(harmonic(1.0, 3.0), 0, 0)),
+        "force": lambda: model.force("a", force=(shared, 0, 0)),
         "driver": lambda: model.drive("pin", position=harmonic(0.1, 2.0)),
         "rod": lambda: model.distance("ground", "a", length=harmonic(0.1, 2.0, 0.0, 3.1), **line),
         "spring": lambda: model.spring_damper("b", "a", stiffness=harmonic(1.0, 4.0, 0.0, 9.0), **line),

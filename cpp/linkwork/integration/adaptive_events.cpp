@@ -50,11 +50,10 @@ void AdaptiveSimulation::look_for_events() {
 /// otherwise: what that has listed is not listed again, and what it has not seen came at the start.
 double AdaptiveSimulation::since_start(std::size_t event, double t) {
   if (!resumed() || !schedule_.listed || !(t_ < start_)) return t;
-  std::vector<Listed>& listed = *schedule_.listed;
-  const auto same = [&](const Listed& it) { return it.event == event && std::abs(it.t - t) <= cut_otherwise * h_; };
-  const auto found = std::find_if(listed.begin(), listed.end(), same);
-  if (found == listed.end()) return std::max(t, after_start());
-  listed.erase(found);
+  const auto way = [&](const Listed& it) { return it.event == event ? std::abs(it.t - t) : INFINITY; };
+  const auto nearest = std::ranges::min_element(repeated_, {}, way);
+  if (nearest == repeated_.end() || way(*nearest) > cut_otherwise * h_) return std::max(t, after_start());
+  repeated_.erase(nearest);
   return std::min(t, start_);
 }
 
@@ -128,13 +127,14 @@ void AdaptiveSimulation::strike(const VectorXd& Phi_t_before) {
   y_[y_.size() - 1] += energy() - before;
   sampling_.strike();
   strike.after = {y_, kinetic_energy()};
-  if (!resumed() || t_ >= start_) strikes_.push_back(std::move(strike));  // at its end nothing strikes the run before
+  // At its end nothing strikes the run before, but where an event ended it.
+  if (!resumed() || t_ > start_ || (t_ == start_ && schedule_.happened.empty())) strikes_.push_back(std::move(strike));
 }
 
 /// What ended the run before this one does not end it; by steps that are cut otherwise it may come a little later.
 void AdaptiveSimulation::finish_event(double t_before) {
   auto occurrence = of_step_.end() - std::ssize(stops_);
-  bool ends = false, known = false;
+  bool ends = false;
   const auto came = [this](const EventWatch::Found& found) {
     const auto same = [&](const Happened& it) { return it.event == found.event; };
     return std::any_of(schedule_.happened.begin(), schedule_.happened.end(), same);
@@ -145,19 +145,20 @@ void AdaptiveSimulation::finish_event(double t_before) {
   with_time(t_, NAN, [&] { find_drift(); });
   for (const EventWatch::Found& it : stops_) {
     const Event& event = watch_.event(it.event);
-    ends = ends || event.terminal;
-    if (event.change) with_time(t_, NAN, [&] { ends = apply(event, *occurrence) || ends; });
+    bool ends_here = event.terminal;
+    if (event.change) with_time(t_, NAN, [&] { ends_here = apply(event, *occurrence) || ends_here; });
     if (resumed() && came(it) && (t_before < start_ ? repeating() && !schedule_.listed : at_start(it)))
       occurrence->t = start_;  // which is listed already
-    known = known || (resumed() && occurrence->t <= start_);
+    ends = ends || (ends_here && !(resumed() && occurrence->t <= start_));
     ++occurrence;
   }
-  finished_ = finished_ || (ends && !known);
+  finished_ = finished_ || ends;
 }
 
 void AdaptiveSimulation::list_events() {
   for (Occurrence& it : of_step_) {
     if (resumed() && it.t <= start_) continue;
+    listed_.push_back({it.event, it.t});
     around_events_.push_back(it.energies);
     occurrences_.push_back(std::move(it));
   }

@@ -68,6 +68,7 @@ AdaptiveSimulation::AdaptiveSimulation(Dynamics& dynamics, const EmbeddedPair& p
   if (schedule.record_every != 1) recorder_.count_turns();
   begin_at(schedule.t_start, schedule.t_end, schedule.start);
   t_ = last_stop_ = start_ = schedule.t_start;
+  if (schedule.listed) listed_ = repeated_ = *schedule.listed;
   stepper_.start(dynamics.y_size());
   if (!watch_.empty()) crossing_.watch_rotors();
   dynamics.require_accuracy(schedule.tolerances.relative);

@@ -87,6 +87,9 @@ class AdaptiveSimulation final : public Run {
   std::vector<Occurrence> take_occurrences() { return std::exchange(occurrences_, {}); }
   /// Of all of them. Of an event that changes nothing the work alone is known: forces are not evaluated there.
   const std::vector<EnergiesAround>& energies_around_events() const { return around_events_; }
+  /// Events that are listed, also by the run that this one goes on from; none: nobody knows those before the start.
+  const std::vector<Listed>& listed() const { return listed_; }
+  bool knows_listed() const { return !resumed() || schedule_.listed; }
   /// The same as `take_occurrences` of strikes.
   std::vector<Strike> take_strikes() { return std::exchange(strikes_, {}); }
 
@@ -172,6 +175,7 @@ class AdaptiveSimulation final : public Run {
   std::vector<Occurrence> of_step_;            ///< found in the current step, which is not finished
   std::vector<Occurrence> occurrences_;        ///< of finished steps
   std::vector<EnergiesAround> around_events_;  ///< of all finished steps
+  std::vector<Listed> listed_, repeated_;      ///< `repeated_`: those that may be found once more
   std::vector<Strike> strikes_;
   std::vector<EventWatch::Found> stops_;  ///< the event that ends the current step, and those that come with it
   double last_stop_ = 0.0, last_interval_ = std::numeric_limits<double>::infinity();  ///< between such events

@@ -406,9 +406,8 @@ Model Model::without_drivers() const {
     const auto first = joint_parameters().begin() + static_cast<std::ptrdiff_t>(it.first_parameter);
     const int added = out.add_elements(Role::joint, it.kind, info, std::vector{joint_name(joint)}, {it},
                                        {first, first + std::ssize(info.parameters)});
-    const auto special =
-        std::ranges::lower_bound(special_joints_, joint, {}, [](const auto& listed) { return listed.first; });
-    if (special_joint(joint)) out.special_joints_.emplace_back(added, special->second);
+    const auto special = std::ranges::find(special_joints_, joint, [](const auto& listed) { return listed.first; });
+    if (special != special_joints_.end()) out.special_joints_.emplace_back(added, special->second);
   }
   return out;
 }

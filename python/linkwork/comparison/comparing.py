@@ -252,9 +252,9 @@ def _checked(reference: Reference, model: Model, t_end: float) -> Reference:
         _check_start(reference, model)
     if reference.model_hash not in (None, model.hash()):
         warn(
-            "reference: it is of a model with other numbers, functions or another initial state than this: "
-            f"what the two differ by counts as an error of every method (hash {reference.model_hash}, not "
-            f"{model.hash()})"
+            "reference: it may be of a model with other numbers, functions or another initial state than "
+            "this, or of another version of linkwork: what the two differ by counts as an error of every "
+            f"method (hash {reference.model_hash}, not {model.hash()})"
         )
     return reference
 

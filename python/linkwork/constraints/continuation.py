@@ -176,13 +176,15 @@ class Continuation:
         while self.at.t < t:
             last = self.at.t + h >= t - smallest
             found = self._step(self.at, t if last else self.at.t + h)
-            short = short + (h < tiny) if self.way_to(self.at.t + h) < HARDLY else 0
+            moves = self.way_to(self.at.t + h) >= HARDLY
+            short += h < tiny and not moves
             if found is None or (h > soon and self._touches(found)):
                 h = min(h, t - self.at.t) / 2
                 if h < smallest or short > MOST_TINY:
                     self._refuse_to_go_on(t)
             else:
                 self.counts["steps"] += 1
+                short = 0 if moves else short
                 self._take(found, t)
                 h *= 2
 

@@ -24,7 +24,7 @@ from linkwork.importers.description import (
 )
 from linkwork.importers.frames import Frame, turned
 from linkwork.importers.groups import Group, check_light, grouped, moments_of, real_inertia
-from linkwork.importers.names import free, rename, spaced
+from linkwork.importers.names import Renamed, free, rename, spaced
 from linkwork.importers.stops import Stops
 from linkwork.importers.tree import LinkState, link_states, starts
 from linkwork.modeling.builder import LONGEST
@@ -125,6 +125,18 @@ def _check_values(option: str, given: object) -> None:
             raise OptionError(f"{option}[{name!r:.60}] {value!r:.60} is no number", code="not_a_number")
 
 
+def _by_names_here(names: Renamed, given: Mapping[str, Any], what: str) -> dict[str, Any]:
+    """By the names that joints have in the model. ModelError: one is given by both of its names."""
+    found = {names.joints.get(name, name): value for name, value in given.items()}
+    if len(found) < len(given):
+        twice = next(name for name, here in names.joints.items() if {name, here} <= given.keys())
+        raise ModelError(
+            f"{what}: joint {twice!r} is given twice, as '{names.joints[twice]}', too: give it once",
+            code=what,
+        )
+    return found
+
+
 @np.errstate(over="ignore", invalid="ignore")  # bodies and joints refuse what is not finite
 def build(description: Description, options: Options, lines: Mapping[str, int] | None = None) -> Imported:
     """The model of a description. `lines`: where each link is in the file.
@@ -138,8 +150,11 @@ def build(description: Description, options: Options, lines: Mapping[str, int] |
         description.grounded = () if floating else description.links
     align_axes(description, options.get("align_axes"))
     coordinates, velocities = (
-        {names.joints.get(name, name): value for name, value in (given or {}).items()}
-        for given in (options.get("coordinates"), options.get("velocities"))
+        _by_names_here(names, given or {}, what)
+        for what, given in (
+            ("coordinates", options.get("coordinates")),
+            ("velocities", options.get("velocities")),
+        )
     )
     states = link_states(description, coordinates, velocities)
     groups = grouped(description, states, options.get("merge_fixed", False))

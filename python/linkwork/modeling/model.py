@@ -285,7 +285,8 @@ class Model(ModelBuilder):
         for joint, special in self._special.items():
             digest.update(f"{joint} {special.facts(core)}".encode())
         with under_way(self):
-            for function in self._of_time_first(list(used.values())):
+            laws = [it.law for it in self._user_forces if isinstance(it.law, TimeFunction)]
+            for function in (*used.values(), *laws):
                 digest.update(function.fingerprint())
             for own in self._user_forces:
                 digest.update(own.fingerprint().encode())
@@ -297,12 +298,6 @@ class Model(ModelBuilder):
         numbers = np.concatenate(signals)
         _, first = np.unique(numbers, return_index=True)
         return {k: self._functions[k] for k in numbers[np.sort(first)].tolist() if k >= 0}
-
-    def _of_time_first(self, used: list[TimeFunction]) -> list[TimeFunction]:
-        """With those of joint forces behind those of time, and those of coordinates last."""
-        known, last = set(map(id, used)), {id(function) for _, function in self._characteristics}
-        others = [function for _, function in self._signals if id(function) not in known]
-        return [*(it for it in used if id(it) not in last), *others, *(it for it in used if id(it) in last)]
 
     def __fingerprint__(self) -> str:
         """For those who tell one value from another: see linkwork.fingerprints."""

@@ -111,8 +111,8 @@ class Resume(NamedTuple):
     checkpoint: Checkpoint  #: steps from there on to the snapshot are taken once more
     work: float  #: up to the snapshot [J]
     state: str  #: digest of the state of the snapshot
-    #: events that were listed since the checkpoint: the label, and when [s]; None: nobody knows
-    listed: Sequence[tuple[str, float]] | None = None
+    #: events that were listed since the checkpoint: the place or the label, and when [s]; None: nobody knows
+    listed: Sequence[tuple[int | str, float]] | None = None
 
     def __repr__(self) -> str:
         return f"<Resume: {self.checkpoint!r}>"
@@ -163,11 +163,12 @@ class Snapshot(NamedTuple):
         self,
         checkpoint: Checkpoint | None,
         work: float,
-        listed: Sequence[tuple[str, float]] | None = None,
+        listed: Sequence[tuple[int | str, float]] | None = None,
     ) -> Snapshot:
         """
         The same with what the run needs to go on to the last bit; `work` [J] up to here, and the events that
-        it has `listed` since the checkpoint: the label, and when [s]; None: nobody knows.
+        it has `listed` since the checkpoint: the place among the events of the run, or the label, and when
+        [s]; None: nobody knows.
 
             start = lw.Snapshot.of(0.0, lw.System(model).initial_state()).resumable(None, work=0.0)
         """

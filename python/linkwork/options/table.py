@@ -9,8 +9,6 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import Any, Literal, get_args
 
-import numpy as np
-
 from linkwork import _core, arguments
 from linkwork.errors import OptionError, nearest
 from linkwork.options.types import Level, Options
@@ -103,9 +101,8 @@ def checked(option: _core.OptionInfo, value: Any) -> Any:
 
 
 def check_number(name: str, value: Any, *, positive: bool, unit: str = "") -> None:
-    """OptionError: not a finite number, or a truth value, or negative, or (`positive`) zero."""
-    truth = isinstance(value, bool | np.bool_)
-    if truth or not arguments.is_number(value) or value < 0 or (positive and value == 0):
+    """OptionError: not a finite number, or negative, or (`positive`) zero."""
+    if not arguments.is_number(value) or value < 0 or (positive and value == 0):
         wanted = "positive" if positive else "zero or positive"
         raise OptionError(
             f"{name} {value!r:.80}{unit and ' ' + unit} must be a finite number, {wanted}", code=name

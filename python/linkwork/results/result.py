@@ -94,6 +94,7 @@ class Result:
         self.t: Floats = self._field("t")
         self._finer: Finer | None = None
         self._strikes: tuple[Strike, ...] = ()  # of a fresh result
+        self._listed: Sequence[tuple[int, float]] | None = None  # of a fresh one, see Snapshot.resumable
         self._energies_around_events: Floats = NOT_KNOWN  # of a fresh one: (m, 2, 3) [J]
 
     # --- what was run ---
@@ -304,10 +305,17 @@ class Result:
                          names=self._header.state_names)  # fmt: skip
         last = int(frame) % count == count - 1
         checkpoint = self._settled() if last else self._remembered
-        listed = None
-        if checkpoint is not None and checkpoint.t >= self.t[0]:  # else a run before this one has listed some
-            listed = [(it.name, it.t) for it in self.events if it.t >= checkpoint.t]
+        listed = None if checkpoint is None else self._listed_since(checkpoint.t)
         return found.resumable(checkpoint, float(self._field("work", frame)), listed)
+
+    def _listed_since(self, t: float) -> list[tuple[int | str, float]] | None:
+        """The events since then, by their place or label; None: a run before may have listed some."""
+        if self._listed is not None:
+            return [(event, when) for event, when in self._listed if when >= t]
+        begun = self.manifest.get("options", {}).get("t_start")
+        if begun is None or t < begun:
+            return None
+        return [(it.name, it.t) for it in self.events if it.t >= t]
 
     def _settled(self) -> Checkpoint | None:
         """What a run begins with that goes on from the last frame to the last bit."""
@@ -833,6 +841,7 @@ class Result:
         """What earlier versions pickled says of itself what it says today."""
         header = replace(state["_header"], manifest=renamed_manifest(state["_header"].manifest))
         self._checkpoint, self._strikes, self._energies_around_events = None, (), NOT_KNOWN
+        self._listed = None
         given = state.get("_statistics", state.get("statistics"))  # the latter in those of version 0.1
         self.__dict__.update(state, _header=header, _statistics=renamed_statistics(given))
         self.t = read_only(self.t)

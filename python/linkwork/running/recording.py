@@ -332,8 +332,9 @@ def _occurrences(run: _core.Run, labels: Sequence[str]) -> list[Occurrence]:
 
 
 def add_sides(result: Result, run: _core.Run) -> None:
-    """What was around strikes of drivers, and energies around events, in the whole run."""
+    """What was around strikes of drivers, and energies around events, in the whole run; these by place."""
     if isinstance(run, _core.AdaptiveSimulation):
+        result._listed = run.listed_events
         result._strikes = tuple(Strike(*it) for it in run.take_strikes())
         energies = np.asarray(run.energies_around_events(), dtype=float)
         result._energies_around_events = energies.reshape(-1, 2, 3)

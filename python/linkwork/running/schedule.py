@@ -252,8 +252,10 @@ def _listed(events: Sequence[_core.Event], start: Snapshot | None) -> list[tuple
     knows."""
     if start is None or start.resume is None or start.resume.listed is None:
         return None
-    known = start.resume.listed
-    return [(k, t) for k, event in enumerate(events) for label, t in known if label == event.name]
+    known, labels = start.resume.listed, {event.name for event in events}
+    if len(labels) < len(events) and any(isinstance(which, str) for which, _ in known):
+        return None
+    return [(k, t) for k, event in enumerate(events) for which, t in known if which in (k, event.name)]
 
 
 def _from(start: Snapshot | None) -> _Start:

@@ -31,7 +31,7 @@ def quantile(name: str, given: Any) -> Callable[[Floats], Floats]:
     if is_distribution(given):
         return _of_distribution(name, given)
     bounds = given.tolist() if isinstance(given, np.ndarray) else given
-    if not (isinstance(bounds, tuple | list) and len(bounds) == 2 and all(map(_is_bound, bounds))):
+    if not (isinstance(bounds, tuple | list) and len(bounds) == 2 and all(map(is_number, bounds))):
         raise OptionError(
             f"parameter '{name}': {given!r:.60} is no {WANTED}, which a sampler needs", code="parameters"
         )
@@ -40,10 +40,6 @@ def quantile(name: str, given: Any) -> Callable[[Floats], Floats]:
         what = f"reversed: give ({high:g}, {low:g})" if low > high else "equal: there is nothing between them"
         raise OptionError(f"parameter '{name}': its bounds ({low:g}, {high:g}) are {what}", code="parameters")
     return lambda u: low + (high - low) * u
-
-
-def _is_bound(given: Any) -> bool:
-    return is_number(given)
 
 
 def _of_distribution(name: str, given: Any) -> Callable[[Floats], Floats]:
