@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from pathlib import Path
+from types import FrameType, ModuleType
+from typing import Any
 
 import linkwork as lw
 import numpy as np
@@ -31,6 +34,31 @@ def turned(roll: float, pitch: float, yaw: float) -> np.ndarray:
 def topics(imported: lw.Imported) -> list[tuple[str, str]]:
     """What the notes are about, sorted."""
     return sorted((note.topic, note.subject) for note in imported.notes)
+
+
+def check_takes_time_as_it_is_long(read: Callable[[int], object], module: ModuleType) -> None:
+    """For each element more as many lines of code of the module run in a long file as in a short one."""
+
+    def lines(count: int) -> int:
+        found = 0
+
+        def watch(frame: FrameType, event: str, _: Any) -> Any:
+            nonlocal found
+            if frame.f_code.co_filename != module.__file__:
+                return None
+            found += event == "line"
+            return watch
+
+        before = sys.gettrace()
+        sys.settrace(watch)
+        try:
+            read(count)
+        finally:
+            sys.settrace(before)
+        return found
+
+    short, middle, long = lines(20), lines(40), lines(60)
+    assert 0 < long - middle == middle - short
 
 
 def check_refused(

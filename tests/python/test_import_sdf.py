@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
-import sys
-from collections import Counter
 from pathlib import Path
-from types import FrameType
 from typing import Any
 
 import linkwork as lw
 import numpy as np
 import pytest
 from linkwork.importers import sdf_scopes
-from robot_files import ROBOTS, about, accelerations, check_refused, topics, turned
+from robot_files import (
+    ROBOTS,
+    about,
+    accelerations,
+    check_refused,
+    check_takes_time_as_it_is_long,
+    topics,
+    turned,
+)
 
 FOUR_BAR = ROBOTS / "four_bar.sdf"
 
@@ -667,27 +672,9 @@ def test_versions_of_other_elements_are_refused(version: str, tmp_path: Path) ->
 
 
 def test_frames_along_a_line_take_time_as_it_is_long(tmp_path: Path) -> None:
-    """Lines of code that run for each frame more: as many in a long line as in a short one."""
-
-    def lines(count: int) -> int:
-        found = Counter[str]()
-
-        def watch(frame: FrameType, event: str, _: Any) -> Any:
-            if frame.f_code.co_filename != sdf_scopes.__file__:
-                return None
-            found[event] += 1
-            return watch
-
+    def read(count: int) -> None:
         frames = [f'<frame name="f{k + 1}" attached_to="f{k}"/>' for k in range(count)]
         joints = (link(f"l{k}") + joint(f"j{k}", "ball", f"f{k}", f"l{k}") for k in range(1, count))
-        text = link("l0") + '<frame name="f0" attached_to="l0"/>' + "".join([*frames, *joints])
-        before = sys.gettrace()
-        sys.settrace(watch)
-        try:
-            loaded(tmp_path, text)
-        finally:
-            sys.settrace(before)
-        return found["line"]
+        loaded(tmp_path, link("l0") + '<frame name="f0" attached_to="l0"/>' + "".join([*frames, *joints]))
 
-    short, middle, long = lines(20), lines(40), lines(60)
-    assert 0 < long - middle == middle - short
+    check_takes_time_as_it_is_long(read, sdf_scopes)

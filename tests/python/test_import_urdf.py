@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import sys
 import time
-from collections import Counter
 from pathlib import Path
-from types import FrameType
 from typing import Any
 
 import linkwork as lw
 import numpy as np
 import pytest
 from linkwork.importers import stops
-from robot_files import ROBOTS, accelerations, check_refused, topics, turned
+from robot_files import ROBOTS, accelerations, check_refused, check_takes_time_as_it_is_long, topics, turned
 
 G = 9.81
 
@@ -528,27 +525,7 @@ def test_stops_along_a_chain_take_what_is_behind_them(tmp_path: Path) -> None:
 
 
 def test_stops_along_a_chain_take_time_as_it_is_long(tmp_path: Path) -> None:
-    """Lines of code that run for each joint more: as many in a long chain as in a short one."""
-
-    def lines(count: int) -> int:
-        found = Counter[str]()
-
-        def watch(frame: FrameType, event: str, _: Any) -> Any:
-            if frame.f_code.co_filename != stops.__file__:
-                return None
-            found[event] += 1
-            return watch
-
-        before = sys.gettrace()
-        sys.settrace(watch)
-        try:
-            loaded(tmp_path, hinges(count), limits="stops")
-        finally:
-            sys.settrace(before)
-        return found["line"]
-
-    short, middle, long = lines(20), lines(40), lines(60)
-    assert 0 < long - middle == middle - short
+    check_takes_time_as_it_is_long(lambda count: loaded(tmp_path, hinges(count), limits="stops"), stops)
 
 
 def test_long_chains_of_joints_that_follow_each_other_are_read_at_once(tmp_path: Path) -> None:
@@ -636,3 +613,12 @@ def test_negative_moments_are_made_the_nearest_but_never_taken_as_they_are(tmp_p
             loaded(tmp_path, body, **options)
     repaired = loaded(tmp_path, body, repair_inertia=True).model.compiled().inertia[0]
     assert np.diag(repaired) == pytest.approx([3.0, 2.5, 0.5])
+
+
+def test_a_joint_that_is_given_by_both_of_its_names_is_refused(tmp_path: Path) -> None:
+    body = link("base") + link("a") + joint("x&#9;y", "continuous", "base", "a")
+    for given in ({"x\ty": 0.5}, {"x y": 0.5}):
+        model = loaded(tmp_path, body, coordinates=given).model
+        assert lw.simulate(model, 0.0, 1e-3, progress=False).coordinate("x y").value[0] == pytest.approx(0.5)
+    with pytest.raises(lw.ModelError, match="coordinates: joint 'x.*y' is given twice, as 'x y', too"):
+        loaded(tmp_path, body, coordinates={"x\ty": 0.5, "x y": 0.25})

@@ -125,8 +125,9 @@ def _check_values(option: str, given: object) -> None:
             raise OptionError(f"{option}[{name!r:.60}] {value!r:.60} is no number", code="not_a_number")
 
 
-def _by_names_here(names: Renamed, given: Mapping[str, Any], what: str) -> dict[str, Any]:
+def _by_names_here(names: Renamed, given: Mapping[str, Any] | None, what: str) -> dict[str, Any]:
     """By the names that joints have in the model. ModelError: one is given by both of its names."""
+    given = given or {}
     found = {names.joints.get(name, name): value for name, value in given.items()}
     if len(found) < len(given):
         twice = next(name for name, here in names.joints.items() if {name, here} <= given.keys())
@@ -149,13 +150,8 @@ def build(description: Description, options: Options, lines: Mapping[str, int] |
     if floating is not None:
         description.grounded = () if floating else description.links
     align_axes(description, options.get("align_axes"))
-    coordinates, velocities = (
-        _by_names_here(names, given or {}, what)
-        for what, given in (
-            ("coordinates", options.get("coordinates")),
-            ("velocities", options.get("velocities")),
-        )
-    )
+    coordinates = _by_names_here(names, options.get("coordinates"), "coordinates")
+    velocities = _by_names_here(names, options.get("velocities"), "velocities")
     states = link_states(description, coordinates, velocities)
     groups = grouped(description, states, options.get("merge_fixed", False))
     faults: list[Fault] = []

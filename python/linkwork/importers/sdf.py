@@ -283,8 +283,9 @@ class _SdfFile(RobotFile):
             self._screw(reader, node, joint, who)
         if count == 1:
             self._dynamics(scope, node, joint, who, type_)
+        else:
+            self._note_dynamics(node, who, AXES[: max(count, 1)])
         self._note_unused(node, who, type_)
-        self._note_dynamics(node, who, AXES[1:] if count == 1 else AXES)
         self.note_children(node, who, ("physics", "sensor"))
         return joint
 
