@@ -128,7 +128,8 @@ void AdaptiveSimulation::strike(const VectorXd& Phi_t_before) {
   sampling_.strike();
   strike.after = {y_, kinetic_energy()};
   // At its end nothing strikes the run before, but where an event ended it.
-  if (!resumed() || t_ > start_ || (t_ == start_ && schedule_.happened.empty())) strikes_.push_back(std::move(strike));
+  const bool struck = std::ranges::any_of(schedule_.happened, [&](auto& it) { return watch_.event(it.event).stops(); });
+  if (!resumed() || t_ > start_ || (t_ == start_ && !struck)) strikes_.push_back(std::move(strike));
 }
 
 /// What ended the run before this one does not end it; by steps that are cut otherwise it may come a little later.

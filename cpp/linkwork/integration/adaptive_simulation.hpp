@@ -87,7 +87,7 @@ class AdaptiveSimulation final : public Run {
   std::vector<Occurrence> take_occurrences() { return std::exchange(occurrences_, {}); }
   /// Of all of them. Of an event that changes nothing the work alone is known: forces are not evaluated there.
   const std::vector<EnergiesAround>& energies_around_events() const { return around_events_; }
-  /// Events that are listed, also by the run that this one goes on from; none: nobody knows those before the start.
+  /// Events that are listed, by the run that this one goes on from, too, where it `knows_listed` of that.
   const std::vector<Listed>& listed() const { return listed_; }
   bool knows_listed() const { return !resumed() || schedule_.listed; }
   /// The same as `take_occurrences` of strikes.

@@ -285,6 +285,7 @@ class Model(ModelBuilder):
         for joint, special in self._special.items():
             digest.update(f"{joint} {special.facts(core)}".encode())
         with under_way(self):
+            # Those of joint forces count twice, as they did when hashes were first written.
             laws = [it.law for it in self._user_forces if isinstance(it.law, TimeFunction)]
             for function in (*used.values(), *laws):
                 digest.update(function.fingerprint())
