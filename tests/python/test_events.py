@@ -208,7 +208,7 @@ def test_an_event_at_the_very_end_of_a_run_is_in_it_or_in_the_next(
         assert second.events[-1].t == second.t[-1]
 
 
-def test_bodies_struck_where_a_terminal_event_ended_the_run_are_told_of_once() -> None:
+def test_bodies_struck_where_a_run_ends_are_told_of_once() -> None:
     model = lw.Model()
     model.body("wheel", mass=1.0, inertia=(0.1, 0.1, 0.1))
     model.revolute("ground", "wheel", at=(0, 0, 0), axis=(0, 0, 1), name="pin")
@@ -216,10 +216,11 @@ def test_bodies_struck_where_a_terminal_event_ended_the_run_are_told_of_once() -
     model.drive("pin", position=bend)
     model = lw.assemble(model).model
     end = lw.Event(lambda t, state: t - (1.0 - 1e-15), "end", terminal=True)
-    for first in (run(model, 2.0, end, rtol=1e-8), run(model, 1.0, rtol=1e-8)):
-        events = [end] if first.events else []
+    log = lw.Event(lambda t, state: t - 1.0, "log")
+    for events, t_end in (([end], 2.0), ([log], 1.0), ([], 1.0)):
+        first = run(model, t_end, *events, rtol=1e-8)
         second = run(model, 2.0, *events, rtol=1e-8, start=first.snapshot())
-        assert len(first._strikes) + len(second._strikes) == 1
+        assert first.t[-1] == pytest.approx(1.0) and len(first._strikes) + len(second._strikes) == 1
 
 
 def test_an_end_and_a_change_at_the_same_time_both_count() -> None:
