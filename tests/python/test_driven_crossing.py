@@ -144,6 +144,18 @@ def test_drivers_that_part_after_the_start_are_said_to_contradict_each_other(
     assert caught.value.time is not None and caught.value.time < 2e-3
 
 
+def test_hinges_of_a_driven_door_with_too_few_digits_are_told_what_they_lack() -> None:
+    model = lw.Model()
+    door = model.body("door", mass=20.0, inertia=(1.0, 2.0, 1.5), position=(0.4, 0, 0))
+    axis = np.array((0.3, 0.2, 1.0)) / np.linalg.norm((0.3, 0.2, 1.0))
+    lower = model.revolute("ground", door, at=(0, 0, 0), axis=axis, name="lower")
+    model.revolute("ground", door, at=np.round(1.3 * axis, 8), axis=np.round(axis, 8), name="upper")
+    model.drive(lower, position=lw.functions.harmonic(0.5, 3.0), name="motor")
+    with pytest.raises(lw.NotConvergedError, match="contradict .* with all digits, or leave one out") as caught:
+        lw.kinematics(model, np.linspace(0, 1, 5))
+    assert sorted(caught.value.joints) == ["lower", "upper"]
+
+
 def test_drivers_of_one_freedom_at_two_joints_are_named_before_the_joints() -> None:
     model = parallelogram()
     model.drive("pin right", position=lw.functions.polynomial(0.0, 1.1 * RATE), name="other motor")

@@ -81,8 +81,9 @@ int cores_of_quota(const std::string& root) {
 }
 
 int usable_cores() {
+  static const int quota = cores_of_quota();  // to read it takes longer than to make a small mechanism
   int cores = cores_of_affinity();
-  for (const int limit : {cores_of_quota(), wanted_by_environment()})
+  for (const int limit : {quota, wanted_by_environment()})
     if (limit > 0) cores = std::min(cores, limit);
   return std::max(cores, 1);
 }

@@ -385,9 +385,14 @@ class Continuation:
         rows = strongest(at.constraints.contradiction(Phi))
         driving = eq.terms(at.t, at.q).Phi_t[rows] != 0.0
         names = eq.joints(np.concatenate([rows[driving], rows[~driving]]))
+        remedy = (
+            "drive it once only, or by functions that agree"
+            if driving.any()
+            else "give points and axes of joints that repeat each other with all digits, or leave one out"
+        )
         raise NotConvergedError(
             f"kinematics: {named(names)} contradict each other from t = {at.t:.6g} s on: they demand the "
-            "same motion in different ways; drive it once only, or by functions that agree",
+            f"same motion in different ways; {remedy}",
             code="contradiction",
             joints=names,
             time=at.t,
