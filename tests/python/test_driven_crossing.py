@@ -151,7 +151,9 @@ def test_hinges_of_a_driven_door_with_too_few_digits_are_told_what_they_lack() -
     lower = model.revolute("ground", door, at=(0, 0, 0), axis=axis, name="lower")
     model.revolute("ground", door, at=np.round(1.3 * axis, 8), axis=np.round(axis, 8), name="upper")
     model.drive(lower, position=lw.functions.harmonic(0.5, 3.0), name="motor")
-    with pytest.raises(lw.NotConvergedError, match="contradict .* with all digits, or leave one out") as caught:
+    with pytest.raises(
+        lw.NotConvergedError, match="contradict .* with all digits, or leave one out"
+    ) as caught:
         lw.kinematics(model, np.linspace(0, 1, 5))
     assert sorted(caught.value.joints) == ["lower", "upper"]
 

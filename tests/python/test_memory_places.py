@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextvars
 import ctypes
 import enum
 import functools
@@ -15,6 +16,7 @@ from typing import Any
 import linkwork as lw
 import numpy as np
 import pytest
+import remembering_laws
 
 #: What reads an effort [N m], and what sets it.
 Place = Callable[[], tuple[Callable[[], float], Callable[[float], object]]]
@@ -215,9 +217,75 @@ def _in_a_table() -> Any:
     return lambda: table.at[0, "effort"], lambda effort: table.at.__setitem__((0, "effort"), effort)
 
 
+def _attribute_of_a_function_not_there_yet() -> Any:
+    def get() -> float:
+        return getattr(get, "held", 0.0)
+
+    return get, lambda effort: setattr(get, "held", effort)
+
+
+def _attribute_of_a_class_not_there_yet() -> Any:
+    class Motor:
+        pass
+
+    return lambda: getattr(Motor, "held", 0.0), lambda effort: setattr(Motor, "held", effort)
+
+
+def _slot_not_there_yet() -> Any:
+    class Motor:
+        __slots__ = ("held",)
+
+    motor = Motor()
+    return lambda: getattr(motor, "held", 0.0), lambda effort: setattr(motor, "held", effort)
+
+
+def _variable_not_there_yet() -> Any:
+    def get() -> float:
+        try:
+            return held
+        except NameError:
+            return 0.0
+
+    def put(effort: float) -> None:
+        nonlocal held
+        held = effort
+
+    held = 0.0
+    del held
+    return get, put
+
+
+def _global_variable_not_there_yet() -> Any:
+    def get() -> float:
+        try:
+            return _HELD
+        except NameError:
+            return 0.0
+
+    def put(effort: float) -> None:
+        global _HELD
+        _HELD = effort
+
+    globals().pop("_HELD", None)
+    return get, put
+
+
+_HELD: float
+
+
+def _variable_of_a_module_not_there_yet() -> Any:
+    def put(effort: float) -> None:
+        remembering_laws.held_there = effort  # type: ignore[attr-defined]
+
+    vars(remembering_laws).pop("held_there", None)
+    return lambda: getattr(remembering_laws, "held_there", 0.0), put
+
+
 PLACES = [
     _event_of_threads, _record, _pointer, _array_by_pointer, _of_a_number, _of_a_member, _of_another_class,
     _by_another_method, _by_another_function, _cached, _weakly, _in_a_table,
+    _attribute_of_a_function_not_there_yet, _attribute_of_a_class_not_there_yet, _slot_not_there_yet,
+    _variable_not_there_yet, _global_variable_not_there_yet, _variable_of_a_module_not_there_yet,
 ]  # fmt: skip
 
 
@@ -249,7 +317,12 @@ def _attribute_of_a_thread() -> Any:
     return lambda: thread.effort, lambda effort: setattr(thread, "effort", effort)
 
 
-@pytest.mark.parametrize("place", [_lock, _attribute_of_a_thread])
+def _context_variable_without_a_value() -> Any:
+    held = contextvars.ContextVar("held", default=0.0)
+    return held.get, held.set
+
+
+@pytest.mark.parametrize("place", [_lock, _attribute_of_a_thread, _context_variable_without_a_value])
 def test_what_nobody_can_give_back_is_told_by_what_it_does(place: Place) -> None:
     """A lock is no place that is looked into."""
     get, put = place()
@@ -266,7 +339,7 @@ def test_what_nobody_can_give_back_is_told_by_what_it_does(place: Place) -> None
     assert all("cannot be given back" in study.remarks[k] for k in range(2))
     get, put = place()
     model = _held_by(lambda t, angle, rate: get())
-    with pytest.warns(lw.LinkworkWarning, match="'controller': what it remembers cannot be given back"):
+    with pytest.warns(lw.LinkworkWarning, match="'controller'.*: what it remembers cannot be given back"):
         many = lw.simulate_many(model, {"bar.mass": [1.0, 2.0]}, **{**how, "events": _clock(put)})
     assert len(many.alone) == 2
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import builtins
 import contextlib
 import copy
 import datetime
@@ -30,7 +31,7 @@ from typing import Any
 import numpy as np
 
 from linkwork.fingerprints import is_users
-from linkwork.running.places import ALL, Named, Place, in_cache, is_from_c, is_same, place_of
+from linkwork.running.places import ALL, Named, Names, Place, in_cache, is_from_c, is_same, place_of
 
 __all__ = ["CONSTANT", "Kept", "Part", "Parts", "is_opaque", "names_in"]
 
@@ -60,6 +61,7 @@ _ABSENT = object()
 _BARE = (list, dict, set, deque, bytearray)
 
 _ASSIGN = ("STORE_DEREF", "STORE_GLOBAL", "STORE_ATTR")
+_GLOBALS = ("LOAD_GLOBAL", "LOAD_NAME", "STORE_GLOBAL", "STORE_NAME")
 _COMPILED = ("ctypes", "_ctypes", "_cffi_backend", "numba")
 _LOCKS = ("_multiprocessing", "_thread")
 _WRAPPERS = (types.MethodType, staticmethod, classmethod, functools.partial, property)
@@ -86,6 +88,7 @@ class Kept(AbstractContextManager["Kept"]):
         self.unknown: dict[str, None] = {}
         self.lost = False
         self._assigns = False
+        self._empty: set[Hashable] = set()  # places of functions' attributes that have none
         self._places: dict[Hashable, Place] = {}  # by what it is that is written to
         self._code: set[Hashable] = set()  # of these what holds functions and classes
         self._caches: dict[Hashable, tuple[Any, list[Any]]] = {}  # of functools, with what was in them
@@ -198,7 +201,7 @@ class Kept(AbstractContextManager["Kept"]):
     @property
     def writable(self) -> bool:
         """Whether there are containers, or variables that they assign to."""
-        return self._assigns or any(isinstance(key, int) for key in self._places)
+        return self._assigns or any(isinstance(key, int) for key in self._places.keys() - self._empty)
 
     def shares(self, other: Kept) -> bool:
         """Whether both reach something that can be written to, or might."""
@@ -257,22 +260,26 @@ class Kept(AbstractContextManager["Kept"]):
     def _function(self, it: types.FunctionType) -> None:
         self._assigns = self._assigns or _assigns(it.__code__)
         for cell in it.__closure__ or ():
-            try:
-                self._attribute(cell, "cell_contents", cell.cell_contents)
-            except ValueError:  # nothing in it yet
-                continue
-        self._todo += [*(it.__defaults__ or ()), it.__kwdefaults__, vars(it) or None]
+            self._seen[id(cell)] = cell
+            get = functools.partial(_in_cell, cell)
+            self._named(
+                (id(cell), "cell_contents"), get(), get, functools.partial(_put, cell, "cell_contents")
+            )
+        self._todo += [*(it.__defaults__ or ()), it.__kwdefaults__, vars(it)]
+        if not vars(it):
+            self._empty.add(id(vars(it)))
         if _is_installed(it):
             return
         names, known = names_in(it.__code__), it.__globals__
         texts = texts_in(it.__code__) if names & _BY_TEXT else frozenset()
+        variables, new = variables_in(it.__code__), attributes_set_in(it.__code__) | texts
         names |= texts
-        for name in names & known.keys() | (texts if "globals" in names else frozenset()):
+        for name in names & known.keys() | variables | (texts if "globals" in names else frozenset()):
             self._entry(known, name)
-            self._module(known.get(name), names)
+            self._module(known.get(name), names, new)
 
-    def _module(self, value: Any, names: frozenset[str]) -> None:
-        """What a function reads there, by names that it uses."""
+    def _module(self, value: Any, names: frozenset[str], new: frozenset[str]) -> None:
+        """What a function reads there, by names that it uses; `new` need not be there yet."""
         if getattr(value, "__module__", "") == "numpy.random":  # a function that is imported from there
             self._todo.append(np.random.mtrand._rand)
         if not isinstance(value, types.ModuleType) or id(value) in self._seen:
@@ -286,9 +293,9 @@ class Kept(AbstractContextManager["Kept"]):
         if not is_users(value.__name__):
             return
         self._seen[id(value)] = value
-        for name in names & vars(value).keys():
-            self._attribute(value, name, vars(value)[name])
-            self._module(vars(value)[name], names)
+        for name in names & vars(value).keys() | new:
+            self._attribute(value, name, vars(value).get(name, _ABSENT))
+            self._module(vars(value).get(name), names, new)
         del self._seen[id(value)]  # another function uses other names
 
     def _class(self, it: type) -> None:
@@ -299,6 +306,7 @@ class Kept(AbstractContextManager["Kept"]):
                 continue
             if not isinstance(value, types.MemberDescriptorType):
                 self._attribute(it, name, value)
+        self._places[id(it), "names"] = Names(it)
         self._todo += [*it.__bases__, type(it)]
 
     def _object(self, it: Any) -> None:
@@ -322,8 +330,8 @@ class Kept(AbstractContextManager["Kept"]):
     def _attributes(self, it: Any) -> None:
         kind = type(it)
         self._seen[id(it)] = it
-        for name in [name for base in kind.__mro__ for name in _slots(base) if hasattr(it, name)]:
-            self._attribute(it, name, getattr(it, name))
+        for name in [name for base in kind.__mro__ for name in _slots(base)]:
+            self._attribute(it, name, getattr(it, name, _ABSENT))
         if hasattr(it, "__dict__"):
             self._todo.append(vars(it))
             if is_users(kind.__module__):
@@ -340,10 +348,11 @@ class Kept(AbstractContextManager["Kept"]):
 
     def _entry(self, of: dict[str, Any], name: str) -> None:
         get = functools.partial(of.get, name, _ABSENT)
-        self._named((id(of), name), of.get(name), get, functools.partial(_enter, of, name))
+        self._named((id(of), name), get(), get, functools.partial(_enter, of, name))
 
     def _named(self, key: Hashable, value: Any, get: Callable[[], Any], put: Callable[[Any], object]) -> None:
-        self._todo.append(value)
+        if value is not _ABSENT:
+            self._todo.append(value)
         if isinstance(value, types.ModuleType):
             return
         self._places[key] = Named(get, put)
@@ -361,6 +370,13 @@ def _worth_a_look(inside: Iterable[Any]) -> list[Any]:
         for it in inside
         if not (type(it) in _NUMBERS or (type(it) is tuple and _NUMBERS.issuperset(map(type, it))))
     ]
+
+
+def _in_cell(cell: types.CellType) -> Any:
+    try:
+        return cell.cell_contents
+    except ValueError:  # nothing is in it
+        return _ABSENT
 
 
 def _put(of: Any, name: str, value: Any) -> None:
@@ -402,6 +418,22 @@ def _assigns(code: types.CodeType) -> bool:
     """Whether it, or a function inside, assigns to other variables than its own, or to attributes."""
     inner = [it for it in code.co_consts if isinstance(it, types.CodeType)]
     return any(it.opname in _ASSIGN for it in dis.get_instructions(code)) or any(map(_assigns, inner))
+
+
+@functools.cache
+def variables_in(code: types.CodeType) -> frozenset[str]:
+    """Global ones that it, or a function inside, reads or writes, but for those of Python's own."""
+    inner = [variables_in(it) for it in code.co_consts if isinstance(it, types.CodeType)]
+    own = {it.argval for it in dis.get_instructions(code) if it.opname in _GLOBALS}
+    return frozenset(name for name in own if not hasattr(builtins, name)).union(*inner)
+
+
+@functools.cache
+def attributes_set_in(code: types.CodeType) -> frozenset[str]:
+    inner = [attributes_set_in(it) for it in code.co_consts if isinstance(it, types.CodeType)]
+    return frozenset(it.argval for it in dis.get_instructions(code) if it.opname == "STORE_ATTR").union(
+        *inner
+    )
 
 
 def _is_installed(function: types.FunctionType) -> bool:

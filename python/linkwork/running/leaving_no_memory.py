@@ -63,12 +63,17 @@ class Memory:
         """Whether functions reach something else now, as far as it can be looked into. But for `logs` where
         they only write it: that changes no motion, and is there for whoever looks at it in the end. Where
         calls return something else than in the run it is no log, whatever it looks like."""
-        changed, keys = self._changed(), {key for key, _ in self._kept.changed()}
-        if keys:
-            changed += [name for name, it in self._functions.items() if not keys.isdisjoint(Kept([it]).keys)]
+        changed = [*self._changed(), *self._written()]
         known = [self._functions[name] for name in dict.fromkeys(changed)]
         counts = logs or any(calls.differs for _, calls in self._calls)
         return any(counts or not callbacks.only_logs(it, self._functions.values()) for it in known)
+
+    def _written(self) -> list[str]:
+        """Functions that reach places where something else is now."""
+        keys = {key for key, _ in self._kept.changed()}
+        if not keys:
+            return []
+        return [name for name, it in self._functions.items() if not keys.isdisjoint(Kept([it]).keys)]
 
     def _changed(self) -> list[str]:
         """By content, of functions of which that can be read."""
@@ -83,17 +88,17 @@ class Memory:
             look_for_hidden(self._calls)
         return any(calls.differs or calls.hidden for _, calls in self._calls)
 
-    def put_back(self) -> None:
-        """Makes it what it was, logs too."""
+    def put_back(self) -> list[str]:
+        """Makes it what it was, logs too; the functions of which that could not be done."""
         self._kept.put_back()
+        return [*self._changed(), *self._written()]
 
     def give_back(self, *, logs: bool) -> list[str]:
         """Makes it what it was, if it is changed; the functions of which that is not known."""
         hidden = [*self.hidden, *(name for name, calls in self._calls if calls.hidden)]
         if not self.is_changed(logs=logs):
             return hidden
-        self._kept.put_back()
-        return [*self._changed(), *hidden]
+        return [*self.put_back(), *hidden]
 
 
 def function_of(it: Any) -> Any:

@@ -258,7 +258,7 @@ def _changes_by_itself(models: Mapping[int, Model], method: Method, memory: Memo
                 run.advance(LOOK, recording.PIECE_SECONDS)
             run.take_frames()
     found = memory.is_changed(logs=method.looked_at)
-    memory.put_back()
+    warn_of_lasting(memory.put_back())
     return found
 
 

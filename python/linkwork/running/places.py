@@ -18,7 +18,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-__all__ = ["ALL", "LARGE", "Named", "Place", "in_cache", "is_from_c", "is_same", "place_of"]
+__all__ = ["ALL", "LARGE", "Named", "Names", "Place", "in_cache", "is_from_c", "is_same", "place_of"]
 
 #: A part of a place: all of it. Others are keys and numbers of elements.
 ALL = ("all of it",)
@@ -67,6 +67,24 @@ class Named:
     def put_back(self, parts: set[Hashable] | None) -> None:
         if self._get() is not self._then:
             self._put(self._then)
+
+
+class Names:
+    """Which attributes a class has, but for those that Python adds: their values are places of their own."""
+
+    def __init__(self, it: type) -> None:
+        self._it, self._then = it, frozenset(name for name in vars(it) if not name.startswith("__"))
+        self.size = 1
+
+    def again(self) -> Names:
+        return Names(self._it)
+
+    def changed(self) -> set[Hashable]:
+        return {ALL} if Names(self._it)._then - self._then else set()
+
+    def put_back(self, parts: set[Hashable] | None) -> None:
+        for name in Names(self._it)._then - self._then:
+            delattr(self._it, name)
 
 
 class _Entries:
@@ -241,7 +259,7 @@ def _whole(it: Any) -> _Whole | None:
     if isinstance(it, np.void):
         return _Whole(it.copy, functools.partial(_copy_fields, it))
     if isinstance(it, contextvars.ContextVar):
-        return _Whole(lambda: it.get(_NONE), lambda then: None if then == _NONE else it.set(then))
+        return _Whole(lambda: it.get(_NONE), functools.partial(_set_context, it))
     if is_from_c(it):
         size = ctypes.sizeof(it)
         return _Whole(
@@ -249,6 +267,13 @@ def _whole(it: Any) -> _Whole | None:
             lambda then: ctypes.memmove(ctypes.addressof(it), then, size),
         )
     return None
+
+
+def _set_context(it: contextvars.ContextVar[Any], then: Any) -> None:
+    """ValueError: it had no value, which only the token that set it could give back."""
+    if then == _NONE:
+        raise ValueError(f"context variable {it.name} had no value")
+    it.set(then)
 
 
 def _refill(it: set[Any], content: set[Any]) -> None:
