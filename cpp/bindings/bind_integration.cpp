@@ -62,13 +62,18 @@ py::dict to_dict(const AccumulatedError& found, const System& system, bool steps
   out["carried"] = found.carried;
   out["body"] = found.body;
   const ConnectedParts& parts = ConnectedParts::of(system);
-  VectorXd length(system.body_count()), speed(system.body_count());
-  for (int body = 0; body < system.body_count(); ++body) {
+  const int n = system.body_count();
+  VectorXd length(n), speed(n), largest_speed(n), largest_acceleration(n);
+  for (int body = 0; body < n; ++body) {
     length[body] = found.rest[parts.of_body(body)].length;
     speed[body] = found.rest[parts.of_body(body)].speed;
+    largest_speed[body] = found.speeds[parts.of_body(body)];
+    largest_acceleration[body] = found.peaks[parts.of_body(body)];
   }
   out["rest_length"] = length;
   out["rest_speed"] = speed;
+  out["largest_speed"] = largest_speed;
+  out["largest_acceleration"] = largest_acceleration;
   out["rest_energy"] = found.rest_energy;
   py::list energies;
   for (const EnergyOfPart& it : found.energies)

@@ -82,9 +82,9 @@ TEST_CASE("energy delays by the largest acceleration that comes after it, but fo
   errors.connected_parts[0].kinetic = 1.0;
   for (StepError& step : errors.steps) step.of_part[0].kinetic = 1.0;
   CHECK(accumulate(errors).slowness == doctest::Approx(1.0));
-  CHECK(accumulate(errors).suddenness == 0.0);  // no contacts, no stops
-  errors.connected_parts[0].bounces = true;
   CHECK(accumulate(errors).suddenness == doctest::Approx(25.0));  // in the second part
+  CHECK(accumulate(errors).peaks == std::vector<double>{50.0 * speed * speed / size});
+  CHECK(accumulate(errors).speeds[0] == doctest::Approx(speed));
   errors.parts[1].peaks.setZero();
   CHECK(accumulate(errors).suddenness == doctest::Approx(0.0));
   errors.parts[1].peaks = errors.parts[0].peaks;
@@ -169,8 +169,8 @@ TEST_CASE("each connected part is judged as if it were alone, and the worst coun
 }
 
 TEST_CASE("what rests before forces give it energy, or after they took it, is not late") {
-  RunErrors moving = run({}, {}), settled = moving, pushed = moving;
-  for (RunErrors* it : {&moving, &settled, &pushed}) it->connected_parts[0].kinetic = 1.0;
+  RunErrors moving = run({}, {}), settled = moving, pushed = moving, turning = moving;
+  for (RunErrors* it : {&moving, &settled, &pushed, &turning}) it->connected_parts[0].kinetic = 1.0;
   const auto set = [](StepError& step, double kinetic, double work) {
     step.of_part[0].kinetic = kinetic;
     step.work = work;
@@ -181,6 +181,11 @@ TEST_CASE("what rests before forces give it energy, or after they took it, is no
   CHECK(accumulate(moving).slowness == doctest::Approx(1.0));
   CHECK(accumulate(settled).slowness == doctest::Approx(0.5));
   CHECK(accumulate(pushed).slowness == doctest::Approx(1.0));
+  // A force that gives back what it took has a potential but does not tell it: a moment of rest is late for all that.
+  set(turning.steps[0], 0.0, -1.0), set(turning.steps[1], 1.0, 0.0);
+  CHECK(accumulate(turning).slowness == doctest::Approx(1.0));
+  turning.parts[0].work = 0.0;  // before that moment
+  CHECK(accumulate(turning).slowness == doctest::Approx((100.0 + 1.0) / 2));
 }
 
 TEST_CASE("a part that rests is weighed by its rest, the part beside it by its motion") {

@@ -8,8 +8,8 @@ namespace {
 
 constexpr double growth = 5.0;         // characteristic times L / V in which an error of a velocity moves positions
 constexpr double steep = 10.0;         // times the mean of its part: a change of accelerations out of the ordinary
-constexpr double bouncing = 2.0;       // mean turning, up to which peaks of accelerations are those of bounces alone
-constexpr double bounce = 0.5;         // of the largest acceleration: one
+constexpr double sudden = 2.0;         // mean turning, up to which peaks of accelerations are those of bursts alone
+constexpr double burst = 0.5;          // of the largest acceleration: one, as of a bounce
 constexpr double slowest = 0.1;        // pace from which errors along the path grow
 constexpr double unloaded = 1e-9;      // of forces, or of those of the motion: reactions below are rounding
 constexpr double least_energy = 1e-9;  // of a mechanism, relative to its amount
@@ -66,14 +66,19 @@ double kinetic_energy(const StepError& step) {
 }
 
 /// Above the least potential V of all these: with T + V = W + constant it is W - min (W - T). Of the most up to there;
-/// none where there was none yet.
+/// none where there was none yet. What comes back later, as of a force that has a potential but does not tell it, was
+/// not taken away.
 void find_what_remains(std::vector<KnownPart>& parts) {
-  double least = INFINITY, most = 0.0;
+  double least = INFINITY, most = 0.0, to_come = -INFINITY;
   for (const KnownPart& part : parts) least = std::min(least, part.first->work - kinetic_energy(*part.first));
+  const auto largest = [&](const KnownPart& it) { return std::max(it.part->work, it.first->work) - least; };
   for (KnownPart& part : parts) {
-    const double there = part.first->work - least;
-    most = std::max(most, there);
-    part.remaining = most > 0.0 ? there / most : 0.0;
+    most = std::max(most, largest(part));
+    part.remaining = most;
+  }
+  for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+    to_come = std::max(to_come, largest(*part));
+    part->remaining = part->remaining > 0.0 ? std::min(to_come / part->remaining, 1.0) : 0.0;
   }
 }
 
@@ -120,17 +125,17 @@ class Accumulation {
 
   /// An error of the energy is a share of it that is larger where there is less, and delays; but where motion turns, or
   /// where forces took that energy away, or gave none yet: as much was taken of the error. It counts as far as motion is
-  /// fast once more, and, from where it bounced first, as it accelerates then.
+  /// fast once more, and, from where it was most sudden first, as in a bounce, as it accelerates then.
   void find_slowness() {
-    const double usual = std::fmax(1.0, mean_turning() / bouncing);
+    const double usual = std::fmax(1.0, mean_turning() / sudden);
     const auto share = [this](const StepError& it) {
       const double turns = turning(it);
       return std::fmax(of(it).kinetic / judged_.kinetic, turns * turns);
     };
     const std::vector<const RunPart*> all = all_parts();
     auto of_all = all.rbegin();
-    const double first = first_bounce(all);
-    double slow = 0.0, sudden = 0.0, seconds = 0.0, later = 0.0, steepest = 0.0;
+    const double first = first_burst(all);
+    double slow = 0.0, bursts = 0.0, seconds = 0.0, later = 0.0, steepest = 0.0;
     for (auto part = parts_.rbegin(); part != parts_.rend(); ++part) {
       const double remaining = judged_.energy ? 1.0 : part->remaining, step = part->part->seconds;
       later = std::fmin(std::fmax(later, std::fmax(share(*part->first), share(*part->last))), 1.0);
@@ -138,20 +143,20 @@ class Accumulation {
         steepest = std::fmax(steepest, pace(**of_all) / usual);
       const double left = std::clamp(remaining > 0.0 ? share(*part->first) / remaining : 1.0, slowest * slowest, 1.0);
       slow += step * std::sqrt(later) / left;
-      if (part->part->t > first) sudden += step * steepest / left;
+      if (part->part->t > first) bursts += step * steepest / left;
       seconds += step;
     }
     if (seconds == 0.0) return;
     out_.slowness = slow / seconds;
-    if (judged_.bounces) out_.suddenness = sudden / seconds;
+    out_.suddenness = bursts / seconds;
   }
 
   /// When the part of the run begins in which there is one [s].
-  double first_bounce(const std::vector<const RunPart*>& all) const {
+  double first_burst(const std::vector<const RunPart*>& all) const {
     double most = 0.0;
     for (const RunPart* it : all) most = std::fmax(most, pace(*it));
     for (const RunPart* it : all)
-      if (pace(*it) >= bounce * most) return it->t;
+      if (pace(*it) >= burst * most) return it->t;
     return INFINITY;
   }
 
@@ -328,6 +333,15 @@ std::size_t most_energetic(const std::vector<JudgedPart>& parts) {
   return static_cast<std::size_t>(std::max_element(parts.begin(), parts.end(), less) - parts.begin());
 }
 
+/// Of each connected part [m/s^2].
+std::vector<double> largest_accelerations(const RunErrors& errors) {
+  std::vector<double> out(errors.connected_parts.size(), 0.0);
+  for (const RunPart& it : errors.parts)
+    for (Eigen::Index part = 0; part < it.peaks.size(); ++part)
+      out[static_cast<std::size_t>(part)] = std::fmax(out[static_cast<std::size_t>(part)], it.peaks[part]);
+  return out;
+}
+
 void note_rest(const std::vector<JudgedPart>& parts, AccumulatedError& out) {
   bool all = true;
   for (const JudgedPart& part : parts) {
@@ -348,15 +362,19 @@ AccumulatedError accumulate(const RunErrors& errors) {
   find_what_remains(known);
   double rate = 0.0, slowness = 1.0, suddenness = 0.0;
   std::vector<EnergyOfPart> energies;
+  std::vector<double> speeds(parts.size(), 0.0);
   for (std::size_t part = 0; part < parts.size() && !known.empty(); ++part) {
     AccumulatedError own = Accumulation(errors, known, part).result();
     own.body = parts.size() > 1 ? parts[part].first_body : -1;
     if (const std::optional<EnergyMade>& it = parts[part].energy)
       energies.push_back({parts[part].first_body, relative(*it, parts[part].kinetic), it->lasting, own.rate,
                           own.slowness, own.suddenness});
+    speeds[part] = own.rate * parts[part].length;
     if (part == energetic) rate = own.rate, slowness = own.slowness, suddenness = own.suddenness;
     out = part == 0 ? std::move(own) : worse(std::move(out), std::move(own));
   }
+  out.speeds = std::move(speeds);
+  out.peaks = largest_accelerations(errors);
   out.rate = rate;
   out.slowness = slowness;
   out.suddenness = suddenness;

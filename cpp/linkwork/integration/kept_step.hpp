@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "linkwork/math/types.hpp"
@@ -34,6 +35,7 @@ struct PartOfRun {
   VectorXd peaks;            ///< largest acceleration of a body, of each of them [m/s^2]
   VectorXd velocity_paths;   ///< of each of them: sum of the largest acceleration of a body times the step [m/s]
   Step any{}, steepest{};
+  double work = -std::numeric_limits<double>::infinity();  ///< largest that forces and drivers have done [J]
 };
 using RunPart = PartOfRun<KeptStep>;
 

@@ -84,7 +84,6 @@ RunJudge::RunJudge(const StepSampling& sampling, Dynamics& dynamics, SecondTake 
       out_.part_of.push_back(static_cast<int>(k));
     }
   see_from_moving_axes();
-  look_for_stops();
   judge_.choose_from(choices_of_rows(kept_, dynamics.dropped().rows()));
 }
 
@@ -103,17 +102,6 @@ void RunJudge::see_from_moving_axes() {
   }
   for (Eigen::Index k = 0; k < arms.size(); ++k) out_.connected_parts[k].length = arms[k];
   judge_.move_with(std::move(axes), std::move(arms));
-}
-
-/// And contacts.
-void RunJudge::look_for_stops() {
-  const Model& model = dynamics_.system().model();
-  const ConnectedParts& connected = ConnectedParts::of(dynamics_.system());
-  for (const SwitchOwner& it : owners_of_switches(model)) {
-    const Element& force = model.forces()[static_cast<std::size_t>(it.element)];
-    if (force.i == ground && force.j == ground) continue;
-    out_.connected_parts[static_cast<std::size_t>(connected.of_bodies(force.i, force.j))].bounces = true;
-  }
 }
 
 /// The motion may have been fast for a while between two kept steps only.

@@ -23,7 +23,6 @@ struct JudgedPart {
   /// By how much the errors of its worst steps are larger than what a first look said of them, at least 1: where
   /// something is not smooth, or steps are very long, two parts of a step are not as much better as Richardson has it.
   double resolved = 1.0;
-  bool bounces = false;  ///< there are contacts or stops in it
 };
 
 /// What the kept steps of a run were off by, and of which part of the run each is.
@@ -64,7 +63,6 @@ class RunJudge {
 
  private:
   void see_from_moving_axes();
-  void look_for_stops();
   void look_at_speeds();
   double kinetic_energy(const KeptStep& step, const VectorXd& y);
   double size(const StepError& error, std::size_t part) const;

@@ -61,6 +61,7 @@ PartOfRun<Step> joined(PartOfRun<Step> a, PartOfRun<Step> b, bool left) {
   out.steps = a.steps + b.steps;
   out.t = a.t;
   out.seconds = a.seconds + b.seconds;
+  out.work = std::max(a.work, b.work);
   out.sums_of_changes = a.sums_of_changes + b.sums_of_changes;
   out.peaks = a.peaks.cwiseMax(b.peaks);
   out.velocity_paths = a.velocity_paths + b.velocity_paths;
@@ -282,6 +283,7 @@ void StepSampling::follow(double t, double h, const VectorXd& y, const VectorXd&
   if (!reached || !meet_break(t, h, y_new)) choose(part, change, y_new);
   part.steps += 1;
   part.seconds += h;
+  part.work = std::max({part.work, y[y.size() - 1], y_new[y.size() - 1]});
   part.sums_of_changes += changes_;
   part.peaks = part.peaks.cwiseMax(largest_);
   part.velocity_paths += h * largest_;
@@ -395,7 +397,7 @@ std::vector<RunPart> StepSampling::parts() const {
   std::vector<PartOfRun<const KeptStep*>> chosen;
   for (const RunPart& it : parts_)
     chosen.push_back(
-        {it.steps, it.t, it.seconds, it.sums_of_changes, it.peaks, it.velocity_paths, &it.any, &it.steepest});
+        {it.steps, it.t, it.seconds, it.sums_of_changes, it.peaks, it.velocity_paths, &it.any, &it.steepest, it.work});
   const auto wanted = static_cast<std::size_t>(samples(steps_, body_count_));
   while (chosen.size() > 2 && chosen.size() < static_cast<std::size_t>(steps_) && 2 * chosen.size() > wanted + 1)
     chosen = join_pairs(std::move(chosen));
@@ -403,7 +405,8 @@ std::vector<RunPart> StepSampling::parts() const {
   InterruptionMeter meter;
   for (const auto& it : chosen) {
     meter.add(body_count_);
-    out.push_back({it.steps, it.t, it.seconds, it.sums_of_changes, it.peaks, it.velocity_paths, *it.any, *it.steepest});
+    out.push_back(
+        {it.steps, it.t, it.seconds, it.sums_of_changes, it.peaks, it.velocity_paths, *it.any, *it.steepest, it.work});
   }
   return out;
 }

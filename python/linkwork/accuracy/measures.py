@@ -29,7 +29,12 @@ if TYPE_CHECKING:
     from linkwork.motion.header import Header
     from linkwork.results.result import Result
 
-__all__ = ["MOVING", "AtRest", "Bodies", "Differences", "Sampled", "Scales", "rounding_of", "same_times"]
+__all__ = [
+    "MOVING", "AtRest", "Bodies", "Differences", "Sampled", "Scales", "lateness", "rounding_of", "same_times",
+]  # fmt: skip
+
+#: Frames over which it is found how late a motion is: this share of all, and at least so many.
+LATE, LATE_FRAMES = 0.02, 10
 
 #: Two times are the same, relative to the later one.
 SAME_TIME = 1e-9
@@ -226,6 +231,32 @@ class Differences(ReadOnly):
         return velocities
 
 
+# dt = sum <dy, y'> / sum <y', y'> over some frames, <a, b> = a_r . b_r + L^2 a_theta . b_theta
+def lateness(motion: Sampled, reference: Sampled, bodies: Bodies, scales: Scales) -> Floats:
+    """By how much each connected part (p,) is late or early at most [s]: what of its difference from the
+    reference is along its motion; 0 where there are too few frames to tell, or nothing moves."""
+    count = len(bodies.longest_arm)
+    its, ours = same_times(reference.t, motion.t)
+    width = max(LATE_FRAMES, round(LATE * len(ours)))
+    if len(ours) < width or not len(bodies.part):
+        return np.zeros(count)
+    exact, _ = reference.at(motion.t[ours])
+    turned = scales.length[bodies.part] ** 2
+    r_dot, omega = _in_moving_axes(exact, bodies)[1], exact.v[:, :, 3:]
+    scalar, vector = _turn(exact.q[:, :, 3:], motion.q[ours, :, 3:])
+    angle = 2 * np.where(scalar < 0, -1.0, 1.0)[..., None] * vector
+    along = np.sum((motion.q[ours, :, :3] - exact.q[:, :, :3]) * r_dot, axis=2)
+    along += turned * np.sum(angle * omega, axis=2)
+    speed = np.sum(r_dot**2, axis=2) + turned * np.sum(omega**2, axis=2)
+    order = np.argsort(bodies.part, kind="stable")
+    begins = np.searchsorted(bodies.part[order], np.arange(count))
+    of_parts = [np.add.reduceat(it[:, order], begins, axis=1) for it in (along, speed)]
+    sums = [np.cumsum(np.pad(it, ((1, 0), (0, 0))), axis=0) for it in of_parts]
+    along, speed = (it[width:] - it[:-width] for it in sums)
+    late: Floats = np.divide(np.abs(along), speed, out=np.zeros_like(along), where=speed > 0).max(axis=0)
+    return late
+
+
 def _in_moving_axes(motion: Sampled, bodies: Bodies) -> tuple[Floats, Floats]:
     """Positions and velocities (k, n, 3) in axes with the mean velocity of the center of each part."""
     r, r_dot = motion.q[:, :, :3], motion.v[:, :, :3]
@@ -291,12 +322,14 @@ def _at_each_time(values: Floats) -> Floats:
 
 
 def _angle(p: Floats, exact: Floats) -> Floats:
-    """Angle of the rotation A(p)^T A(p*) [rad], with full accuracy for small ones: 2 atan2(|e|, |e0|).
-
-    e0 = p . p*,  e = p0 e* - p0* e - e x e*: the Euler parameters of the relative rotation.
-    """
-    e, e_exact = p[..., 1:], exact[..., 1:]
-    scalar = np.sum(p * exact, axis=-1)
-    vector = p[..., :1] * e_exact - exact[..., :1] * e - np.cross(e, e_exact)
+    """Angle of the rotation A(p)^T A(p*) [rad], with full accuracy for small ones: 2 atan2(|e|, |e0|)."""
+    scalar, vector = _turn(p, exact)
     angle: Floats = 2 * np.arctan2(np.linalg.norm(vector, axis=-1), np.abs(scalar))
     return angle
+
+
+# e0 = p . p*,  e = p0 e* - p0* e - e x e*
+def _turn(p: Floats, other: Floats) -> tuple[Floats, Floats]:
+    """Euler parameters of the rotation A(p)^T A(p*): e0 (...) and e (..., 3)."""
+    e, e_other = p[..., 1:], other[..., 1:]
+    return np.sum(p * other, axis=-1), p[..., :1] * e_other - other[..., :1] * e - np.cross(e, e_other)

@@ -23,6 +23,7 @@ from linkwork.accuracy.measures import (
     Differences,
     Sampled,
     Scales,
+    lateness,
     rounding_of,
     same_times,
 )
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
 
 Indices = NDArray[np.intp]
 
-__all__ = ["Finer", "band", "difference", "joined", "state_error"]
+__all__ = ["UNKNOWN", "Extremes", "Finer", "band", "difference", "joined", "state_error"]
 
 #: Frames on either side whose errors count, too: where an error passes through zero its estimate does so a
 #: little earlier or later. At least one, and this share of all.
@@ -125,14 +126,31 @@ class StateError(NamedTuple):
     body: int  #: whose it is; -1: all bodies are one connected part, or nothing is known
 
 
-def state_error(first: Result, finer: Finer, at_rest: AtRest = MOVING) -> StateError:
-    """By a second run; 1 where too few frames are in both."""
+class Extremes(NamedTuple):
+    """What a motion came to between its frames, too: of each body that of its connected part, or of all."""
+
+    speed: Floats | float  #: V, see linkwork.accuracy.measures [m/s]
+    acceleration: Floats | float  #: [m/s2]
+
+
+UNKNOWN = Extremes(0.0, 0.0)
+
+
+def state_error(
+    first: Result, finer: Finer, at_rest: AtRest = MOVING, between: Extremes = UNKNOWN
+) -> StateError:
+    """By a second run; 1 where too few frames are in both. `between` them what is late is off by as much of a
+    velocity as it accelerates there."""
     if len(finer.result) < min(2, len(first)):
         return StateError(1.0, -1)
-    exact, bodies = Sampled.of(finer.result), Bodies.of(first.header)
-    differences = Differences.between(Sampled.of(first), exact)
+    motion, exact, bodies = Sampled.of(first), Sampled.of(finer.result), Bodies.of(first.header)
+    differences = Differences.between(motion, exact)
     rtol = first.manifest["options"].get("rtol")
-    states = differences.states(Scales.of(exact, bodies, rtol, at_rest)).max(axis=0, initial=0.0)
+    speed = np.maximum(at_rest.speed, between.speed)
+    scales = Scales.of(exact, bodies, rtol, at_rest._replace(speed=speed))
+    states = differences.states(scales).max(axis=0, initial=0.0)
+    late = lateness(motion, exact, bodies, scales)[bodies.part]
+    states = np.maximum(states, late * between.acceleration / scales.speed[bodies.part])
     error = float(finer.factor * states.max(initial=0.0))
     return StateError(error, int(states.argmax()) if bodies.part.any() else -1)
 

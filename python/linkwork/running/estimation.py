@@ -26,7 +26,7 @@ from linkwork.accuracy.verdict import (
     verified,
     without_steps,
 )
-from linkwork.accuracy.verification import Finer, joined, state_error
+from linkwork.accuracy.verification import UNKNOWN, Extremes, Finer, joined, state_error
 from linkwork.arrays import Floats
 from linkwork.equations.system import System
 from linkwork.errors import AccuracyError, LinkworkError, warn
@@ -109,6 +109,7 @@ class ErrorEstimator:
         self._plan = plan
         self._inexact = False  # the formulation
         self._at_rest, self._carried = MOVING, 0.0
+        self._between = UNKNOWN
         self._contacts_begin, self._onset = False, 0.0
         self._before = start.error if start is not None else 0.0
         self._energies = Energies(
@@ -196,7 +197,7 @@ class ErrorEstimator:
         verdict = result.verdict
         if verdict is not None:
             second = None if self._energies.at_rest else found.verdict
-            found_state = state_error(result, finer, self._at_rest)
+            found_state = state_error(result, finer, self._at_rest, self._between)
             body = self._name(found_state.body)
             state = max(found_state.error, self._onset)
             new = verified(verdict, state, self._resolution(), second, body)
@@ -303,6 +304,7 @@ class ErrorEstimator:
         self._carried, self._onset = found["carried"], found["onset"]
         self._contacts_begin = found["contacts_begin"]
         self._at_rest = AtRest(found["rest_length"], found["rest_speed"])
+        self._between = Extremes(found["largest_speed"], found["largest_acceleration"])
         return estimate(found, self._energies, self._resolution(), statistics, self._before, self._name)
 
     def _name(self, body: int) -> str:
