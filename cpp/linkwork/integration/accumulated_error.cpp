@@ -69,16 +69,16 @@ double kinetic_energy(const StepError& step) {
 /// none where there was none yet. What comes back later, as of a force that has a potential but does not tell it, was
 /// not taken away.
 void find_what_remains(std::vector<KnownPart>& parts) {
-  double least = INFINITY, most = 0.0, to_come = -INFINITY;
+  double least = INFINITY, most = 0.0, later = -INFINITY;
   for (const KnownPart& part : parts) least = std::min(least, part.first->work - kinetic_energy(*part.first));
-  const auto largest = [&](const KnownPart& it) { return std::max(it.part->work, it.first->work) - least; };
   for (KnownPart& part : parts) {
-    most = std::max(most, largest(part));
+    most = std::max({most, part.part->work - least, part.first->work - least});
     part.remaining = most;
   }
   for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
-    to_come = std::max(to_come, largest(*part));
+    const double to_come = std::max(part->first->work - least, later);
     part->remaining = part->remaining > 0.0 ? std::min(to_come / part->remaining, 1.0) : 0.0;
+    later = std::max(to_come, part->part->work - least);
   }
 }
 
