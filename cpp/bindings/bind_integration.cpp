@@ -37,6 +37,13 @@ py::dict frames_to_dict(Frames&& frames, const System& system) {
 namespace {
 
 /// With `steps` one by one, or none of them.
+/// (from, until, of each connected part)
+py::list to_list(const std::vector<Peaks>& peaks) {
+  py::list out;
+  for (const Peaks& it : peaks) out.append(py::make_tuple(it.t, it.end, it.accelerations));
+  return out;
+}
+
 py::dict to_dict(const AccumulatedError& found, const System& system, bool steps_too) {
   py::list steps;
   for (const JudgedStep& it : steps_too ? std::span<const JudgedStep>(found.steps) : std::span<const JudgedStep>())
@@ -63,17 +70,19 @@ py::dict to_dict(const AccumulatedError& found, const System& system, bool steps
   out["body"] = found.body;
   const ConnectedParts& parts = ConnectedParts::of(system);
   const int n = system.body_count();
-  VectorXd length(n), speed(n), largest_speed(n), largest_acceleration(n);
+  VectorXd length(n), speed(n), largest_speed(n);
+  Eigen::VectorXi part(n);
   for (int body = 0; body < n; ++body) {
     length[body] = found.rest[parts.of_body(body)].length;
     speed[body] = found.rest[parts.of_body(body)].speed;
     largest_speed[body] = found.speeds[parts.of_body(body)];
-    largest_acceleration[body] = found.peaks[parts.of_body(body)];
+    part[body] = parts.of_body(body);
   }
   out["rest_length"] = length;
   out["rest_speed"] = speed;
   out["largest_speed"] = largest_speed;
-  out["largest_acceleration"] = largest_acceleration;
+  out["connected_part"] = part;
+  out["peaks"] = to_list(found.peaks);
   out["rest_energy"] = found.rest_energy;
   py::list energies;
   for (const EnergyOfPart& it : found.energies)

@@ -11,6 +11,7 @@ import pytest
 from linkwork.arrays import Floats
 from linkwork.studies.between_frames import Bends, Curve, bends_of
 from numpy.testing import assert_array_equal
+from scipy.integrate import quad
 
 G, UP, ALONG = 9.81, 3.0, 1.0
 
@@ -283,3 +284,19 @@ def test_energies_and_work_before_an_impact_are_those_of_what_stores_them(every:
     found = lw.sweep(model, {"b.mass": [1.0]}, list(exact), events=floor, **run).outputs
     for name, value in exact.items():
         assert found[name][0] == pytest.approx(value, rel=1e-7), name
+
+
+@pytest.mark.parametrize("how", [{"step": 1.0}, {"step": 0.3}, {"rtol": 1e-9, "record_every": 1}])
+@pytest.mark.parametrize("drift", [0.0, 1e-3, 0.3])
+def test_means_of_magnitudes_are_exact_where_the_vector_passes_near_zero(how: Any, drift: float) -> None:
+    """A ball that is thrown up by 4 m/s."""
+    up, g = 4.0, 9.81
+    model = lw.Model(gravity=(0, 0, -g))
+    model.body("ball", mass=1.0, inertia=(0.1,) * 3, velocity=(drift, 0, up))
+    names = ["velocity[:,0].mean", "position[:,0].mean"]
+    study = lw.sweep(model, {"ball.mass": [1.0]}, names, t_end=1.0, processes=1, **how)
+    turn = [up / g, 2 * up / g]
+    speed = quad(lambda t: np.hypot(drift, up - g * t), 0, 1, points=turn, epsabs=1e-13)[0]
+    way = quad(lambda t: np.hypot(drift * t, up * t - g * t * t / 2), 0, 1, points=turn, epsabs=1e-13)[0]
+    assert study.outputs[names[0]][0] == pytest.approx(speed, rel=1e-9)
+    assert study.outputs[names[1]][0] == pytest.approx(way, rel=1e-7)

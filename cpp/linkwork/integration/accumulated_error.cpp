@@ -333,12 +333,11 @@ std::size_t most_energetic(const std::vector<JudgedPart>& parts) {
   return static_cast<std::size_t>(std::max_element(parts.begin(), parts.end(), less) - parts.begin());
 }
 
-/// Of each connected part [m/s^2].
-std::vector<double> largest_accelerations(const RunErrors& errors) {
-  std::vector<double> out(errors.connected_parts.size(), 0.0);
+std::vector<Peaks> peaks_of(const RunErrors& errors) {
+  std::vector<Peaks> out;
   for (const RunPart& it : errors.parts)
-    for (Eigen::Index part = 0; part < it.peaks.size(); ++part)
-      out[static_cast<std::size_t>(part)] = std::fmax(out[static_cast<std::size_t>(part)], it.peaks[part]);
+    if (it.peaks.size() > 0) out.push_back({it.t, it.t + it.seconds, it.peaks});
+  std::stable_sort(out.begin(), out.end(), [](const Peaks& a, const Peaks& b) { return a.t < b.t; });
   return out;
 }
 
@@ -374,7 +373,7 @@ AccumulatedError accumulate(const RunErrors& errors) {
     out = part == 0 ? std::move(own) : worse(std::move(out), std::move(own));
   }
   out.speeds = std::move(speeds);
-  out.peaks = largest_accelerations(errors);
+  out.peaks = peaks_of(errors);
   out.rate = rate;
   out.slowness = slowness;
   out.suddenness = suddenness;

@@ -26,6 +26,12 @@ struct EnergyOfPart {
   double rate, slowness, suddenness;  ///< see AccumulatedError
 };
 
+/// The largest accelerations of bodies of each connected part [m/s^2] in a part of the run, from t to `end` [s].
+struct Peaks {
+  double t = 0.0, end = 0.0;
+  VectorXd accelerations;
+};
+
 /// What the local errors of a run come to over it, in the connected part where that is most. Poses are relative to L,
 /// half of the box in which centers of mass of the part move or its size, or to the path where that is shorter;
 /// velocities to V, its largest speed; reactions to its largest. Box, path and speeds are those in MovingAxes. Where
@@ -52,7 +58,7 @@ struct AccumulatedError {
   double kinetic_share = 1.0;    ///< see StepJudge
   double carried = 0.0;          ///< speed of the part as a whole, relative to V
   std::vector<double> speeds;    ///< V of each connected part [m/s]
-  std::vector<double> peaks;     ///< the largest acceleration of its bodies [m/s^2]
+  std::vector<Peaks> peaks;      ///< by time
   double rest_energy = 0.0;      ///< that of Rest, where all parts rest [J]
   std::vector<RestScales> rest;  ///< of each connected part
   std::vector<EnergyOfPart> energies;

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from linkwork.results.result import Result
 
 __all__ = [
-    "MOVING", "AtRest", "Bodies", "Differences", "Sampled", "Scales", "lateness", "rounding_of", "same_times",
+    "MOVING", "AtRest", "Bodies", "Differences", "Lateness", "Sampled", "Scales", "rounding_of", "same_times",
 ]  # fmt: skip
 
 #: Frames over which it is found how late a motion is: this share of all, and at least so many.
@@ -232,29 +232,36 @@ class Differences(ReadOnly):
 
 
 # dt = sum <dy, y'> / sum <y', y'> over some frames, <a, b> = a_r . b_r + L^2 a_theta . b_theta
-def lateness(motion: Sampled, reference: Sampled, bodies: Bodies, scales: Scales) -> Floats:
-    """By how much each connected part (p,) is late or early at most [s]: what of its difference from the
-    reference is along its motion; 0 where there are too few frames to tell, or nothing moves."""
-    count = len(bodies.longest_arm)
-    its, ours = same_times(reference.t, motion.t)
-    width = max(LATE_FRAMES, round(LATE * len(ours)))
-    if len(ours) < width or not len(bodies.part):
-        return np.zeros(count)
-    exact, _ = reference.at(motion.t[ours])
-    turned = scales.length[bodies.part] ** 2
-    r_dot, omega = _in_moving_axes(exact, bodies)[1], exact.v[:, :, 3:]
-    scalar, vector = _turn(exact.q[:, :, 3:], motion.q[ours, :, 3:])
-    angle = 2 * np.where(scalar < 0, -1.0, 1.0)[..., None] * vector
-    along = np.sum((motion.q[ours, :, :3] - exact.q[:, :, :3]) * r_dot, axis=2)
-    along += turned * np.sum(angle * omega, axis=2)
-    speed = np.sum(r_dot**2, axis=2) + turned * np.sum(omega**2, axis=2)
-    order = np.argsort(bodies.part, kind="stable")
-    begins = np.searchsorted(bodies.part[order], np.arange(count))
-    of_parts = [np.add.reduceat(it[:, order], begins, axis=1) for it in (along, speed)]
-    sums = [np.cumsum(np.pad(it, ((1, 0), (0, 0))), axis=0) for it in of_parts]
-    along, speed = (it[width:] - it[:-width] for it in sums)
-    late: Floats = np.divide(np.abs(along), speed, out=np.zeros_like(along), where=speed > 0).max(axis=0)
-    return late
+class Lateness(NamedTuple):
+    """By how much a motion is late or early, in the mean over some frames."""
+
+    begin: Floats  #: of these (w,) [s]
+    end: Floats  #: (w,) [s]
+    by: Floats  #: of each connected part, what of its difference from the reference is along it (w, p) [s]
+
+    @classmethod
+    def of(cls, motion: Sampled, reference: Sampled, bodies: Bodies, scales: Scales) -> Lateness | None:
+        """None: there are too few frames to tell."""
+        its, ours = same_times(reference.t, motion.t)
+        width = max(LATE_FRAMES, round(LATE * len(ours)))
+        if len(ours) < width or not len(bodies.part):
+            return None
+        t = motion.t[ours]
+        exact, _ = reference.at(t)
+        turned = scales.length[bodies.part] ** 2
+        r_dot, omega = _in_moving_axes(exact, bodies)[1], exact.v[:, :, 3:]
+        scalar, vector = _turn(exact.q[:, :, 3:], motion.q[ours, :, 3:])
+        angle = 2 * np.where(scalar < 0, -1.0, 1.0)[..., None] * vector
+        along = np.sum((motion.q[ours, :, :3] - exact.q[:, :, :3]) * r_dot, axis=2)
+        along += turned * np.sum(angle * omega, axis=2)
+        speed = np.sum(r_dot**2, axis=2) + turned * np.sum(omega**2, axis=2)
+        order = np.argsort(bodies.part, kind="stable")
+        begins = np.searchsorted(bodies.part[order], np.arange(len(bodies.longest_arm)))
+        of_parts = [np.add.reduceat(it[:, order], begins, axis=1) for it in (along, speed)]
+        sums = [np.cumsum(np.pad(it, ((1, 0), (0, 0))), axis=0) for it in of_parts]
+        along, speed = (it[width:] - it[:-width] for it in sums)
+        late = np.divide(np.abs(along), speed, out=np.zeros_like(along), where=speed > 0)
+        return cls(t[: len(t) - width + 1], t[width - 1 :], late)
 
 
 def _in_moving_axes(motion: Sampled, bodies: Bodies) -> tuple[Floats, Floats]:

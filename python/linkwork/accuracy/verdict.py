@@ -465,8 +465,8 @@ def _delay(
     """What a state is off by as a run makes or loses energy, relative to that.
 
     It is late by half the integral over time of the share of the kinetic energy that is made, at the largest
-    speed, or, where it is `sudden`, as it bounces, the largest acceleration; what is `replaced` by work is no
-    longer there. One that goes around but once or twice has no part where it is slow time and again.
+    speed, or, where it is `sudden`, the largest acceleration; what is `replaced` by work is no longer there.
+    One that goes around but once or twice has no part where it is slow time and again.
     """
     turns = 0.25 * min(duration, duration / replaced if replaced > 0 else duration) * rate
     late = max(min(SAFETY * slowness, turns**2 / 2), SAFETY * sudden)

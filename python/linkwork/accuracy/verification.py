@@ -9,7 +9,7 @@ off in these speeds, by steps taken again, is the least that its error is then.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields, is_dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -21,9 +21,9 @@ from linkwork.accuracy.measures import (
     AtRest,
     Bodies,
     Differences,
+    Lateness,
     Sampled,
     Scales,
-    lateness,
     rounding_of,
     same_times,
 )
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 Indices = NDArray[np.intp]
 
-__all__ = ["UNKNOWN", "Extremes", "Finer", "band", "difference", "joined", "state_error"]
+__all__ = ["Extremes", "Finer", "band", "difference", "joined", "state_error"]
 
 #: Frames on either side whose errors count, too: where an error passes through zero its estimate does so a
 #: little earlier or later. At least one, and this share of all.
@@ -127,17 +127,35 @@ class StateError(NamedTuple):
 
 
 class Extremes(NamedTuple):
-    """What a motion came to between its frames, too: of each body that of its connected part, or of all."""
+    """What a motion came to between its frames, too."""
 
-    speed: Floats | float  #: V, see linkwork.accuracy.measures [m/s]
-    acceleration: Floats | float  #: [m/s2]
+    speed: Floats  #: V of the connected part of each body, see linkwork.accuracy.measures (n,) [m/s]
+    part: Indices  #: (n,) of each body
+    begin: Floats  #: of parts of the run (r,) [s]
+    end: Floats  #: (r,) [s]
+    accelerations: Floats  #: the largest in each connected part (r, p) [m/s2]
 
+    @classmethod
+    def of(cls, found: Mapping[str, Any]) -> Extremes | None:
+        """From what `_core.Run.judge` found; None: nothing."""
+        if not found["peaks"]:
+            return None
+        begin, end, accelerations = map(np.array, zip(*found["peaks"], strict=True))
+        return cls(found["largest_speed"], found["connected_part"], begin, end, accelerations)
 
-UNKNOWN = Extremes(0.0, 0.0)
+    def peaks(self, begin: Floats, end: Floats, bodies: Bodies) -> Floats:
+        """Of the connected parts of `bodies` in spans of time (w,) [s]: (w, p) [m/s2]."""
+        _, ours = np.unique(bodies.part, return_index=True)
+        first = np.clip(np.searchsorted(self.end, begin), 0, len(self.begin) - 1)
+        last = np.maximum(np.searchsorted(self.begin, end, side="right"), first + 1)
+        padded = np.pad(self.accelerations[:, self.part[ours]], ((0, 1), (0, 0)))
+        spans = np.stack([first, last], axis=1).ravel()
+        peaks: Floats = np.maximum.reduceat(padded, spans, axis=0)[::2]
+        return peaks
 
 
 def state_error(
-    first: Result, finer: Finer, at_rest: AtRest = MOVING, between: Extremes = UNKNOWN
+    first: Result, finer: Finer, at_rest: AtRest = MOVING, between: Extremes | None = None
 ) -> StateError:
     """By a second run; 1 where too few frames are in both. `between` them what is late is off by as much of a
     velocity as it accelerates there."""
@@ -146,11 +164,13 @@ def state_error(
     motion, exact, bodies = Sampled.of(first), Sampled.of(finer.result), Bodies.of(first.header)
     differences = Differences.between(motion, exact)
     rtol = first.manifest["options"].get("rtol")
-    speed = np.maximum(at_rest.speed, between.speed)
-    scales = Scales.of(exact, bodies, rtol, at_rest._replace(speed=speed))
+    if between is not None:
+        at_rest = at_rest._replace(speed=np.maximum(at_rest.speed, between.speed))
+    scales = Scales.of(exact, bodies, rtol, at_rest)
     states = differences.states(scales).max(axis=0, initial=0.0)
-    late = lateness(motion, exact, bodies, scales)[bodies.part]
-    states = np.maximum(states, late * between.acceleration / scales.speed[bodies.part])
+    if between is not None and (late := Lateness.of(motion, exact, bodies, scales)) is not None:
+        off = (late.by * between.peaks(late.begin, late.end, bodies) / scales.speed).max(axis=0)
+        states = np.maximum(states, off[bodies.part])
     error = float(finer.factor * states.max(initial=0.0))
     return StateError(error, int(states.argmax()) if bodies.part.any() else -1)
 

@@ -26,7 +26,7 @@ from linkwork.accuracy.verdict import (
     verified,
     without_steps,
 )
-from linkwork.accuracy.verification import UNKNOWN, Extremes, Finer, joined, state_error
+from linkwork.accuracy.verification import Extremes, Finer, joined, state_error
 from linkwork.arrays import Floats
 from linkwork.equations.system import System
 from linkwork.errors import AccuracyError, LinkworkError, warn
@@ -109,7 +109,7 @@ class ErrorEstimator:
         self._plan = plan
         self._inexact = False  # the formulation
         self._at_rest, self._carried = MOVING, 0.0
-        self._between = UNKNOWN
+        self._between: Extremes | None = None
         self._contacts_begin, self._onset = False, 0.0
         self._before = start.error if start is not None else 0.0
         self._energies = Energies(
@@ -304,7 +304,7 @@ class ErrorEstimator:
         self._carried, self._onset = found["carried"], found["onset"]
         self._contacts_begin = found["contacts_begin"]
         self._at_rest = AtRest(found["rest_length"], found["rest_speed"])
-        self._between = Extremes(found["largest_speed"], found["largest_acceleration"])
+        self._between = Extremes.of(found)
         return estimate(found, self._energies, self._resolution(), statistics, self._before, self._name)
 
     def _name(self, body: int) -> str:

@@ -16,6 +16,7 @@ known at one of two frames alone, as beside an impact, it is a parabola.
 from __future__ import annotations
 
 import functools
+import itertools
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -27,10 +28,18 @@ from linkwork.arrays import Floats
 
 __all__ = ["Bends", "Curve", "bends_of"]
 
-#: Places and weights of Gauss from 0 to 1: exact for squares of cubics, close for magnitudes.
+#: Places and weights of Gauss from 0 to 1: exact for squares of cubics, close for magnitudes away from zero.
 GAUSS = tuple(
     (0.5 + 0.5 * x, 0.5 * weight) for x, weight in zip(*np.polynomial.legendre.leggauss(8), strict=True)
 )
+
+#: Of the largest magnitude between two frames: where some are smaller, it may turn sharply at the least.
+NEAR_ZERO = 0.5
+
+#: That is looked for in each quarter, from so many places on, in intervals that become shorter by a third so
+#: many times; toward it parts become short in these steps.
+QUARTERS, PLACES, NARROWED = np.linspace(0.0, 1.0, 5), 9, 60
+SHORTER = tuple(0.125**k for k in range(8))
 
 #: The part of the times between frames in which rates have to fit, or frames are too far apart.
 RESOLVED = 0.8
@@ -99,6 +108,46 @@ class _Pieces:
         if self.sizes:
             found, known = _sizes(found), np.asarray(known.all(axis=-1))
         return np.where(known, found, straight)
+
+    def means(self, what: What, begin: float | Floats = 0.0, end: float | Floats = 1.0) -> Floats:
+        """Of what becomes of the values on each, in a part of it."""
+        length = end - begin
+        return np.asarray(sum(weight * what(self.at(begin + x * length)) for x, weight in GAUSS))
+
+    def pass_zero(self) -> NDArray[np.bool_]:
+        """On which (k - 1,) magnitudes are so small somewhere that they may turn sharply there."""
+        there = np.stack([*self.ends, *(self.at(x) for x, _ in GAUSS)])
+        small = there.min(axis=0) < NEAR_ZERO * there.max(axis=0)
+        return np.asarray(small.reshape(len(small), -1).any(axis=1))
+
+    def chosen(self, which: NDArray[np.bool_]) -> _Pieces:
+        bends = self.bends
+        if bends is not None:
+            bends = Bends(bends.start[which], bends.end[which], bends.known[which])
+        first, last = self.ends
+        return _Pieces(self.start[which], self.rise[which], bends, (first[which], last[which]), self.sizes)
+
+    def means_beside_zero(self, what: What) -> Floats:
+        """As `means`, in parts that become short toward where the magnitude is least in each quarter."""
+        total = np.zeros_like(self.ends[0])
+        for first, last in itertools.pairwise(QUARTERS):
+            least = self._least(first, last)
+            before = [least + (first - least) * it for it in SHORTER]
+            after = [least + (last - least) * it for it in (0.0, *SHORTER[::-1])]
+            for begin, end in itertools.pairwise([*before, *after]):
+                total = total + (end - begin) * self.means(what, begin, end)
+        return total
+
+    def _least(self, first: float, last: float) -> Floats:
+        """Where the magnitude of each is least between these places."""
+        places = np.linspace(first, last, PLACES)
+        nearest = np.argmin(np.stack([self.at(x) for x in places]), axis=0)
+        low, high = places[np.maximum(nearest - 1, 0)], places[np.minimum(nearest + 1, PLACES - 1)]
+        for _ in range(NARROWED):
+            third = (high - low) / 3
+            falls = self.at(low + third) > self.at(high - third)
+            low, high = np.where(falls, low + third, low), np.where(falls, high, high - third)
+        return np.asarray(0.5 * (low + high))
 
     def arcs(self) -> _Arcs:
         """Those of which the rates are known."""
@@ -178,8 +227,10 @@ class Curve:
         if self.t[-1] <= self.t[0]:
             return what(self.looked_at[-1])
         pieces, h = self._pieces(), np.diff(self.t)
-        each = (weight * np.tensordot(h, what(pieces.at(x)), 1) for x, weight in GAUSS)
-        return np.asarray(sum(each) / (self.t[-1] - self.t[0]))
+        means = pieces.means(what)
+        if self.sizes and self.bends is not None and (bent := pieces.pass_zero()).any():
+            means[bent] = pieces.chosen(bent).means_beside_zero(what)
+        return np.asarray(np.tensordot(h, means, 1) / (self.t[-1] - self.t[0]))
 
     def largest(self, what: What = np.asarray) -> Floats:
         """Of what becomes of the values, at frames or between two."""
