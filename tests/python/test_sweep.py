@@ -390,6 +390,10 @@ def test_a_rerun_runs_what_is_missing(tmp_path: Path, monkeypatch: pytest.Monkey
         damaged.write_bytes(content)
         with pytest.warns(lw.LinkworkWarning, match="is damaged"):
             same(more, lw.sweep(rod(), {"rod.mass": [3, 1, 2]}, "final", **FEW, directory=tmp_path))
+    (tmp_path / "cases" / "a link to nowhere.jsonl").symlink_to(tmp_path / "nowhere")
+    (tmp_path / "cases" / "a folder.jsonl").mkdir()
+    with pytest.warns(lw.LinkworkWarning, match=r"(nowhere|folder)\.jsonl.*is damaged"):
+        same(more, lw.sweep(rod(), {"rod.mass": [3, 1, 2]}, "final", **FEW, directory=tmp_path))
 
 
 @pytest.mark.parametrize("content", [b"{}", b'{"identity": [1]}', b'{"identity": 1}', b"\xff", b"[" * 10**5])

@@ -158,8 +158,9 @@ class Steadiness:
         if changed:
             change = "changes" if len(changed) == 1 and changed != ["freedoms"] else "change"
             raise ModelError(
-                f"linearize: {self.eq.called} moves so that its {' and '.join(changed)} {change} with time: "
-                "there are no frequencies; linearize at rest, or in motion that looks the same at all times",
+                f"linearize: {self.eq.called} moves so that its {' and '.join(changed)} {change} with time, "
+                "seen in axes that do not turn: linearize at rest, or in motion that looks the same there at all "
+                "times, or simulate a small disturbance",
                 code="not_steady",
             )
 

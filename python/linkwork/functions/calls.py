@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from linkwork.arguments import reals
 from linkwork.arrays import Floats
 
 __all__ = ["Call", "Calls"]
@@ -62,7 +63,7 @@ class Calls:
     def again(self, call: Call) -> Floats | None:
         """What it returns now for the same arguments; None: it fails."""
         try:
-            return np.array(self._call(copied(call.given)), dtype=float)
+            return np.array(reals(self._call(copied(call.given))))
         except Exception:  # of the user's
             return None
 
@@ -78,7 +79,7 @@ class Calls:
 
     def _keep(self, given: tuple[Any, ...], returned: Any) -> None:
         try:
-            call = Call(given, np.array(returned, dtype=float), next(_COUNT))
+            call = Call(given, np.array(reals(returned)), next(_COUNT))
         except Exception:  # of its objects; the caller refuses them, too
             return
         if not self._rows or len(self._rows[-1]) >= ROW:
