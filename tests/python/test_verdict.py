@@ -150,9 +150,9 @@ def test_a_body_that_rests_until_it_is_pushed_is_late_from_there_on() -> None:
 def test_energy_that_comes_and_goes_lasts_less_than_a_drift() -> None:
     t = np.linspace(0.0, 10.0, 2001)
 
-    def lasting(made: Floats) -> float:
+    def lasting(made: Floats, pieces: int = 7) -> float:
         energies = verdict.Energies()
-        for piece in np.array_split(np.arange(len(t)), 7):
+        for piece in np.array_split(np.arange(len(t)), pieces):
             at = {"t": t[piece], "kinetic": 1.0 + made[piece], "potential": 0.0 * piece, "work": 0.0 * piece}
             energies.add(at)
         return energies.lasting
@@ -161,6 +161,8 @@ def test_energy_that_comes_and_goes_lasts_less_than_a_drift() -> None:
     assert lasting(1e-3 * np.sin(50 * t)) < 0.02
     assert lasting(1e-3 * (t > 0.1)) == pytest.approx(2.0, rel=0.02)
     assert lasting(np.zeros_like(t)) == 1.0
+    uneven = 1e-3 * np.random.default_rng(0).standard_normal(len(t))
+    assert len({lasting(uneven, pieces) for pieces in (1, 2, 7, 50)}) == 1, "to the last bit"
 
 
 def test_what_adds_up_to_no_number_is_not_good() -> None:

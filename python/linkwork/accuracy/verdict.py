@@ -188,7 +188,8 @@ class Energies:
 
     def _add_up(self, t: Floats, made: Floats) -> None:
         t, made = np.append(self._last[0], t), np.append(self._last[1], made)
-        integral = self._late + np.cumsum(0.5 * (made[1:] + made[:-1]) * np.diff(t))
+        # One after the other: the sum does not depend on how many frames come at a time.
+        integral = np.cumsum(np.append(self._late, 0.5 * (made[1:] + made[:-1]) * np.diff(t)))[1:]
         self._last, self._late = (float(t[-1]), float(made[-1])), float(integral[-1])
         self._latest = max(self._latest, float(np.abs(integral).max()))
 

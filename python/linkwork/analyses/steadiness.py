@@ -159,8 +159,8 @@ class Steadiness:
             change = "changes" if len(changed) == 1 and changed != ["freedoms"] else "change"
             raise ModelError(
                 f"linearize: {self.eq.called} moves so that its {' and '.join(changed)} {change} with time, "
-                "seen in axes that do not turn: linearize at rest, or in motion that looks the same there at all "
-                "times, or simulate a small disturbance",
+                "seen in axes that do not turn: linearize at rest, or in motion that looks the same there at "
+                "all times, or simulate a small disturbance",
                 code="not_steady",
             )
 
