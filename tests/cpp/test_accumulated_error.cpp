@@ -188,7 +188,22 @@ TEST_CASE("what rests before forces give it energy, or after they took it, is no
   set(turning.steps[0], 0.0, -1.0), set(turning.steps[1], 1.0, 0.0);
   CHECK(accumulate(turning).slowness == doctest::Approx(1.0));
   turning.parts[0].work = 0.0;  // before that moment
+  CHECK(accumulate(turning).slowness == doctest::Approx(1.0));
+  turning.connected_parts[0].has_laws = true;
   CHECK(accumulate(turning).slowness == doctest::Approx((100.0 + 1.0) / 2));
+}
+
+TEST_CASE("energy that steps make counts where laws do not tell theirs, with what the choice of steps leaves open") {
+  RunErrors errors = run({}, {});
+  errors.connected_parts[0].kinetic = 2.0;
+  errors.steps[0].of_part[0].energy = 1e-6;
+  errors.steps[1].of_part[0].energy = 3e-6;
+  CHECK(accumulate(errors).energies.empty());
+  errors.connected_parts[0].has_laws = true;
+  const std::vector<EnergyOfPart> found = accumulate(errors).energies;
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].body == -1);
+  CHECK(found[0].error == doctest::Approx((100 * 4e-6 + 100 * 2e-6 / std::sqrt(2.0)) / 2.0));
 }
 
 TEST_CASE("a part that rests is weighed by its rest, the part beside it by its motion") {

@@ -91,3 +91,35 @@ TEST_CASE("of a mechanism that is one connected part the balance of the run tell
   step.y = step.y_new = dynamics.initial_y();
   CHECK(!find_energies_made(dynamics, {&step}, VectorXd::Ones(1))[0]);
 }
+
+TEST_CASE("energies of two states near each other differ by what their forces would do, potential or not") {
+  Model model(Vec3<double>(0.0, 0.0, -9.81));
+  Body body;
+  body.mass = mass;
+  body.inertia = Vec3<double>(0.5, 0.7, 0.9).asDiagonal();
+  for (const char* name : {"first", "second"}) model.add_body(name, body);
+  spring(model, 0, 0.0);
+  Dynamics dynamics(model, Options());
+  const System& system = dynamics.system();
+  VectorXd y = dynamics.initial_y(), way = VectorXd::Zero(y.size());
+  for (Eigen::Index k = 0; k < y.size() - 1; ++k) {
+    y[k] += 0.3 * std::sin(double(k));
+    way[k] = std::cos(2.0 * double(k));
+  }
+  system.normalize(y.head(system.q_size()));
+  const auto energy = [&](const VectorXd& at) {
+    dynamics.evaluate(0.0, at);
+    const auto v = at.segment(system.q_size(), system.v_size());
+    return system.kinetic_energy(dynamics.evaluation(), v) + dynamics.evaluation().potential;
+  };
+  const double small = 1e-5;
+  VectorXd before = y - small * way, after = y + small * way;
+  for (VectorXd* it : {&before, &after}) system.normalize(it->head(system.q_size()));
+  const double expected = energy(after) - energy(before);
+  dynamics.evaluate(0.0, y);
+  const VectorXd apart = energies_apart(system, dynamics.evaluation(), y, after) -
+                         energies_apart(system, dynamics.evaluation(), y, before);
+  CHECK(apart.size() == 2);
+  CHECK(std::abs(apart[0]) > 0.1 * std::abs(expected));
+  CHECK(apart.sum() == doctest::Approx(expected).epsilon(1e-6));
+}

@@ -101,3 +101,17 @@ def test_work_that_a_force_gives_back_was_not_taken_from_the_error(e: float, rto
     assert run.verdict is not None
     true = float(np.linalg.norm(run.velocity[:, 0, :2] - exact, axis=1).max()) / np.sqrt((1 + e) / (1 - e))
     assert true < run.verdict.error < 20 * true
+
+
+@pytest.mark.parametrize(("integrator", "step"), [("dopri5", 0.02), ("tsit5", 0.01), ("phem56", 0.01)])
+@pytest.mark.parametrize("t_end", [60.0, 200.0])
+def test_energy_that_the_balance_does_not_show_is_found_by_steps(
+    integrator: str, step: float, t_end: float
+) -> None:
+    """The work of a law is integrated by the stages that err."""
+    how: Any = {"step": step, "integrator": integrator, "on_inaccurate": "pass"}
+    run = lw.simulate(_orbit(0.6), t_end=t_end, record_every=1, **how)
+    exact = _velocities_in_orbit(0.6, run.t)
+    assert run.verdict is not None
+    true = float(np.linalg.norm(run.velocity[:, 0, :2] - exact, axis=1).max()) / 2
+    assert 0.8 * true < run.verdict.error < 30 * true

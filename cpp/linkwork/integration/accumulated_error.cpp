@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace linkwork {
 namespace {
@@ -13,6 +14,7 @@ constexpr double burst = 0.5;          // of the largest acceleration: one, as o
 constexpr double slowest = 0.1;        // pace from which errors along the path grow
 constexpr double unloaded = 1e-9;      // of forces, or of those of the motion: reactions below are rounding
 constexpr double least_energy = 1e-9;  // of a mechanism, relative to its amount
+constexpr std::size_t rare = 10;       // one of so many
 constexpr double still = 1e-6;  // relative to L, or to L / duration: below nothing moves, what is left is rounding
 
 /// A part of a run with the steps that are known of it: one, or two, the second the steepest.
@@ -21,6 +23,7 @@ struct KnownPart {
   const StepError* first;
   const StepError* last;
   double remaining = 1.0;            ///< share of the energy of all bodies that forces have not taken away
+  double returning = 1.0;            ///< the same where what comes back later was not taken away
   double share = 1.0, weight = 1.0;  ///< in a connected part
 
   KnownPart(const RunPart& of, const StepError& step) : part(&of), first(&step), last(&step) {}
@@ -66,19 +69,21 @@ double kinetic_energy(const StepError& step) {
 }
 
 /// Above the least potential V of all these: with T + V = W + constant it is W - min (W - T). Of the most up to there;
-/// none where there was none yet. What comes back later, as of a force that has a potential but does not tell it, was
-/// not taken away.
+/// none where there was none yet.
 void find_what_remains(std::vector<KnownPart>& parts) {
-  double least = INFINITY, most = 0.0, later = -INFINITY;
+  double least = INFINITY, most = 0.0, most_ever = 0.0, later = -INFINITY;
   for (const KnownPart& part : parts) least = std::min(least, part.first->work - kinetic_energy(*part.first));
   for (KnownPart& part : parts) {
-    most = std::max({most, part.part->work - least, part.first->work - least});
-    part.remaining = most;
+    const double there = part.first->work - least;
+    most = std::max(most, there);
+    part.remaining = most > 0.0 ? there / most : 0.0;
+    most_ever = std::max({most_ever, there, part.part->work - least});
+    part.returning = most_ever;
   }
   for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
-    const double to_come = std::max(part->first->work - least, later);
-    part->remaining = part->remaining > 0.0 ? std::min(to_come / part->remaining, 1.0) : 0.0;
-    later = std::max(to_come, part->part->work - least);
+    later = std::max(later, part->first->work - least);
+    part->returning = part->returning > 0.0 ? std::min(later / part->returning, 1.0) : 0.0;
+    later = std::max(later, part->part->work - least);
   }
 }
 
@@ -89,6 +94,22 @@ class Accumulation {
   Accumulation(const RunErrors& errors, std::vector<KnownPart>& parts, std::size_t part)
       : errors_(errors), parts_(parts), part_(part), judged_(errors.connected_parts[part]), L_(judged_.length) {
     for (KnownPart& it : parts) it.weigh(part);
+  }
+
+  /// Relative to the largest kinetic energy; with what the choice of steps leaves open, as energies come and go within
+  /// the motion: by what differs from one part of the run to the next, but for rare large ones.
+  double energy_made() const {
+    double made = 0.0;
+    std::vector<double> squares;
+    for (const KnownPart& it : parts_) {
+      const double one = of(*it.first).energy, last = of(*it.last).energy;
+      made += it.weight * it.steps() * (one + it.share * (last - one));
+      if (&it != &parts_.back()) squares.push_back(0.5 * std::pow(it.steps() * (of(*(&it)[1].first).energy - one), 2));
+    }
+    std::sort(squares.begin(), squares.end());
+    squares.resize(squares.size() - squares.size() / rare);
+    const double open = std::sqrt(std::accumulate(squares.begin(), squares.end(), 0.0));
+    return judged_.kinetic > 0.0 ? missed_ * (std::abs(made) + open) / judged_.kinetic : 0.0;
   }
 
   AccumulatedError result() {
@@ -137,7 +158,8 @@ class Accumulation {
     const double first = first_burst(all);
     double slow = 0.0, bursts = 0.0, seconds = 0.0, later = 0.0, steepest = 0.0;
     for (auto part = parts_.rbegin(); part != parts_.rend(); ++part) {
-      const double remaining = judged_.energy ? 1.0 : part->remaining, step = part->part->seconds;
+      const double remaining = judged_.energy ? 1.0 : judged_.has_laws ? part->returning : part->remaining;
+      const double step = part->part->seconds;
       later = std::fmin(std::fmax(later, std::fmax(share(*part->first), share(*part->last))), 1.0);
       for (; of_all != all.rend() && (*of_all)->t >= part->part->t; ++of_all)
         steepest = std::fmax(steepest, pace(**of_all) / usual);
@@ -363,11 +385,14 @@ AccumulatedError accumulate(const RunErrors& errors) {
   std::vector<EnergyOfPart> energies;
   std::vector<double> speeds(parts.size(), 0.0);
   for (std::size_t part = 0; part < parts.size() && !known.empty(); ++part) {
-    AccumulatedError own = Accumulation(errors, known, part).result();
+    Accumulation accumulation(errors, known, part);
+    AccumulatedError own = accumulation.result();
     own.body = parts.size() > 1 ? parts[part].first_body : -1;
     if (const std::optional<EnergyMade>& it = parts[part].energy)
       energies.push_back({parts[part].first_body, relative(*it, parts[part].kinetic), it->lasting, own.rate,
                           own.slowness, own.suddenness});
+    if (parts[part].has_laws)
+      energies.push_back({own.body, accumulation.energy_made(), 1.0, own.rate, own.slowness, own.suddenness});
     speeds[part] = own.rate * parts[part].length;
     if (part == energetic) rate = own.rate, slowness = own.slowness, suddenness = own.suddenness;
     out = part == 0 ? std::move(own) : worse(std::move(out), std::move(own));

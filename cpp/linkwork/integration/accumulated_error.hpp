@@ -18,9 +18,10 @@ struct RestScales {
   double length = 0.0, speed = 0.0;  ///< [m, m/s]; zero: it moves
 };
 
-/// Energy that the run made or lost in a connected part of which that is known, see EnergyMade.
+/// Energy that the run made or lost in a connected part of which that is known, see EnergyMade; or, where there are laws
+/// of the user's own, that its steps made.
 struct EnergyOfPart {
-  int body = 0;                       ///< the first of it
+  int body = 0;                       ///< the first of it; -1: all are one part
   double error = 0.0;                 ///< relative to its kinetic energy and to what it exchanged
   double lasting = 1.0;               ///< see EnergyMade
   double rate, slowness, suddenness;  ///< see AccumulatedError

@@ -5,6 +5,7 @@
 
 #include "linkwork/assembly/connected_components.hpp"
 #include "linkwork/assembly/force_elements.hpp"
+#include "linkwork/integration/state_difference.hpp"
 #include "linkwork/math/interruption.hpp"
 #include "linkwork/model/force_kind.hpp"
 
@@ -169,6 +170,22 @@ class EnergySearch {
 std::vector<std::optional<EnergyMade>> find_energies_made(Dynamics& dynamics, const std::vector<const KeptStep*>& steps,
                                                           const VectorXd& lengths) {
   return EnergySearch(dynamics, steps, lengths).result();
+}
+
+// omega in body axes, where g has the torque - omega x J omega, which does no work
+VectorXd energies_apart(const System& system, const Evaluation& at, const VectorXd& y, const VectorXd& other) {
+  const ConnectedParts& connected = ConnectedParts::of(system);
+  VectorXd out = VectorXd::Zero(connected.count());
+  for (int body = 0; body < system.body_count(); ++body) {
+    const int r = position_size * body, w = velocity_size * body, v = system.q_size() + w;
+    const Vec3<double> turn = StateDifference::turn(other.segment<4>(r + 3), y.segment<4>(r + 3));
+    const Vec3<double> omega = y.segment<3>(v + 3), spin = system.inertia(body) * omega;
+    const Vec3<double> torque = at.g.segment<3>(w + 3) - spin.cross(omega);
+    out[connected.of_body(body)] += system.mass(body) * y.segment<3>(v).dot(other.segment<3>(v) - y.segment<3>(v)) +
+                                    spin.dot(other.segment<3>(v + 3) - omega) -
+                                    at.g.segment<3>(w).dot(other.segment<3>(r) - y.segment<3>(r)) - torque.dot(turn);
+  }
+  return out;
 }
 
 }  // namespace linkwork

@@ -84,6 +84,9 @@ RunJudge::RunJudge(const StepSampling& sampling, Dynamics& dynamics, SecondTake 
       out_.part_of.push_back(static_cast<int>(k));
     }
   see_from_moving_axes();
+  look_for_laws();
+  const auto has_laws = [](const JudgedPart& part) { return part.has_laws; };
+  if (std::any_of(out_.connected_parts.begin(), out_.connected_parts.end(), has_laws)) judge_.weigh_energies();
   judge_.choose_from(choices_of_rows(kept_, dynamics.dropped().rows()));
 }
 
@@ -102,6 +105,34 @@ void RunJudge::see_from_moving_axes() {
   }
   for (Eigen::Index k = 0; k < arms.size(); ++k) out_.connected_parts[k].length = arms[k];
   judge_.move_with(std::move(axes), std::move(arms));
+}
+
+namespace {
+
+bool is_law(const Model& model, const Element& force) {
+  for (std::size_t p = 0; p < force_kinds()[static_cast<std::size_t>(force.kind)].info.parameters.size(); ++p) {
+    const int signal = model.force_parameters()[force.first_parameter + p].signal;
+    if (signal < 0) continue;
+    const TimeFunctionPtr& function = model.signals()[static_cast<std::size_t>(signal)];
+    if (!function->of_time() && !function->integral()) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void RunJudge::look_for_laws() {
+  const Model& model = dynamics_.system().model();
+  const ConnectedParts& connected = ConnectedParts::of(dynamics_.system());
+  const auto note = [&](int i, int j) {
+    if (i != ground || j != ground)
+      out_.connected_parts[static_cast<std::size_t>(connected.of_bodies(i, j))].has_laws = true;
+  };
+  for (const Element& force : model.forces())
+    if (is_law(model, force)) note(force.i, force.j);
+  for (const JointForce& force : model.joint_forces()) note(force.i, force.j);
+  if (model.user_forces().empty()) return;
+  for (JudgedPart& part : out_.connected_parts) part.has_laws = true;  // on whichever bodies
 }
 
 /// The motion may have been fast for a while between two kept steps only.

@@ -7,12 +7,13 @@
 
 namespace linkwork {
 
+Vec3<double> StateDifference::turn(const Vec4<double>& a, const Vec4<double>& b) {
+  return 2.0 * quaternion_product<double>({b[0], -b[1], -b[2], -b[3]}, a - b).tail<3>();
+}
+
 StateDifference StateDifference::of_body(const System& system, int body, const VectorXd& a, const VectorXd& b) {
   const int r = position_size * body, p = r + 3, v = system.q_size() + velocity_size * body;
-  const Vec4<double> other = b.segment<4>(p);
-  const Vec4<double> turn =
-      quaternion_product<double>({other[0], -other[1], -other[2], -other[3]}, a.segment<4>(p) - other);
-  return {(a.segment<3>(r) - b.segment<3>(r)).norm(), 2.0 * turn.tail<3>().norm(),
+  return {(a.segment<3>(r) - b.segment<3>(r)).norm(), turn(a.segment<4>(p), b.segment<4>(p)).norm(),
           (a.segment<3>(v) - b.segment<3>(v)).norm(), (a.segment<3>(v + 3) - b.segment<3>(v + 3)).norm()};
 }
 

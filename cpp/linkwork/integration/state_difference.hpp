@@ -10,6 +10,8 @@ namespace linkwork {
 struct StateDifference {
   double position = 0.0, rotation = 0.0, velocity = 0.0, omega = 0.0;  ///< m, rad, m/s, rad/s
 
+  /// By which a turned from b, of Euler parameters of both, in body axes, where it is small [rad].
+  static Vec3<double> turn(const Vec4<double>& a, const Vec4<double>& b);
   /// Between y = (q, v, ...) of both.
   static StateDifference of_body(const System& system, int body, const VectorXd& a, const VectorXd& b);
   void raise(const StateDifference& other);

@@ -7,6 +7,7 @@
 
 #include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/integration/damped_error.hpp"
+#include "linkwork/integration/energies_made.hpp"
 #include "linkwork/integration/runge_kutta.hpp"
 #include "linkwork/math/elementary.hpp"
 #include "linkwork/math/error.hpp"
@@ -183,6 +184,14 @@ void StepJudge::look_at(const KeptStep& step, bool reactions, bool inside, const
   if ((reactions || recorded_) && dynamics_.system().joint_count() > 0) compare_reactions(step, out);
   out.failed = !y_.allFinite();
   if (inside && stepper_ && came_inside_) compare_inside(step, out);
+  if (weighs_energies_) compare_energies(step, out);
+}
+
+void StepJudge::compare_energies(const KeptStep& step, StepError& out) {
+  dynamics_.evaluate(span_.at(1.0), y_);
+  const VectorXd made = energies_apart(dynamics_.system(), dynamics_.evaluation(), y_, step.y_new);
+  for (std::size_t k = 0; k < out.of_part.size(); ++k)
+    out.of_part[k].energy = factor_ * made[static_cast<Eigen::Index>(k)];
 }
 
 KeptStep StepJudge::half_a_step_later(const KeptStep& step, StepError& out) {

@@ -63,6 +63,7 @@ struct PartError {
   double yielded_force = force, yielded_torque = force;     ///< of reactions where constraints yield; NaN likewise
   double load = 0.0;     ///< largest force on a body, or torque by the size of the part; looked at with reactions [N]
   double kinetic = 0.0;  ///< energy [J]
+  double energy = 0.0;   ///< made, where that is looked at, see energies_apart [J]
   bool contact_begins = false;
   double onset = 0.0;  ///< of the speed at which it does, where that counts [m/s], also in that of the velocity
   double rounding = 0.0, displacement = 0.0;  ///< of positions in space, where it is the same in many steps [m]
@@ -109,6 +110,9 @@ class StepJudge {
     axes_ = std::move(axes);
     arms_ = std::move(arms);
   }
+  /// Energies that steps make are looked at, too, as where forces may have a potential but do not tell it: the balance
+  /// of the run has their work by the same stages, and sees a part of what these err.
+  void weigh_energies() { weighs_energies_ = true; }
   /// Largest kinetic energy at these steps, relative to what the ground sees; at most 1.
   double kinetic_share() const;
   /// Largest of each connected part there [J].
@@ -132,6 +136,7 @@ class StepJudge {
   void separate_damped(const KeptStep& step, StepError& out);
   void look_at_motion(const KeptStep& step, StepError& out);
   void compare_inside(const KeptStep& step, StepError& out);
+  void compare_energies(const KeptStep& step, StepError& out);
   void compare_history(const KeptStep& step, StepError& out);
   bool has_the_same_forces(double t, const VectorXd& history);
   void compare_reactions(const KeptStep& step, StepError& out);
@@ -161,6 +166,7 @@ class StepJudge {
   std::vector<int> rows_;  ///< that are left out in this step
   VectorXd y_, v_dot_, lambda_, seen_;
   VectorXd inside_, interpolated_;
+  bool weighs_energies_ = false;
   bool came_inside_ = false;                ///< to inside_, where the first part ends
   Reactions reactions_, there_, yielding_;  ///< of this end, of that of the run, and there by its own equations
 };

@@ -33,8 +33,9 @@ __all__ = [
     "MOVING", "AtRest", "Bodies", "Differences", "Lateness", "Sampled", "Scales", "rounding_of", "same_times",
 ]  # fmt: skip
 
-#: Frames over which it is found how late a motion is: this share of all, and at least so many.
-LATE, LATE_FRAMES = 0.02, 10
+#: Frames over which it is found how late a motion is: this share of all, and at least so many, or half of
+#: few; where squared speeds are less than this part of their mean, nobody can tell.
+LATE, LATE_FRAMES, SLOW = 0.02, 10, 0.1
 
 #: Two times are the same, relative to the later one.
 SAME_TIME = 1e-9
@@ -79,6 +80,9 @@ def rounding_of(times: Floats) -> float:
     """By which times that are one may differ [s]."""
     return SAME_TIME * max(float(np.abs(times).max(initial=0)), 1e-300)
 
+
+#: Of the largest coordinate: where a center of mass moves no more, seen from the part as a whole, it is none.
+ROUNDING = 1e-12
 
 #: What moves less is at rest, and what is left of it is rounding: of the length over the whole run.
 STILL = 1e-6
@@ -147,7 +151,9 @@ class Scales(ReadOnly):
         part, count = bodies.part, len(bodies.longest_arm)
         r, r_dot = _in_moving_axes(motion, bodies)
         fallen, speed = (_by_part(np.broadcast_to(it, part.shape), part, count) for it in at_rest)
-        length = _or_one(np.max([_half_boxes(r, part, count), bodies.longest_arm, fallen], axis=0))
+        boxes, far = _half_boxes(r, part, count), _by_part(_largest(motion.q[:, :, :3]), part, count)
+        boxes[boxes <= ROUNDING * far] = 0.0
+        length = _or_one(np.max([boxes, bodies.longest_arm, fallen], axis=0))
         turning = length[part] * _largest(motion.v[:, :, 3:])
         speed = np.maximum(speed, _by_part(np.maximum(_largest(r_dot), turning), part, count))
         pull = np.maximum(_largest(motion.force), _largest(motion.torque) / length[bodies.joint_part])
@@ -242,8 +248,8 @@ class Lateness(NamedTuple):
     @classmethod
     def of(cls, motion: Sampled, reference: Sampled, bodies: Bodies, scales: Scales) -> Lateness | None:
         """None: there are too few frames to tell."""
-        its, ours = same_times(reference.t, motion.t)
-        width = max(LATE_FRAMES, round(LATE * len(ours)))
+        _, ours = same_times(reference.t, motion.t)
+        width = max(round(LATE * len(ours)), min(LATE_FRAMES, len(ours) // 2), 2)
         if len(ours) < width or not len(bodies.part):
             return None
         t = motion.t[ours]
@@ -260,7 +266,8 @@ class Lateness(NamedTuple):
         of_parts = [np.add.reduceat(it[:, order], begins, axis=1) for it in (along, speed)]
         sums = [np.cumsum(np.pad(it, ((1, 0), (0, 0))), axis=0) for it in of_parts]
         along, speed = (it[width:] - it[:-width] for it in sums)
-        late = np.divide(np.abs(along), speed, out=np.zeros_like(along), where=speed > 0)
+        moves = speed > SLOW * speed.mean(axis=0)
+        late = np.divide(np.abs(along), speed, out=np.zeros_like(along), where=moves)
         return cls(t[: len(t) - width + 1], t[width - 1 :], late)
 
 
