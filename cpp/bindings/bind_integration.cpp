@@ -36,7 +36,6 @@ py::dict frames_to_dict(Frames&& frames, const System& system) {
 
 namespace {
 
-/// With `steps` one by one, or none of them.
 /// (from, until, of each connected part)
 py::list to_list(const std::vector<Peaks>& peaks) {
   py::list out;
@@ -44,6 +43,26 @@ py::list to_list(const std::vector<Peaks>& peaks) {
   return out;
 }
 
+/// Of each body what is of its connected part.
+void add_parts(const AccumulatedError& found, const System& system, py::dict& out) {
+  const ConnectedParts& parts = ConnectedParts::of(system);
+  const int n = system.body_count();
+  VectorXd length(n), speed(n), largest_speed(n);
+  Eigen::VectorXi part(n);
+  for (int body = 0; body < n; ++body) {
+    length[body] = found.rest[parts.of_body(body)].length;
+    speed[body] = found.rest[parts.of_body(body)].speed;
+    largest_speed[body] = found.speeds[parts.of_body(body)];
+    part[body] = parts.of_body(body);
+  }
+  out["rest_length"] = length;
+  out["rest_speed"] = speed;
+  out["largest_speed"] = largest_speed;
+  out["connected_part"] = part;
+  out["peaks"] = to_list(found.peaks);
+}
+
+/// With `steps` one by one, or none of them.
 py::dict to_dict(const AccumulatedError& found, const System& system, bool steps_too) {
   py::list steps;
   for (const JudgedStep& it : steps_too ? std::span<const JudgedStep>(found.steps) : std::span<const JudgedStep>())
@@ -68,21 +87,7 @@ py::dict to_dict(const AccumulatedError& found, const System& system, bool steps
   out["kinetic_share"] = found.kinetic_share;
   out["carried"] = found.carried;
   out["body"] = found.body;
-  const ConnectedParts& parts = ConnectedParts::of(system);
-  const int n = system.body_count();
-  VectorXd length(n), speed(n), largest_speed(n);
-  Eigen::VectorXi part(n);
-  for (int body = 0; body < n; ++body) {
-    length[body] = found.rest[parts.of_body(body)].length;
-    speed[body] = found.rest[parts.of_body(body)].speed;
-    largest_speed[body] = found.speeds[parts.of_body(body)];
-    part[body] = parts.of_body(body);
-  }
-  out["rest_length"] = length;
-  out["rest_speed"] = speed;
-  out["largest_speed"] = largest_speed;
-  out["connected_part"] = part;
-  out["peaks"] = to_list(found.peaks);
+  add_parts(found, system, out);
   out["rest_energy"] = found.rest_energy;
   py::list energies;
   for (const EnergyOfPart& it : found.energies)

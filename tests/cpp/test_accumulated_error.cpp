@@ -82,6 +82,9 @@ TEST_CASE("energy delays by the largest acceleration that comes after it, but fo
   errors.connected_parts[0].kinetic = 1.0;
   for (StepError& step : errors.steps) step.of_part[0].kinetic = 1.0;
   CHECK(accumulate(errors).slowness == doctest::Approx(1.0));
+  errors.connected_parts[0].bursts_late = false;
+  CHECK(accumulate(errors).suddenness == 0.0);
+  errors.connected_parts[0].bursts_late = true;
   CHECK(accumulate(errors).suddenness == doctest::Approx(25.0));  // in the second part
   CHECK(accumulate(errors).peaks.size() == 2);
   CHECK(accumulate(errors).peaks[1].t == 1.0);

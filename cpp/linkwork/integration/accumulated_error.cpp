@@ -170,7 +170,7 @@ class Accumulation {
     }
     if (seconds == 0.0) return;
     out_.slowness = slow / seconds;
-    out_.suddenness = bursts / seconds;
+    if (judged_.bursts_late) out_.suddenness = bursts / seconds;
   }
 
   /// When the part of the run begins in which there is one [s].

@@ -54,7 +54,7 @@ struct AccumulatedError {
   double slowness = 1.0;   ///< of that part, 1 / kinetic energy in the mean over the run, relative to the largest; less
                            ///< where forces took that energy away
   double suddenness = 0.0;  ///< the same times the largest acceleration that comes later, by V^2 / L; less where motion
-                            ///< turns often, as a vibration does
+                            ///< turns often, as a vibration does; none where that comes at times of its own
   double seconds = 0.0;     ///< that the parts of the run took
   double kinetic_share = 1.0;    ///< see StepJudge
   double carried = 0.0;          ///< speed of the part as a whole, relative to V

@@ -84,7 +84,7 @@ RunJudge::RunJudge(const StepSampling& sampling, Dynamics& dynamics, SecondTake 
       out_.part_of.push_back(static_cast<int>(k));
     }
   see_from_moving_axes();
-  look_for_laws();
+  look_at_forces();
   const auto has_laws = [](const JudgedPart& part) { return part.has_laws; };
   if (std::any_of(out_.connected_parts.begin(), out_.connected_parts.end(), has_laws)) judge_.weigh_energies();
   judge_.choose_from(choices_of_rows(kept_, dynamics.dropped().rows()));
@@ -109,30 +109,43 @@ void RunJudge::see_from_moving_axes() {
 
 namespace {
 
-bool is_law(const Model& model, const Element& force) {
+/// Whether any function among the parameters of a force is one of those.
+template <class Which>
+bool has_function(const Model& model, const Element& force, Which which) {
   for (std::size_t p = 0; p < force_kinds()[static_cast<std::size_t>(force.kind)].info.parameters.size(); ++p) {
     const int signal = model.force_parameters()[force.first_parameter + p].signal;
-    if (signal < 0) continue;
-    const TimeFunctionPtr& function = model.signals()[static_cast<std::size_t>(signal)];
-    if (!function->of_time() && !function->integral()) return true;
+    if (signal >= 0 && which(*model.signals()[static_cast<std::size_t>(signal)])) return true;
   }
   return false;
 }
 
+bool is_law(const TimeFunction& it) { return !it.of_time() && !it.integral(); }
+bool is_of_time(const TimeFunction& it) { return it.of_time(); }
+
 }  // namespace
 
-void RunJudge::look_for_laws() {
-  const Model& model = dynamics_.system().model();
-  const ConnectedParts& connected = ConnectedParts::of(dynamics_.system());
-  const auto note = [&](int i, int j) {
-    if (i != ground || j != ground)
-      out_.connected_parts[static_cast<std::size_t>(connected.of_bodies(i, j))].has_laws = true;
+void RunJudge::look_at_forces() {
+  const System& system = dynamics_.system();
+  const Model& model = system.model();
+  const ConnectedParts& connected = ConnectedParts::of(system);
+  JudgedPart of_ground;
+  const auto part_of = [&](int i, int j) -> JudgedPart& {
+    return i == ground && j == ground ? of_ground
+                                      : out_.connected_parts[static_cast<std::size_t>(connected.of_bodies(i, j))];
   };
-  for (const Element& force : model.forces())
-    if (is_law(model, force)) note(force.i, force.j);
-  for (const JointForce& force : model.joint_forces()) note(force.i, force.j);
-  if (model.user_forces().empty()) return;
-  for (JudgedPart& part : out_.connected_parts) part.has_laws = true;  // on whichever bodies
+  for (const int row : system.driven_rows()) out_.connected_parts[connected.of_row(row)].bursts_late = false;
+  for (const Element& force : model.forces()) {
+    JudgedPart& part = part_of(force.i, force.j);
+    part.has_laws = part.has_laws || has_function(model, force, is_law);
+    part.bursts_late = part.bursts_late && !has_function(model, force, is_of_time);
+  }
+  for (const JointForce& force : model.joint_forces()) part_of(force.i, force.j).has_laws = true;
+  if (!model.user_forces().empty())
+    for (JudgedPart& part : out_.connected_parts) part.has_laws = true;  // on whichever bodies
+  for (const SwitchOwner& it : owners_of_switches(model)) {
+    const Element& force = model.forces()[static_cast<std::size_t>(it.element)];
+    part_of(force.i, force.j).bursts_late = true;
+  }
 }
 
 /// The motion may have been fast for a while between two kept steps only.

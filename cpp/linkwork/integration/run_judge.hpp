@@ -14,12 +14,14 @@ namespace linkwork {
 /// What there is to know of a connected part in a run.
 struct JudgedPart {
   int first_body = 0;
-  double length = 1.0;               ///< half of the box in which its centers of mass move, or its size [m]
-  double speed_as_a_whole = 0.0;     ///< of its MovingAxes [m/s]
-  double fastest = 1.0;              ///< largest speed in the run, relative to that at the kept steps
-  double kinetic = 0.0;              ///< largest energy in the run, as these axes see it [J]
-  bool has_laws = false;             ///< of the user's own, which may have a potential but do not tell it
-  std::optional<Rest> rest;          ///< where there is no motion
+  double length = 1.0;            ///< half of the box in which its centers of mass move, or its size [m]
+  double speed_as_a_whole = 0.0;  ///< of its MovingAxes [m/s]
+  double fastest = 1.0;           ///< largest speed in the run, relative to that at the kept steps
+  double kinetic = 0.0;           ///< largest energy in the run, as these axes see it [J]
+  bool has_laws = false;          ///< of the user's own, which may have a potential but do not tell it
+  bool bursts_late = true;        ///< what accelerates it does not come at times of its own: it bounces, or no driver
+                                  ///< and no function of time acts there
+  std::optional<Rest> rest;       ///< where there is no motion
   std::optional<EnergyMade> energy;  ///< where the balance of the run does not tell it
   /// By how much the errors of its worst steps are larger than what a first look said of them, at least 1: where
   /// something is not smooth, or steps are very long, two parts of a step are not as much better as Richardson has it.
@@ -64,7 +66,7 @@ class RunJudge {
 
  private:
   void see_from_moving_axes();
-  void look_for_laws();
+  void look_at_forces();
   void look_at_speeds();
   double kinetic_energy(const KeptStep& step, const VectorXd& y);
   double size(const StepError& error, std::size_t part) const;
