@@ -415,7 +415,7 @@ def test_run_whose_file_went_away_says_so_and_harms_no_other_file(tmp_path: Path
             path.write_bytes(other)
 
     with pytest.raises(
-        FileError, match="was replaced by another" if replaced else "was removed during"
+        FileError, match="was replaced by another" if replaced else "was moved or removed during"
     ) as caught:
         lw.simulate(lw.mechanisms.heavy_top(), 1e4, 1e-3, output=path, progress=once(take_away))
     assert caught.value.result is None

@@ -89,7 +89,8 @@ def with_nearest_option(
         rest: list[str] = parse(context, words)
         return rest
     except click.NoSuchOption as error:
-        known = [name for parameter in command.get_params(context) for name in parameter.opts]
+        options = [it for it in command.get_params(context) if isinstance(it, click.Option)]
+        known = [name for option in options for name in option.opts]
         text = _no_option(error.option_name, known)
         if isinstance(command, Group) and not command.invoke_without_command and "nearest" not in text:
             needs = f"{context.info_name} needs that first"

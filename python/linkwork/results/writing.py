@@ -455,7 +455,7 @@ class ResultWriter:
         try:
             found = os.stat(self.path)
         except FileNotFoundError:
-            raise replaced(self.path, "was removed") from None
+            raise replaced(self.path, "was moved or removed") from None
         if not os.path.samestat(found, os.fstat(self._descriptor)):
             raise replaced(self.path, "was replaced by another file")
 
@@ -579,7 +579,8 @@ def _event_bytes(shape: tuple[int, ...]) -> int:
 def replaced(path: Path, what: str) -> FileError:
     """The output of a run is not its own any more."""
     return FileError(
-        f"output '{path}': {what} during the run: its frames are lost; give each run an output of its own",
+        f"output '{path}': {what} during the run: its frames are lost, unless the file has another name now; "
+        "give each run an output of its own",
         code="replaced",
     )
 

@@ -193,7 +193,7 @@ class _File:
         except FileError as error:
             if error.code != "not_found":
                 raise
-            raise replaced(self._writer.path, "was removed") from error
+            raise replaced(self._writer.path, "was moved or removed") from error
         if found._run != self._writer.run:
             raise replaced(self._writer.path, "was replaced by that of another run")
         return found
