@@ -483,6 +483,10 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         Add k force elements of one kind at once, as `joints`.
 
             model.forces("drag", "ground", ["crank", "rod"], at=np.zeros((2, 3)), coefficient=0.2)
+
+        Arguments are parameters of the kind as in a model file: a given force is of the kind "applied" with
+        force_x, ..., a bushing has stiffness_x, ..., and spring_damper and rotational_spring_damper are given
+        damping, force and torque also where these are 0.
         """
         first = self.force_count
         self._place("force", kind, a, b, frames, name, True, arguments)
