@@ -203,10 +203,16 @@ TEST_CASE("energy that steps make counts where laws do not tell theirs, with wha
   errors.steps[1].of_part[0].energy = 3e-6;
   CHECK(accumulate(errors).energies.empty());
   errors.connected_parts[0].has_laws = true;
+  for (RunPart& part : errors.parts) part.peaks = VectorXd::Zero(1);
   const std::vector<EnergyOfPart> found = accumulate(errors).energies;
   REQUIRE(found.size() == 1);
   CHECK(found[0].body == -1);
   CHECK(found[0].error == doctest::Approx((100 * 4e-6 + 100 * 2e-6 / std::sqrt(2.0)) / 2.0));
+  errors.connected_parts[0].bursts_late = false;
+  CHECK(accumulate(errors).energies.empty());
+  errors.connected_parts[0].bursts_late = true;
+  errors.connected_parts[0].rest = Rest();
+  CHECK(accumulate(errors).energies.empty());
 }
 
 TEST_CASE("a part that rests is weighed by its rest, the part beside it by its motion") {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from typing import Any
 
 import linkwork as lw
@@ -115,3 +116,44 @@ def test_energy_that_the_balance_does_not_show_is_found_by_steps(
     assert run.verdict is not None
     true = float(np.linalg.norm(run.velocity[:, 0, :2] - exact, axis=1).max()) / 2
     assert 0.8 * true < run.verdict.error < 30 * true
+
+
+def _hanging(law: bool, beside: str = "") -> lw.Model:
+    model = lw.Model()
+    model.body("b", mass=1.0, inertia=(1, 1, 1), position=(0, 0, -1))
+    _spring(model, "b", 1e4, 1 - 9.81e-4, ((0, 0, 0), (0, 0, -1)), law)
+    if beside:
+        model.body("rod", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(5.5, 0, 0))
+        model.revolute("ground", "rod", at=(5, 0, 0), axis=(0, 1, 0))
+        model.user_force(lambda t, q, v: np.zeros(6), "rod")
+    return model
+
+
+def _gate(law: bool, t_end: float) -> lw.Model:
+    """Driven against a spring; both do much more work than the gate has energy."""
+    model = lw.Model()
+    model.body("gate", mass=50.0, inertia=(5, 5, 5), position=(1, 0, 0))
+    model.revolute("ground", "gate", at=(0, 0, 0), axis=(0, 1, 0), name="pin")
+    model.drive("pin", position=lw.functions.cycloidal(1.0, t_end))
+    _spring(model, "gate", 2e4, 1.5, ((-1, 0, 1), (1, 0, 0)), law)
+    return model
+
+
+def _spring(model: lw.Model, body: str, k: float, free: float, at: Any, law: bool) -> None:
+    if law:
+        model.nonlinear_spring_damper("ground", body, at=at, free_length=free, spring=lambda x: k * x)
+    else:
+        model.spring_damper("ground", body, at=at, free_length=free, stiffness=k, damping=0.0)
+
+
+@pytest.mark.parametrize(("model", "t_end"), [
+    (_hanging, 2.0), (functools.partial(_hanging, beside="rod"), 2.0),
+    (functools.partial(_gate, t_end=60.0), 60.0), (functools.partial(_gate, t_end=600.0), 600.0),
+])  # fmt: skip
+def test_a_law_that_rests_or_is_driven_is_judged_as_the_spring_that_it_is(model: Any, t_end: float) -> None:
+    errors = []
+    for law in (True, False):
+        verdict = lw.simulate(model(law), t_end=t_end, rtol=1e-6, on_inaccurate="pass").verdict
+        assert verdict is not None
+        errors.append(verdict.error)
+    assert errors[0] < 10 * errors[1] + 1e-6

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextvars
 import ctypes
+import dataclasses
 import enum
 import functools
 import random
@@ -239,6 +240,36 @@ def _slot_not_there_yet() -> Any:
     return lambda: getattr(motor, "held", 0.0), lambda effort: setattr(motor, "held", effort)
 
 
+def _private_slot_not_there_yet() -> Any:
+    class Motor:
+        __slots__ = ("__held",)
+
+        def get(self) -> float:
+            return getattr(self, "_Motor__held", 0.0)
+
+        def put(self, effort: float) -> None:
+            self.__held = effort
+
+    motor = Motor()
+    return motor.get, motor.put
+
+
+@dataclasses.dataclass(frozen=True, slots=True)
+class _Frozen:
+    held: float = dataclasses.field(init=False)
+
+
+def _slot_of_a_frozen_object_not_there_yet() -> Any:
+    motor = _Frozen()
+    return lambda: getattr(motor, "held", 0.0), lambda effort: object.__setattr__(motor, "held", effort)
+
+
+def _context_variable_with_an_array() -> Any:
+    held = contextvars.ContextVar("held", default=np.zeros(2))
+    held.set(np.zeros(2))
+    return lambda: float(held.get()[0]), lambda effort: held.set(np.full(2, effort))
+
+
 def _variable_not_there_yet() -> Any:
     def get() -> float:
         try:
@@ -285,6 +316,7 @@ PLACES = [
     _event_of_threads, _record, _pointer, _array_by_pointer, _of_a_number, _of_a_member, _of_another_class,
     _by_another_method, _by_another_function, _cached, _weakly, _in_a_table,
     _attribute_of_a_function_not_there_yet, _attribute_of_a_class_not_there_yet, _slot_not_there_yet,
+    _private_slot_not_there_yet, _slot_of_a_frozen_object_not_there_yet, _context_variable_with_an_array,
     _variable_not_there_yet, _global_variable_not_there_yet, _variable_of_a_module_not_there_yet,
 ]  # fmt: skip
 

@@ -100,12 +100,15 @@ class Accumulation {
   /// the motion: by what differs from one part of the run to the next, but for rare large ones.
   double energy_made() const {
     double made = 0.0;
-    std::vector<double> squares;
+    std::vector<double> energies, squares;
     for (const KnownPart& it : parts_) {
       const double one = of(*it.first).energy, last = of(*it.last).energy;
       made += it.weight * it.steps() * (one + it.share * (last - one));
-      if (&it != &parts_.back()) squares.push_back(0.5 * std::pow(it.steps() * (of(*(&it)[1].first).energy - one), 2));
+      if (it.part->peaks.size() > 0) energies.push_back(it.steps() * one);  // else it is a step alone
     }
+    if (!std::isfinite(made)) return INFINITY;
+    for (std::size_t k = 1; k < energies.size(); ++k)
+      squares.push_back(0.5 * std::pow(energies[k] - energies[k - 1], 2));
     std::sort(squares.begin(), squares.end());
     squares.resize(squares.size() - squares.size() / rare);
     const double open = std::sqrt(std::accumulate(squares.begin(), squares.end(), 0.0));
@@ -391,7 +394,7 @@ AccumulatedError accumulate(const RunErrors& errors) {
     if (const std::optional<EnergyMade>& it = parts[part].energy)
       energies.push_back({parts[part].first_body, relative(*it, parts[part].kinetic), it->lasting, own.rate,
                           own.slowness, own.suddenness});
-    if (parts[part].has_laws)
+    if (parts[part].has_laws && parts[part].bursts_late && !parts[part].rest)
       energies.push_back({own.body, accumulation.energy_made(), 1.0, own.rate, own.slowness, own.suddenness});
     speeds[part] = own.rate * parts[part].length;
     if (part == energetic) rate = own.rate, slowness = own.slowness, suddenness = own.suddenness;

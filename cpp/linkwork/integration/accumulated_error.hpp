@@ -19,7 +19,7 @@ struct RestScales {
 };
 
 /// Energy that the run made or lost in a connected part of which that is known, see EnergyMade; or, where there are laws
-/// of the user's own, that its steps made.
+/// of the user's own but no driver and no function of time, that its steps made.
 struct EnergyOfPart {
   int body = 0;                       ///< the first of it; -1: all are one part
   double error = 0.0;                 ///< relative to its kinetic energy and to what it exchanged

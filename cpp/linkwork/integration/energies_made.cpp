@@ -188,4 +188,15 @@ VectorXd energies_apart(const System& system, const Evaluation& at, const Vector
   return out;
 }
 
+VectorXd scales_of_energies(const System& system, const Evaluation& at, const VectorXd& y) {
+  const ConnectedParts& connected = ConnectedParts::of(system);
+  VectorXd out = VectorXd::Zero(connected.count());
+  for (int body = 0; body < system.body_count(); ++body) {
+    const int r = position_size * body, w = velocity_size * body, v = system.q_size() + w;
+    out[connected.of_body(body)] += at.g.segment<3>(w).norm() * y.segment<3>(r).norm() + at.g.segment<3>(w + 3).norm() +
+                                    system.mass(body) * y.segment<3>(v).squaredNorm();
+  }
+  return out;
+}
+
 }  // namespace linkwork

@@ -29,4 +29,7 @@ std::vector<std::optional<EnergyMade>> find_energies_made(Dynamics& dynamics, co
 /// order, whatever potential the forces have or do not tell [J]: v . M dv - F . dx.
 VectorXd energies_apart(const System& system, const Evaluation& at, const VectorXd& y, const VectorXd& other);
 
+/// Of each connected part, of which rounding of the state makes the last digits of these energies [J].
+VectorXd scales_of_energies(const System& system, const Evaluation& at, const VectorXd& y);
+
 }  // namespace linkwork

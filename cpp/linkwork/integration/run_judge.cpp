@@ -139,7 +139,11 @@ void RunJudge::look_at_forces() {
     part.has_laws = part.has_laws || has_function(model, force, is_law);
     part.bursts_late = part.bursts_late && !has_function(model, force, is_of_time);
   }
-  for (const JointForce& force : model.joint_forces()) part_of(force.i, force.j).has_laws = true;
+  for (const JointForce& force : model.joint_forces()) {
+    JudgedPart& part = part_of(force.i, force.j);
+    part.has_laws = part.has_laws || !force.law->of_time();
+    part.bursts_late = part.bursts_late && !force.law->of_time();
+  }
   if (!model.user_forces().empty())
     for (JudgedPart& part : out_.connected_parts) part.has_laws = true;  // on whichever bodies
   for (const SwitchOwner& it : owners_of_switches(model)) {

@@ -184,14 +184,18 @@ void StepJudge::look_at(const KeptStep& step, bool reactions, bool inside, const
   if ((reactions || recorded_) && dynamics_.system().joint_count() > 0) compare_reactions(step, out);
   out.failed = !y_.allFinite();
   if (inside && stepper_ && came_inside_) compare_inside(step, out);
-  if (weighs_energies_) compare_energies(step, out);
+  if (weighs_energies_ && !out.failed) compare_energies(step, out);
 }
 
 void StepJudge::compare_energies(const KeptStep& step, StepError& out) {
   dynamics_.evaluate(span_.at(1.0), y_);
-  const VectorXd made = energies_apart(dynamics_.system(), dynamics_.evaluation(), y_, step.y_new);
-  for (std::size_t k = 0; k < out.of_part.size(); ++k)
-    out.of_part[k].energy = factor_ * made[static_cast<Eigen::Index>(k)];
+  const System& system = dynamics_.system();
+  const VectorXd made = energies_apart(system, dynamics_.evaluation(), y_, step.y_new);
+  const VectorXd unseen = roundoff * scales_of_energies(system, dynamics_.evaluation(), y_);
+  for (std::size_t k = 0; k < out.of_part.size(); ++k) {
+    const auto part = static_cast<Eigen::Index>(k);
+    out.of_part[k].energy = std::copysign(factor_ * std::max(std::abs(made[part]) - unseen[part], 0.0), made[part]);
+  }
 }
 
 KeptStep StepJudge::half_a_step_later(const KeptStep& step, StepError& out) {

@@ -9,6 +9,7 @@ class LawOfTime final : public CoordinateLaw {
  public:
   explicit LawOfTime(TimeFunctionPtr function) : function_(std::move(function)) {}
   double effort(double t, double, double) const override { return function_->evaluate(t).value; }
+  bool of_time() const override { return true; }
 
  private:
   TimeFunctionPtr function_;

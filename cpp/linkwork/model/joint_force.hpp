@@ -13,6 +13,7 @@ class CoordinateLaw {
  public:
   virtual ~CoordinateLaw() = default;
   virtual double effort(double t, double x, double x_dot) const = 0;
+  virtual bool of_time() const { return false; }  ///< alone
 };
 
 using CoordinateLawPtr = std::shared_ptr<const CoordinateLaw>;

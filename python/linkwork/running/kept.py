@@ -61,7 +61,7 @@ _ABSENT = object()
 _BARE = (list, dict, set, deque, bytearray)
 
 _ASSIGN = ("STORE_DEREF", "STORE_GLOBAL", "STORE_ATTR")
-_GLOBALS = ("LOAD_GLOBAL", "LOAD_NAME", "STORE_GLOBAL", "STORE_NAME")
+_READ, _WRITTEN = ("LOAD_GLOBAL", "LOAD_NAME"), ("STORE_GLOBAL", "STORE_NAME")
 _COMPILED = ("ctypes", "_ctypes", "_cffi_backend", "numba")
 _LOCKS = ("_multiprocessing", "_thread")
 _WRAPPERS = (types.MethodType, staticmethod, classmethod, functools.partial, property)
@@ -205,8 +205,8 @@ class Kept(AbstractContextManager["Kept"]):
 
     def shares(self, other: Kept) -> bool:
         """Whether both reach something that can be written to, or might."""
-        of_both = self._places.keys() & other._places.keys()
-        return not (self.whole and other.whole) or bool(of_both - self._code)
+        of_both = self._places.keys() & other._places.keys() - self._code - self._empty
+        return not (self.whole and other.whole) or bool(of_both)
 
     def _unknown(self, it: Any) -> None:
         kind = type(it)
@@ -307,6 +307,7 @@ class Kept(AbstractContextManager["Kept"]):
             if not isinstance(value, types.MemberDescriptorType):
                 self._attribute(it, name, value)
         self._places[id(it), "names"] = Names(it)
+        self._code.add((id(it), "names"))
         self._todo += [*it.__bases__, type(it)]
 
     def _object(self, it: Any) -> None:
@@ -380,11 +381,11 @@ def _in_cell(cell: types.CellType) -> Any:
 
 
 def _put(of: Any, name: str, value: Any) -> None:
+    plain = isinstance(of, type | types.ModuleType)
     if value is _ABSENT:
-        delattr(of, name)
-        return
-    put: Any = setattr if isinstance(of, type | types.ModuleType) else object.__setattr__
-    put(of, name, value)
+        (delattr if plain else object.__delattr__)(of, name)
+    else:
+        (setattr if plain else object.__setattr__)(of, name, value)
 
 
 def _enter(of: dict[str, Any], name: str, value: Any) -> None:
@@ -410,7 +411,12 @@ def _read_by_cached(it: Any) -> Set[Hashable]:
 def _slots(kind: type) -> list[str]:
     named = vars(kind).get("__slots__", ())
     found = [named] if isinstance(named, str) else list(named)
-    return [it for it in found if it not in ("__dict__", "__weakref__")]
+    private = "_" + kind.__name__.lstrip("_")
+    return [
+        f"{private}{it}" if it.startswith("__") and not it.endswith("__") else it
+        for it in found
+        if it not in ("__dict__", "__weakref__")
+    ]
 
 
 @functools.cache
@@ -424,8 +430,9 @@ def _assigns(code: types.CodeType) -> bool:
 def variables_in(code: types.CodeType) -> frozenset[str]:
     """Global ones that it, or a function inside, reads or writes, but for those of Python's own."""
     inner = [variables_in(it) for it in code.co_consts if isinstance(it, types.CodeType)]
-    own = {it.argval for it in dis.get_instructions(code) if it.opname in _GLOBALS}
-    return frozenset(name for name in own if not hasattr(builtins, name)).union(*inner)
+    steps = list(dis.get_instructions(code))
+    read, written = ({it.argval for it in steps if it.opname in kind} for kind in (_READ, _WRITTEN))
+    return frozenset({name for name in read if not hasattr(builtins, name)} | written).union(*inner)
 
 
 @functools.cache

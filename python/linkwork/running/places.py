@@ -83,8 +83,14 @@ class Names:
         return {ALL} if Names(self._it)._then - self._then else set()
 
     def put_back(self, parts: set[Hashable] | None) -> None:
+        stay = []
         for name in Names(self._it)._then - self._then:
-            delattr(self._it, name)
+            try:
+                delattr(self._it, name)
+            except (AttributeError, TypeError):
+                stay.append(name)
+        if stay:
+            raise TypeError(f"class {self._it.__qualname__} does not give up {', '.join(stay)}")
 
 
 class _Entries:
@@ -271,7 +277,7 @@ def _whole(it: Any) -> _Whole | None:
 
 def _set_context(it: contextvars.ContextVar[Any], then: Any) -> None:
     """ValueError: it had no value, which only the token that set it could give back."""
-    if then == _NONE:
+    if then is _NONE:
         raise ValueError(f"context variable {it.name} had no value")
     it.set(then)
 

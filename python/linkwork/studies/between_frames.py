@@ -38,7 +38,7 @@ NEAR_ZERO = 0.5
 
 #: That is looked for in each quarter, from so many places on, in intervals that become shorter by a third so
 #: many times; toward it parts become short in these steps.
-QUARTERS, PLACES, NARROWED = np.linspace(0.0, 1.0, 5), 9, 60
+QUARTERS, PLACES, NARROWED = np.linspace(0.0, 1.0, 5), 9, 40
 SHORTER = tuple(0.125**k for k in range(8))
 
 #: The part of the times between frames in which rates have to fit, or frames are too far apart.
@@ -115,10 +115,11 @@ class _Pieces:
         return np.asarray(sum(weight * what(self.at(begin + x * length)) for x, weight in GAUSS))
 
     def pass_zero(self) -> NDArray[np.bool_]:
-        """On which (k - 1,) magnitudes are so small somewhere that they may turn sharply there."""
+        """On which (k - 1, ...) magnitudes are so small somewhere that they may turn sharply there."""
         there = np.stack([*self.ends, *(self.at(x) for x, _ in GAUSS)])
-        small = there.min(axis=0) < NEAR_ZERO * there.max(axis=0)
-        return np.asarray(small.reshape(len(small), -1).any(axis=1))
+        largest = there.max(axis=0)
+        small = there.min(axis=0) < NEAR_ZERO * largest
+        return np.asarray(small & (largest > ROUNDING * largest.max(axis=0)))
 
     def chosen(self, which: NDArray[np.bool_]) -> _Pieces:
         bends = self.bends

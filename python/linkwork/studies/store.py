@@ -34,9 +34,6 @@ VERSION = 1
 #: What reading JSON raises that is not what was written.
 DAMAGE = (ValueError, KeyError, TypeError, RecursionError)
 
-#: The same of what is listed, but is no file: a link to nowhere, a folder.
-GONE = (FileNotFoundError, IsADirectoryError)
-
 
 class Store:
     """A directory with the cases of one study. FileError: it cannot be written, belongs to another, or is not
@@ -173,7 +170,9 @@ def _read(file: Path) -> tuple[Mapping[str, Any], Sequence[Run]]:
         if about["linkwork_cases"] != VERSION or about["digest"] != zlib.crc32(body.encode()):
             raise ValueError("digest")
         return about["machine"], [Run(**json.loads(line)) for line in body.splitlines()]
-    except (*DAMAGE, *GONE):
+    except PermissionError:
+        raise
+    except (*DAMAGE, OSError):
         warn(f"file '{file}': is damaged: its cases count as not there")
         return {}, []
 
