@@ -66,7 +66,19 @@ def test_what_is_late_counts_where_accelerations_burst_without_contacts_too(
     assert true < run.verdict.error < 20 * true
 
 
-@pytest.mark.parametrize("frames", [{}, {"times": np.linspace(0, 100, 201)}])
+@pytest.mark.parametrize("velocity", [0.0, 1.0, 1e4])
+def test_a_second_run_of_a_body_that_turns_and_flies_is_not_another_motion(velocity: float) -> None:
+    """Seen from its center of mass there is rounding alone in its way."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("top", mass=1.0, inertia=(0.1, 0.1, 0.15), velocity=(velocity, 0, 0), omega=(0.5, 0, 10))
+    run = lw.simulate(model, t_end=4.0, rtol=1e-8, integrator="dop853", verify=True, on_inaccurate="pass")
+    assert run.verdict is not None and run.verdict.verified is not None
+    assert run.verdict.verified < 1e-5
+
+
+@pytest.mark.parametrize(
+    "frames", [{}, {"times": np.linspace(0, 100, 201)}, {"times": np.linspace(0, 100, 5)}]
+)
 def test_a_second_run_tells_of_bursts_between_frames(frames: Any) -> None:
     """The light slider is fast for a hundredth of the time."""
     how: Any = {"t_end": 100.0, "rtol": 1e-6, "on_inaccurate": "pass", **PROJECTED}
