@@ -92,6 +92,27 @@ TEST_CASE("of a mechanism that is one connected part the balance of the run tell
   CHECK(!find_energies_made(dynamics, {&step}, VectorXd::Ones(1))[0]);
 }
 
+TEST_CASE("inerters have a share of the energies of states near each other that move faster") {
+  Model model = two_bodies();
+  Attachment<double> at;
+  at.s_i << 0.0, 0.0, -1.0;
+  at.s_j.setZero();
+  at.C_i = at.C_j = Mat3<double>::Identity();
+  const double inertance = 30.0, speed = 2.0, more = 1e-3;
+  model.add_force("inerter", "rotor", ground, 0, at, {{inertance, -1}});
+  Dynamics dynamics(model, Options());
+  VectorXd y = dynamics.initial_y();
+  y[14 + 2] = speed;  // along it
+  VectorXd faster = y;
+  faster[14 + 2] += more;
+  dynamics.evaluate(0.0, y);
+  const VectorXd v = y.segment(14, 12);
+  CHECK(energies_in_inerters(dynamics.system(), dynamics.evaluation(), v)[0] ==
+        doctest::Approx(0.5 * inertance * speed * speed));
+  CHECK(energies_apart(dynamics.system(), dynamics.evaluation(), y, faster)[0] ==
+        doctest::Approx((mass + inertance) * speed * more));
+}
+
 TEST_CASE("energies of two states near each other differ by what their forces would do, potential or not") {
   Model model(Vec3<double>(0.0, 0.0, -9.81));
   Body body;

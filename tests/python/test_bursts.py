@@ -151,6 +151,23 @@ def _gate(law: bool, t_end: float) -> lw.Model:
     return model
 
 
+def _rotors(law: bool) -> lw.Model:
+    """Two links of 1 kg on hinges with a hundred times their inertia."""
+    model = lw.Model()
+    axes: Any = ((0, 1, 0), (0, 1, 0.2))
+    for k, (before, axis) in enumerate(zip(("ground", "link 0"), axes, strict=True)):
+        at, name = (k, 0, 0), f"link {k}"
+        model.body(name, mass=1.0, inertia=(0.01, 1 / 12, 1 / 12), position=(k + 0.5, 0, 0))
+        pin = model.revolute(before, name, at=at, axis=axis)
+        model.rotational_inerter(before, name, at=at, axis=axis, inertance=100.0)
+        if law:
+            model.joint_force(pin, lambda t, angle, rate: -200 * (angle - 0.1))
+        else:
+            model.rotational_spring_damper(before, name, at=at, axis=axis, stiffness=200.0, damping=0.0,
+                                           free_angle=0.1)  # fmt: skip
+    return model
+
+
 def _spring(model: lw.Model, body: str, k: float, free: float, at: Any, law: bool) -> None:
     if law:
         model.nonlinear_spring_damper("ground", body, at=at, free_length=free, spring=lambda x: k * x)
@@ -161,8 +178,11 @@ def _spring(model: lw.Model, body: str, k: float, free: float, at: Any, law: boo
 @pytest.mark.parametrize(("model", "t_end"), [
     (_hanging, 2.0), (functools.partial(_hanging, beside="rod"), 2.0),
     (functools.partial(_gate, t_end=60.0), 60.0), (functools.partial(_gate, t_end=600.0), 600.0),
+    (_rotors, 40.0),
 ])  # fmt: skip
-def test_a_law_that_rests_or_is_driven_is_judged_as_the_spring_that_it_is(model: Any, t_end: float) -> None:
+def test_a_law_that_rests_is_driven_or_moves_rotors_is_judged_as_the_spring_that_it_is(
+    model: Any, t_end: float
+) -> None:
     errors = []
     for law in (True, False):
         verdict = lw.simulate(model(law), t_end=t_end, rtol=1e-6, on_inaccurate="pass").verdict

@@ -99,10 +99,11 @@ class Accumulation {
   /// Relative to the largest kinetic energy; with what the choice of steps leaves open, as energies come and go within
   /// the motion: by what differs from one part of the run to the next, but for rare large ones.
   double energy_made() const {
-    double made = 0.0;
+    double made = 0.0, in_inerters = 0.0;
     std::vector<double> energies, squares;
     for (const KnownPart& it : parts_) {
       const double one = of(*it.first).energy, last = of(*it.last).energy;
+      in_inerters = std::max({in_inerters, of(*it.first).in_inerters, of(*it.last).in_inerters});
       made += it.weight * it.steps() * (one + it.share * (last - one));
       if (it.part->peaks.size() > 0) energies.push_back(it.steps() * one);  // else it is a step alone
     }
@@ -112,7 +113,8 @@ class Accumulation {
     std::sort(squares.begin(), squares.end());
     squares.resize(squares.size() - squares.size() / rare);
     const double open = std::sqrt(std::accumulate(squares.begin(), squares.end(), 0.0));
-    return judged_.kinetic > 0.0 ? missed_ * (std::abs(made) + open) / judged_.kinetic : 0.0;
+    const double kinetic = judged_.kinetic + in_inerters;
+    return kinetic > 0.0 ? missed_ * (std::abs(made) + open) / kinetic : 0.0;
   }
 
   AccumulatedError result() {

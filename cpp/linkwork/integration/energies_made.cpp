@@ -98,17 +98,11 @@ class EnergySearch {
   }
 
   void add_inerters() {
-    const Inerters& inerters = system_.inerters();
     for (std::size_t k = 0; k < states_.size(); ++k) {
       dynamics_.set_history(states_[k].step->history);
       dynamics_.evaluate(states_[k].step->t, *states_[k].y);  // tables may end where the step does
       const VectorXd its_v = v(*states_[k].y);
-      for (std::size_t i = 0; i < inerters.count(); ++i) {
-        const double rate = inerters.rate(i, dynamics_.evaluation().D.data(), its_v.data());
-        const auto [first, second] = inerters.bodies(i);
-        in_inerters_(static_cast<Eigen::Index>(k), connected_.of_bodies(first, second)) +=
-            0.5 * inerters.inertance(i) * rate * rate;
-      }
+      in_inerters_.row(static_cast<Eigen::Index>(k)) = energies_in_inerters(system_, dynamics_.evaluation(), its_v);
     }
     kinetic_ += in_inerters_;
   }
@@ -172,10 +166,29 @@ std::vector<std::optional<EnergyMade>> find_energies_made(Dynamics& dynamics, co
   return EnergySearch(dynamics, steps, lengths).result();
 }
 
-// omega in body axes, where g has the torque - omega x J omega, which does no work
-VectorXd energies_apart(const System& system, const Evaluation& at, const VectorXd& y, const VectorXd& other) {
+// b (d . v) (d . w) of each inerter
+VectorXd products_of_inerters(const System& system, const Evaluation& at, const VectorXd& v, const VectorXd& w) {
+  const Inerters& inerters = system.inerters();
   const ConnectedParts& connected = ConnectedParts::of(system);
   VectorXd out = VectorXd::Zero(connected.count());
+  for (std::size_t i = 0; i < inerters.count(); ++i) {
+    const auto [first, second] = inerters.bodies(i);
+    const double* D = at.D.data();
+    out[connected.of_bodies(first, second)] +=
+        inerters.inertance(i) * inerters.rate(i, D, v.data()) * inerters.rate(i, D, w.data());
+  }
+  return out;
+}
+
+VectorXd energies_in_inerters(const System& system, const Evaluation& at, const VectorXd& v) {
+  return 0.5 * products_of_inerters(system, at, v, v);
+}
+
+// omega in body axes, where g has the torque - omega x J omega, which does no work; and of inerters what d_dot asks for
+VectorXd energies_apart(const System& system, const Evaluation& at, const VectorXd& y, const VectorXd& other) {
+  const ConnectedParts& connected = ConnectedParts::of(system);
+  const VectorXd its_v = y.segment(system.q_size(), system.v_size());
+  VectorXd out = products_of_inerters(system, at, its_v, other.segment(system.q_size(), system.v_size()) - its_v);
   for (int body = 0; body < system.body_count(); ++body) {
     const int r = position_size * body, w = velocity_size * body, v = system.q_size() + w;
     const Vec3<double> turn = StateDifference::turn(other.segment<4>(r + 3), y.segment<4>(r + 3));

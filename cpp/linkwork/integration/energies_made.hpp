@@ -25,6 +25,9 @@ struct EnergyMade {
 std::vector<std::optional<EnergyMade>> find_energies_made(Dynamics& dynamics, const std::vector<const KeptStep*>& steps,
                                                           const VectorXd& lengths);
 
+/// Kinetic energy of the inerters of each connected part [J], of velocities v at the state that was evaluated.
+VectorXd energies_in_inerters(const System& system, const Evaluation& at, const VectorXd& v);
+
 /// By how much the energy of each connected part is larger in a state near the one that was evaluated, y, to the first
 /// order, whatever potential the forces have or do not tell [J]: v . M dv - F . dx.
 VectorXd energies_apart(const System& system, const Evaluation& at, const VectorXd& y, const VectorXd& other);

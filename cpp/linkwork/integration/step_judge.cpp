@@ -192,9 +192,12 @@ void StepJudge::compare_energies(const KeptStep& step, StepError& out) {
   const System& system = dynamics_.system();
   const VectorXd made = energies_apart(system, dynamics_.evaluation(), y_, step.y_new);
   const VectorXd unseen = roundoff * scales_of_energies(system, dynamics_.evaluation(), y_);
+  const VectorXd its_v = y_.segment(system.q_size(), system.v_size());
+  const VectorXd in_inerters = energies_in_inerters(system, dynamics_.evaluation(), its_v);
   for (std::size_t k = 0; k < out.of_part.size(); ++k) {
     const auto part = static_cast<Eigen::Index>(k);
     out.of_part[k].energy = std::copysign(factor_ * std::max(std::abs(made[part]) - unseen[part], 0.0), made[part]);
+    out.of_part[k].in_inerters = in_inerters[part];
   }
 }
 

@@ -64,6 +64,7 @@ struct PartError {
   double load = 0.0;     ///< largest force on a body, or torque by the size of the part; looked at with reactions [N]
   double kinetic = 0.0;  ///< energy [J]
   double energy = 0.0;   ///< made, where that is looked at, see energies_apart [J]
+  double in_inerters = 0.0;  ///< kinetic energy, likewise [J]
   bool contact_begins = false;
   double onset = 0.0;  ///< of the speed at which it does, where that counts [m/s], also in that of the velocity
   double rounding = 0.0, displacement = 0.0;  ///< of positions in space, where it is the same in many steps [m]

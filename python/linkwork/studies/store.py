@@ -11,6 +11,7 @@ same file. Of a case that is in several, one counts: one that finished, where an
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import re
@@ -33,6 +34,9 @@ VERSION = 1
 
 #: What reading JSON raises that is not what was written.
 DAMAGE = (ValueError, KeyError, TypeError, RecursionError)
+
+#: What reading says of a name that is none of a file: a link to nowhere or to itself, a folder.
+NO_FILE = (errno.ENOENT, errno.ELOOP, errno.EISDIR, errno.ENOTDIR)
 
 
 class Store:
@@ -170,9 +174,9 @@ def _read(file: Path) -> tuple[Mapping[str, Any], Sequence[Run]]:
         if about["linkwork_cases"] != VERSION or about["digest"] != zlib.crc32(body.encode()):
             raise ValueError("digest")
         return about["machine"], [Run(**json.loads(line)) for line in body.splitlines()]
-    except PermissionError:
-        raise
-    except (*DAMAGE, OSError):
+    except (*DAMAGE, OSError) as error:
+        if isinstance(error, OSError) and error.errno not in NO_FILE:
+            raise  # as of a server that does not answer
         warn(f"file '{file}': is damaged: its cases count as not there")
         return {}, []
 
