@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "linkwork/ensemble/row_forms.hpp"
 #include "linkwork/model/force_kind.hpp"
 
 namespace linkwork {
@@ -52,7 +53,7 @@ void LaneEvaluation::list_posed_bodies() {
 
 void LaneEvaluation::allocate() {
   const int n = structure_.bodies;
-  layout_.size(at_.D, structure_.D_size);
+  size_D(at_.D);
   for (Numbers* rows : {&at_.Phi, &at_.Phi_t, &at_.Phi_dot, &at_.gamma}) layout_.size(*rows, structure_.rows);
   layout_.size(at_.g, velocity_size * (n + 1));
   for (Numbers* one : {&at_.potential, &at_.power}) layout_.size(*one, 1);
@@ -73,6 +74,12 @@ void LaneEvaluation::allocate() {
   }
   for (const LaneStructure::Forces& it : structure_.forces)
     allocate(forces_.emplace_back(), std::ssize(it.body_i), force_kinds()[it.kind].info.parameters.size());
+}
+
+void LaneEvaluation::size_D(Numbers& D) const {
+  layout_.size(D, structure_.D_size);
+  for (const LaneStructure::Joints& it : structure_.joints)
+    for (const std::ptrdiff_t first : it.D) put_constant_D(joint_kinds()[it.kind], layout_, D, first);
 }
 
 void LaneEvaluation::allocate(Elements& elements, std::ptrdiff_t count, std::size_t parameter_count) const {

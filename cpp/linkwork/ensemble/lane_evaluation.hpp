@@ -37,7 +37,9 @@ class LaneEvaluation {
   void evaluate_constraints(const AlignedDoubles& t, const AlignedDoubles& y, LaneGuard& guard);
 
   const LaneValues& at() const { return at_; }
-  /// D changes places with another one of its size, until the next evaluation.
+  /// Room for D, with what is constant in it.
+  void size_D(AlignedDoubles& D) const;
+  /// D changes places with another one that was sized so, until the next evaluation.
   void exchange_D(AlignedDoubles& other) { std::swap(at_.D, other); }
   const AlignedDoubles& mass() const { return mass_; }
   const AlignedDoubles& inertance() const { return inertance_; }

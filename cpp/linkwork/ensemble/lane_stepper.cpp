@@ -25,7 +25,7 @@ LaneStepper::LaneStepper(const LaneStructure& structure, const InstructionSet& i
 
 void LaneStepper::allocate() {
   const int n = structure_.bodies, m = structure_.rows;
-  layout_.size(factorized_D_, structure_.D_size);
+  evaluation_.size_D(factorized_D_);
   layout_.size(u_, m);
   for (Numbers* multipliers : {&b_, &lambda_, &looked_lambda_, &ahead_b_})
     layout_.size(*multipliers, structure_.multipliers());

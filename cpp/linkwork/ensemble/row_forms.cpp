@@ -4,10 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "linkwork/ensemble/lane_layout.hpp"
 #include "linkwork/math/instruction_set.hpp"
 #include "linkwork/math/rotation.hpp"
-#include "linkwork/model/joint_kind.hpp"
 
 namespace linkwork {
 namespace {
@@ -24,6 +22,7 @@ class ArbitraryJoints {
       for (int l = 0; l < width(); ++l) place(body, l);
     for (AlignedDoubles* of_rows : {&Phi_, &Phi_t_, &Phi_dot_, &gamma_}) layout_.size(*of_rows, rows_);
     layout_.size(D_, 2 * velocity_size * std::ptrdiff_t{rows_});
+    put_constant_D(kind, layout_, D_, place_of_D_);
     kind.evaluate_lanes[0]({1, &i_, &j_, attachments_.data(), parameters_.data(), static_cast<int>(parameter_count),
                             &row_, &place_of_D_, states_.data()},
                            {Phi_.data(), Phi_t_.data(), Phi_dot_.data(), gamma_.data(), D_.data()});
@@ -70,6 +69,16 @@ class ArbitraryJoints {
 };
 
 }  // namespace
+
+void put_constant_D(const JointKind& kind, const LaneLayout& layout, AlignedDoubles& D, std::ptrdiff_t first) {
+  if (!kind.holds_point) return;
+  const auto put = [&](std::ptrdiff_t k, double x) { std::fill_n(layout.place(D, k, 0), layout.width, x); };
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) {
+      put(first + velocity_size * r + c, r == c ? 1.0 : 0.0);
+      put(first + velocity_size * (kind.info.rows + r) + c, r == c ? -1.0 : -0.0);
+    }
+}
 
 std::vector<RowForm> row_forms(int kind) {
   const JointKind& joint = joint_kinds()[kind];
