@@ -361,6 +361,43 @@ def test_a_run_goes_on_to_the_last_bit_from_what_a_full_disk_has_kept(tmp_path: 
     assert (joined, resumed, same) == ("True", "True", "True")
 
 
+BEGIN_ANEW_ON_A_SMALL_DISK = """
+    import pathlib, subprocess, sys, synthetic
+    from linkwork import Result, errors
+    from linkwork.results import writing
+    subprocess.run(["mount", "-t", "tmpfs", "-o", "size=8m", "tmpfs", sys.argv[1]], check=True)
+    path, small, large = sys.argv[1] + "/run.h5", synthetic.header(2, 3), synthetic.header(4000, 4000)
+    found = set()
+    for filled in range(0, 8_000_000, 131_072):
+        pathlib.Path(sys.argv[1] + "/filler").write_bytes(b"")
+        with writing.ResultWriter(path, small) as writer:
+            writer.write(synthetic.frames(small, 0, 5))
+        with open(sys.argv[1] + "/filler", "wb") as filler:
+            try:
+                filler.write(b"x" * filled)
+            except OSError:
+                break
+        try:
+            with writing.ResultWriter(path, large) as writer:
+                writer.write(synthetic.frames(large, 0, 1))
+            found.add("written")
+        except errors.FileError:
+            found.add("refused")
+        result = Result.load(path)
+        found.add(f"{len(result.body_names)} bodies, {len(result)} frames")
+    print(*sorted(found), sep="|")
+"""
+
+
+def test_a_file_gives_way_to_a_run_whose_first_frame_has_room(tmp_path: Path) -> None:
+    assert on_a_small_disk(BEGIN_ANEW_ON_A_SMALL_DISK, tmp_path) == [
+        "2 bodies, 5 frames",
+        "4000 bodies, 1 frames",
+        "refused",
+        "written",
+    ]
+
+
 FILL_A_LIMITED_FILE = """
     import sys, linkwork as lw
     lw.simulate(lw.mechanisms.four_bar(), 200.0, rtol=1e-5, output=sys.argv[1], progress=False)

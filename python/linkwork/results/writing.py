@@ -148,7 +148,7 @@ class ResultWriter:
         self._size = self._reserved = 0  # of the file [bytes]: with all chunks begun so far; made sure of
         self._fields: dict[str, h5py.Dataset] = {}
         self._chunks: dict[str, tuple[int, ...]] = {}
-        self._check_room(_frame_bytes(header) * (header.expected_frames or 0) + MARGIN_BYTES)
+        self._check_room(_frame_bytes(header) * (header.expected_frames or 1) + MARGIN_BYTES)
         with self._failures():
             self._begin(run or uuid.uuid4().hex)
 
@@ -346,7 +346,6 @@ class ResultWriter:
                 code="busy",
             )
         self._target, self._run = target, run
-        checkpoints.beside(target).unlink(missing_ok=True)
         head, digest = self._head(run)
         begun = target.with_name(f".{target.name}.{run}.begun")
         self._descriptor = os.open(
@@ -358,10 +357,15 @@ class ResultWriter:
             _allocate(self._descriptor, len(head), self._reserved)
             self._file = h5py.File(begun, "r+")
             self._fields = {name: self._file["frames"][name] for name in self._chunks}
+            # room for the first frames, before a file that is there gives way
+            self._allot(self._file.id.get_filesize() + 8 * sum(map(math.prod, self._chunks.values())))
             if target.exists():
                 shutil.copymode(target, begun)
             os.replace(begun, target)
+            checkpoints.beside(target).unlink(missing_ok=True)
         except BaseException:
+            if self._fields:
+                self._file.close()
             os.close(self._descriptor)
             raise
         finally:
@@ -434,14 +438,16 @@ class ResultWriter:
         """
         with self._failures():
             self._size = max(self._size, self._file.id.get_filesize()) + sum(sizes)
-            needed = (
-                self._size + self._size // 50 + MARGIN_BYTES
-            )  # a chunk's entry in the index takes less than 2 %
-            if needed > self._reserved:
+            if _with_margin(self._size) > self._reserved:
                 self._check_mine()
-                self._check_room(needed - os.fstat(self._descriptor).st_blocks * 512)
-                _allocate(self._descriptor, self._reserved, needed)
-                self._reserved = needed
+                self._allot(self._size)
+
+    def _allot(self, size: int) -> None:
+        """The blocks of so large a file [bytes]. FileError, OSError: there is no room for them."""
+        needed = _with_margin(size)
+        self._check_room(needed - os.fstat(self._descriptor).st_blocks * 512)
+        _allocate(self._descriptor, self._reserved, needed)
+        self._reserved = needed
 
     def _is_nearly_full(self, frames: int) -> bool:
         """Whether few more pieces of so many frames have room."""
@@ -601,6 +607,10 @@ def _chunk_frames(shape: tuple[int, ...], expected: int | None) -> int:
     width = 8 * math.prod(shape)
     smallest, largest = (max(1, limit // width) for limit in CHUNK_BYTES)
     return min(max(smallest, -(-(expected or 0) // CHUNKS)), largest)
+
+
+def _with_margin(size: int) -> int:
+    return size + size // 50 + MARGIN_BYTES  # a chunk's entry in the index takes less than 2 %
 
 
 def _frame_bytes(header: Header) -> int:
