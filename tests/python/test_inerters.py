@@ -8,6 +8,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork import _core
+from linkwork.arrays import Floats
 from linkwork.options import TABLE
 
 COMPLIANT = {it.name: it.compliant for it in _core.formulations()}
@@ -247,3 +248,41 @@ def test_an_inertance_is_a_positive_number(inertance: object) -> None:
     rod = model.body("rod", mass=2.0, inertia=(0.01, 0.2, 0.2), position=(0.5, 0, 0))
     with pytest.raises(lw.ModelError, match="inertance"):
         model.rotational_inerter("ground", rod, at=(0, 0, 0), axis=(0, 1, 0), inertance=inertance)
+
+
+@pytest.mark.parametrize("inertance", (0.0, 1e-3, 1.0, 1e6))
+@pytest.mark.parametrize("seed", (10, 34))
+def test_which_reactions_are_unique_does_not_depend_on_inerters(seed: int, inertance: float) -> None:
+    """The kernel of D^T is that of a weld and a cylindrical joint on the same body alone."""
+    rng = np.random.default_rng(seed)
+
+    def unit() -> Floats:
+        x = rng.normal(size=3)
+        return np.asarray(x / np.linalg.norm(x))
+
+    def across(axis: Floats) -> Floats:
+        x = np.cross(axis, unit())
+        return np.asarray(x / np.linalg.norm(x))
+
+    model = lw.Model()
+    model.body("base", mass=60, inertia=(8, 8, 8), position=rng.normal(size=3))
+    model.fixed("ground", "base", at=rng.normal(size=3), name="weld")
+    model.cylindrical("ground", "base", at=rng.normal(size=3), axis=unit(), name="rail")
+    model.body("arm", mass=150, inertia=(20, 20, 20), position=rng.normal(size=3))
+    model.point_on_line("ground", "arm", at=rng.normal(size=3), axis=unit())
+    axis = unit()
+    model.revolute_translational("base", "arm", at=rng.normal(size=3), axes=(axis, across(axis)))
+    shaft = unit()
+    centers = [rng.normal(size=3)]
+    centers.append(centers[0] + across(shaft))
+    for name, center in zip("ab", centers, strict=True):
+        model.body(name, mass=2000, inertia=(300, 400, 500), position=center + 0.1 * rng.normal(size=3))
+        model.revolute("arm", name, at=center, axis=shaft)
+    model.gear("a", "b", at=centers, axis=shaft, teeth_a=13, teeth_b=21)
+    if inertance:
+        model.inerter("arm", "b", at=(rng.normal(size=3), rng.normal(size=3)), inertance=inertance)
+    found = lw.simulate(model, 1e-3, 1e-3, on_inaccurate="pass", progress=False)
+    shared = [
+        name for name, unique in zip(found.joint_names, found.unique_reactions, strict=True) if not unique
+    ]
+    assert shared == ["weld", "rail"]

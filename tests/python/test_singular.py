@@ -491,3 +491,49 @@ def test_accelerations_are_known_to_all_digits_beside_a_singular_pose(
     assert np.abs(usual[:2]).max() > 5.0
     for turned in (1e-5, 1e-6, 1e-7, 3e-8):
         np.testing.assert_allclose(fall(turned), usual, rtol=1e-5, atol=1e-9)
+
+
+@pytest.mark.parametrize("seed", (5, 8, 18, 35))
+def test_a_massless_carrier_of_a_door_whose_forces_balance_is_no_free_motion(seed: int) -> None:
+    """Accelerations are roundoff of what turns the door: all of them are known to that."""
+    rng = np.random.default_rng(seed)
+
+    def unit() -> NDArray[np.float64]:
+        x = rng.normal(size=3)
+        return np.asarray(x / np.linalg.norm(x))
+
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("carrier", mass=0, inertia=(0, 0, 0), position=rng.normal(size=3))
+    model.body("door", mass=5, inertia=(1, 1.2, 1.1), position=rng.normal(size=3), omega=(1, 0.5, -0.7))
+    axis, at = unit(), rng.normal(size=3)
+    for along in (0.0, 0.7):
+        model.revolute("carrier", "door", at=at + along * axis, axis=axis)
+    of_ground = unit()
+    across = np.cross(of_ground, unit())
+    model.perpendicular_axes("ground", "carrier", axes=(of_ground, across / np.linalg.norm(across)))
+    model.distance("ground", "carrier", at=(rng.normal(size=3), rng.normal(size=3)))
+    model = lw.assemble(model).model
+    runs = [
+        lw.simulate(model, 0.5, 1e-3, formulation=formulation, progress=False)
+        for formulation in ("standard", "augmented_lagrangian")
+    ]
+    np.testing.assert_allclose(runs[1].q, runs[0].q, atol=1e-9)
+    assert all(run.verdict is not None and run.verdict.error < 1e-6 for run in runs)
+
+
+@pytest.mark.parametrize("held_twice", (False, True))
+@pytest.mark.parametrize("form", ("kkt", "schur"))
+def test_a_driven_block_without_mass_follows_its_driver(held_twice: bool, form: str) -> None:
+    """There is no energy that could be made, and no force."""
+    model = lw.Model()
+    model.body("block", mass=0, inertia=(0, 0, 0), position=(0.1, 0.2, 0.3))
+    model.translational("ground", "block", at=(0, 0, 0), axis=(1, 0, 0), name="rail")
+    if held_twice:
+        model.orientation("ground", "block")
+    rise, duration = 0.3, 0.5
+    model.drive("rail", position=lw.functions.cycloidal(rise, duration))
+    run = lw.simulate(model, 0.2, 1e-3, matrix_form=form, progress=False)
+    share = run.t / duration
+    exact = 0.1 + rise * (share - np.sin(2 * np.pi * share) / (2 * np.pi))
+    np.testing.assert_allclose(run.position[:, 0, 0], exact, atol=1e-12)
+    assert run.verdict is not None and run.verdict.error < 1e-8

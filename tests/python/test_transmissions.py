@@ -290,6 +290,22 @@ def test_teeth_are_whole_numbers(arguments: dict[str, object], words: str) -> No
         model.gear(*bodies, at=((0, 0, 0), (1, 0, 0)), axis=(0, 0, 1), **arguments)
 
 
+@pytest.mark.parametrize(
+    ("teeth_a", "teeth_b", "words"),
+    (
+        (-20, -40, "two ring gears"),
+        (20, -20, "more teeth"),
+        (-20, 30, "more teeth"),
+        (-20, -20, "two ring gears"),
+    ),
+)
+def test_wheels_that_do_not_mesh_are_refused(teeth_a: int, teeth_b: int, words: str) -> None:
+    model = lw.Model()
+    bodies = wheel(model, "first"), wheel(model, "second", (1, 0, 0))
+    with pytest.raises(lw.ModelError, match=f"teeth_a = {teeth_a}, teeth_b = {teeth_b}: .*{words}"):
+        model.gear(*bodies, at=((0, 0, 0), (1, 0, 0)), axis=(0, 0, 1), teeth_a=teeth_a, teeth_b=teeth_b)
+
+
 def test_centers_on_one_axis_are_refused() -> None:
     model = lw.Model()
     bodies = wheel(model, "first"), wheel(model, "second", (0, 0, 1))

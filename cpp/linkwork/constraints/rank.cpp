@@ -156,39 +156,55 @@ void find_redundancy(MassWeightedLeastSquares& solver, const ClosedLoops& loops,
   find_unique(solver, loops, assembled.at, perturbed.at, report);
 }
 
-/// Looks at the loops from the evaluation `at` of the initial pose on. Where that satisfies all constraints it is the
-/// assembled pose; else `at` becomes the evaluation of that. What is to be told of it or found near by is so small that
-/// it would be lost in the digits of positions far from the origin.
+/// From near by, where digits of positions far from the origin do not hide what is small, by a system without inerters,
+/// whose D is another one than that of the given one. Changes q to what is seen from there.
+struct CloseView {
+  MassWeightedLeastSquares solver;
+  Evaluation at;
+
+  CloseView(const System& given, VectorXd& q)
+      : solver(MassWeightedLeastSquares::of_geometry(given, q)), at(system().make_evaluation()) {
+    q = solver.seen(q);
+  }
+  const System& system() const { return solver.system(); }
+  void evaluate(const VectorXd& q) {
+    system().evaluate_constraints(0.0, q, VectorXd::Zero(system().v_size()), system().initial_history(), at);
+  }
+};
+
+/// Looks at the loops from the evaluation `at` of the initial pose on. Where that does not satisfy all constraints it
+/// is assembled first.
 void examine_loops(const System& given, const ClosedLoops& loops, double tolerance, Evaluation& at,
                    RankReport& report) {
-  std::optional<MassWeightedLeastSquares> solver;
+  std::optional<CloseView> close;
   std::vector<char> reached(loops.component_count(), 1);
-  const auto look_closely = [&]() -> const System& {
-    solver = MassWeightedLeastSquares::of_geometry(given, report.q);
-    report.q = solver->seen(report.q);
-    return solver->system();
-  };
-  if (!(residuals(given, at).maxCoeff() <= assembled)) {
-    const System& system = look_closely();
-    ConsistentPose start = project_positions(*solver, loops, {0.0, report.q, system.initial_history()}, at);
+  const bool is_assembled = residuals(given, at).maxCoeff() <= assembled;
+  if (!is_assembled) {
+    const System& system = close.emplace(given, report.q).system();
+    ConsistentPose start =
+        project_positions(close->solver, loops, {0.0, report.q, system.initial_history()}, close->at);
     report.q = std::move(start.q);
     reached = std::move(start.reached);
-    system.evaluate_constraints(0.0, report.q, VectorXd::Zero(system.v_size()), system.initial_history(), at);
-    tolerance = std::max(tolerance, tolerance_of_geometry(system, loops, at));
+    close->evaluate(report.q);
+    tolerance = std::max(tolerance, tolerance_of_geometry(system, loops, close->at));
   }
-  LoopPose pose(loops, std::move(at), tolerance);
+  LoopPose pose(loops, std::move(is_assembled ? at : close->at), tolerance);
+  if (is_assembled && !(pose.dependent.empty() && pose.weak.empty())) close.emplace(given, report.q);
   if (!pose.dependent.empty()) {
-    if (!solver) look_closely();
-    find_redundancy(*solver, loops, pose, reached, tolerance, report);
+    const bool other_D = is_assembled && !given.inerters().empty();
+    if (other_D) close->evaluate(report.q);
+    if (other_D) std::swap(pose.at, close->at);
+    find_redundancy(close->solver, loops, pose, reached, tolerance, report);
+    if (other_D) std::swap(pose.at, close->at);
   } else if (!pose.weak.empty()) {
-    const System& system = solver ? solver->system() : look_closely();
+    const System& system = close->system();
     Evaluation scratch = system.make_evaluation();
     const PerturbedPose found =
-        perturb(*solver, loops, report.q, degrees_of_freedom(system, loops, pose.dependent), scratch);
+        perturb(close->solver, loops, report.q, degrees_of_freedom(system, loops, pose.dependent), scratch);
     const LoopPose perturbed(system, loops, {0.0, found.q, system.initial_history()}, tolerance);
     note_near_dependence(loops, pose, perturbed, report);
   }
-  at = std::move(pose.at);
+  if (is_assembled) at = std::move(pose.at);
 }
 
 }  // namespace

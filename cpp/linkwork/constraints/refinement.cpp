@@ -16,6 +16,8 @@ constexpr double exact = 1e-14, roundoff = 1e-7, roundoff_in_pose = 1e-10, shrin
 constexpr double second_order = 1e-8;
 constexpr double slow = 0.1;         // conjugate gradients need fewer
 constexpr double most_growth = 1e3;  // of residuals
+constexpr double longest = 1e3;      // step where every motion that the joints leave has inertia
+constexpr double nothing = 1e-60;    // in any unit
 constexpr int most_corrections = 30, most_accelerated = 100, patience = 3;
 
 }  // namespace
@@ -99,7 +101,8 @@ void Refinement::precondition(const Evaluation& at, const Nearby& nearby) {
 }
 
 /// Components are done where residuals are nothing, or roundoff and no longer shrink, though errors be as much larger
-/// as the longest step was, or as residual forces make of the softest direction, whichever is less. False: they grow.
+/// as the longest step was, or as residual forces make of the softest direction, whichever is less. Where forces
+/// balance, the solution is no more than their roundoff, which is what M^ makes of it. False: they grow.
 bool Refinement::judge_residuals(const ConstVector& x) {
   find_sizes(dx_, corrections_);
   find_sizes(x, sizes_);
@@ -116,8 +119,10 @@ bool Refinement::judge_residuals(const ConstVector& x) {
     const double error = std::max(begins ? residual : std::min(it.longest * residual, by_force), restored_[k]);
     it.waiting = residual < shrinking * it.least ? 0 : it.waiting + 1;
     it.least = std::min(it.least, residual);
-    it.done = error <= exact * (size + of_heaviest_[k]) ||
-              (it.waiting >= patience && error <= std::max(roundoff * size, exact * free_motion_[k]));
+    const bool balanced = it.has_inertia && it.longest <= longest &&
+                          error <= roundoff_in_pose * std::max(of_heaviest_[k], free_motion_[k]);
+    it.done = error <= std::max(nothing, exact * (size + of_heaviest_[k])) ||
+              (it.waiting >= patience && (balanced || error <= std::max(roundoff * size, exact * free_motion_[k])));
   }
   return true;
 }
@@ -155,6 +160,7 @@ void Refinement::find_steps(const Evaluation& at) {
     factors_[k] = !it.done && descends ? descents_[k] / curvatures_[k] : 0.0;
     anew_[k] = !it.done && !descends ? 1.0 : 0.0;
     if (!descends) it.square = 0.0;
+    it.has_inertia = it.has_inertia && (curvatures_[k] > 0.0 || corrections_[k] == 0.0);
     it.longest = std::max(it.longest, factors_[k]);
     if (descends) it.softest = std::max(it.softest, std::pow(corrections_[k], 2) / curvatures_[k]);
   }

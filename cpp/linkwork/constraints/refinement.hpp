@@ -75,6 +75,7 @@ class Refinement {
     double first = 0.0, least = INFINITY;  ///< sizes of residuals
     double longest = 1.0, softest = 0.0;   ///< of the steps so far: the factor of p, |p|^2 over p . M p
     int waiting = 0;
+    bool has_inertia = true;  ///< along all of them
     bool done = false;
   };
   double size_of_body(const ConstVector& x, int body) const;

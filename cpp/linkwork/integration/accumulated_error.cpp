@@ -174,8 +174,8 @@ class Accumulation {
       seconds += step;
     }
     if (seconds == 0.0) return;
-    out_.slowness = slow / seconds;
-    if (judged_.bursts_late) out_.suddenness = bursts / seconds;
+    out_.slowness = judged_.nonlinearity * slow / seconds;
+    if (judged_.bursts_late) out_.suddenness = judged_.nonlinearity * bursts / seconds;
   }
 
   /// When the part of the run begins in which there is one [s].
@@ -263,9 +263,9 @@ class Accumulation {
       velocities += velocity;
       moments += velocity * t;
     }
-    /// Of poses at t; `rate` [1/s] at which an error of a velocity moves them.
-    double moved(double t, double rate) const {
-      return poses + std::min(rate * (t * velocities - moments), growth * velocities);
+    /// Of poses at t; `rate` [1/s] at which an error of a velocity moves them, the `share` of it that counts.
+    double moved(double t, double rate, double share = 1.0) const {
+      return poses + share * std::min(rate * (t * velocities - moments), growth * velocities);
     }
   };
 
@@ -298,7 +298,7 @@ class Accumulation {
         end = std::max(end, part->t + part->seconds);
         ++known;
       }
-      late = std::max(late, along.moved(t, rate) * fastest);
+      late = std::max(late, along.moved(t, rate, judged_.nonlinearity) * fastest);
     }
     return std::max(sums.moved(end, rate) + sums.velocities, late);
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "linkwork/assembly/force_elements.hpp"
+#include "linkwork/integration/nonlinearity.hpp"
 
 namespace linkwork {
 namespace {
@@ -290,6 +291,8 @@ RunErrors RunJudge::judge_worst(const RetakenSteps& retaken) {
     part.kinetic = part.fastest * part.fastest * judge_.kinetic_energies()[static_cast<Eigen::Index>(k)];
   }
   look_for_rest();
+  const VectorXd nonlinearity = find_nonlinearity(dynamics_, kept_, judge_.axes());
+  for (Eigen::Index k = 0; k < nonlinearity.size(); ++k) out_.connected_parts[k].nonlinearity = nonlinearity[k];
   if (!sampling_.struck()) look_at_energies();
   return std::move(out_);
 }

@@ -21,6 +21,7 @@ struct JudgedPart {
   bool has_laws = false;          ///< of the user's own, which may have a potential but do not tell it
   bool bursts_late = true;        ///< what accelerates it does not come at times of its own: it bounces, or no driver
                                   ///< and no function of time acts there
+  double nonlinearity = 1.0;      ///< see find_nonlinearity
   std::optional<Rest> rest;       ///< where there is no motion
   std::optional<EnergyMade> energy;  ///< where the balance of the run does not tell it
   /// By how much the errors of its worst steps are larger than what a first look said of them, at least 1: where

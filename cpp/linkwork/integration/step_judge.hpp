@@ -111,6 +111,7 @@ class StepJudge {
     axes_ = std::move(axes);
     arms_ = std::move(arms);
   }
+  const MovingAxes& axes() const { return axes_; }
   /// Energies that steps make are looked at, too, as where forces may have a potential but do not tell it: the balance
   /// of the run has their work by the same stages, and sees a part of what these err.
   void weigh_energies() { weighs_energies_ = true; }

@@ -99,6 +99,7 @@ inline EquationInfo velocity_along(Axis axis) {
 }
 
 struct FreeCoordinate;  // joint_coordinates.hpp
+struct Parameter;       // batch.hpp
 
 /// What a user says about where a joint or force element sits.
 ///   point       one point                       axis        a point and an axis
@@ -120,6 +121,8 @@ struct KindInfo {
   bool symmetric = true;                                ///< the same joint where a and b change places
   bool driver = false;  ///< it prescribes a motion, its parameter; the multiplier is the force or torque for that
   std::string documentation = "";
+  /// Why these parameters, each as it may be, do not go together; "" where they do.
+  std::string (*contradiction)(const Parameter*) = nullptr;
 
   int velocity_rows() const {
     return static_cast<int>(std::count_if(equations.begin(), equations.end(), [](const EquationInfo& it) {

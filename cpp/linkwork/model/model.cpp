@@ -192,6 +192,8 @@ void Model::check_element(Role role, const KindInfo& info, const Names& names, s
                                         : fault_of_function(parameter, *signals_[signal]);
     if (!why.empty()) refuse_element(code, parameter.name + why, parameter.name);
   }
+  if (!info.contradiction) return;
+  if (const std::string why = info.contradiction(parameters); !why.empty()) refuse_element("contradiction", why);
 }
 
 /// Notes functions of time that are not to pass a bound.

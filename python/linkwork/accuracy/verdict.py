@@ -215,6 +215,8 @@ class Energies:
         """
         if self._first is None:
             return 0.0, math.inf
+        if self._kinetic == 0.0 and self._least == self._largest:
+            return 0.0, 0.0  # bodies without mass, which nothing but drivers moves: work is rounding
         largest = max(self._kinetic, abs(self._least), abs(self._largest), self._work)
         scale = max(share * self._kinetic, self._largest - self._least, self._work, self._rest, rest)
         replaced = self._work / scale if scale > 0 else 0.0

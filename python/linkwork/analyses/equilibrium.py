@@ -55,7 +55,7 @@ TINY_STEP = 1e-7
 COUNTED_TURN = np.pi / 2
 
 #: Of steps in which the imbalance does not fall, and of all; of corrections onto the joints, and of
-#: departures from unstable equilibria.
+#: departures from unstable equilibria, with one of each body more.
 ITERATIONS, ALL_ITERATIONS, CORRECTIONS, DEPARTURES = 400, 4000, 20, 5
 
 
@@ -189,16 +189,16 @@ class _Search:
                 code="no_start",
             )
         self._accept(q)
-        for _ in range(DEPARTURES + 1):
+        for left in range(DEPARTURES + self.eq.core.body_count, -1, -1):
             q = self._descend(q)
-            if not self.stable:
-                return q
+            if not self.stable or not left:
+                break
             soft = softest(self.eq, q, self._balance(q)[1])
             if soft.kink or not soft.stiffness < -soft.neutral:
-                return q
+                break
             away = self._moved(q, 0.01 * soft.motion / self._reach(soft.motion))
             if away is None:
-                return q
+                break
             q = away[0]
             self._accept(q)
         return q

@@ -409,7 +409,7 @@ class JointMethods:
         frames: Frames = "space",
         name: str | None = None,
     ) -> Joint:
-        """Spur gears: wheels a and b with `teeth_a` and `teeth_b` teeth mesh on the line between their centers; their axes are kept parallel and apart by other joints, on a carrier that may move. A negative number of teeth is that of a ring gear with teeth inside.
+        """Spur gears: wheels a and b with `teeth_a` and `teeth_b` teeth mesh on the line between their centers; their axes are kept parallel and apart by other joints, on a carrier that may move. A negative number of teeth is that of a ring gear with teeth inside, in which the other wheel, of fewer teeth, turns.
 
         1 equation: rolling of the pitch circles.
 

@@ -20,7 +20,18 @@ struct Gear {
             .documentation =
                 "Spur gears: wheels a and b with `teeth_a` and `teeth_b` teeth mesh on the line between their "
                 "centers; their axes are kept parallel and apart by other joints, on a carrier that may move. "
-                "A negative number of teeth is that of a ring gear with teeth inside."};
+                "A negative number of teeth is that of a ring gear with teeth inside, in which the other wheel, of "
+                "fewer teeth, turns.",
+            .contradiction = &contradiction};
+  }
+
+  static std::string contradiction(const Parameter* teeth) {
+    const double a = teeth[0].constant, b = teeth[1].constant;
+    if ((a > 0.0 && b > 0.0) || (a * b < 0.0 && a + b < 0.0)) return "";
+    const auto shown = [](double number) { return std::to_string(static_cast<long>(number)); };
+    const std::string given = "teeth_a = " + shown(a) + ", teeth_b = " + shown(b) + ": ";
+    if (a < 0.0 && b < 0.0) return given + "two ring gears with teeth inside do not mesh";
+    return given + "a wheel turns in a ring gear only if that has more teeth";
   }
 
   template <class Real>
