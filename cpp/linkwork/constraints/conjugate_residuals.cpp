@@ -12,7 +12,7 @@ constexpr double exact = 1e-13, nearly_exact = 1e-10;  // residuals of rows, rel
 constexpr double exact_free_motion = 1e-13;            // changes, relative to M^-1 a: all of x where it is at rest
 constexpr double force_margin = 100.0;                 // multipliers are known so much less than accelerations
 constexpr double at_rest = 0.01;      // of the largest terms: those of rows between bodies that are hardly accelerated
-constexpr double balanced = 1e-6;     // accelerations, relative to M^-1 a: terms are roundoff of forces that balance
+constexpr double balanced = 1e-11;    // accelerations, relative to M^-1 a: terms are roundoff of forces that balance
 constexpr double unresisted = 1e-11;  // what D makes of a motion, D^T of multipliers, of natural size 1
 constexpr double nothing = 1e-290;    // residuals that are not known to digits, as of b just behind a driver's start
 constexpr double shrinking = 0.5;

@@ -16,7 +16,7 @@ constexpr double exact = 1e-14, roundoff = 1e-7, roundoff_in_pose = 1e-10, shrin
 constexpr double second_order = 1e-8;
 constexpr double slow = 0.1;         // conjugate gradients need fewer
 constexpr double most_growth = 1e3;  // of residuals
-constexpr double longest = 1e3;      // step where every motion that the joints leave has inertia
+constexpr double balance = 1e-12;    // errors, relative to forces on the heaviest body: roundoff where these balance
 constexpr double nothing = 1e-60;    // in any unit
 constexpr int most_corrections = 30, most_accelerated = 100, patience = 3;
 
@@ -119,8 +119,7 @@ bool Refinement::judge_residuals(const ConstVector& x) {
     const double error = std::max(begins ? residual : std::min(it.longest * residual, by_force), restored_[k]);
     it.waiting = residual < shrinking * it.least ? 0 : it.waiting + 1;
     it.least = std::min(it.least, residual);
-    const bool balanced = it.has_inertia && it.longest <= longest &&
-                          error <= roundoff_in_pose * std::max(of_heaviest_[k], free_motion_[k]);
+    const bool balanced = it.has_inertia && error <= balance * of_heaviest_[k];
     it.done = error <= std::max(nothing, exact * (size + of_heaviest_[k])) ||
               (it.waiting >= patience && (balanced || error <= std::max(roundoff * size, exact * free_motion_[k])));
   }

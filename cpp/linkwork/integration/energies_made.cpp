@@ -37,7 +37,7 @@ class EnergySearch {
         system_(dynamics.system()),
         connected_(ConnectedParts::of(system_)),
         lengths_(lengths),
-        conserves_(static_cast<std::size_t>(connected_.count()), true) {
+        conserves_(may_conserve(system_)) {
     for (const KeptStep* step : steps) {
       states_.push_back({step->t, &step->y, step});
       states_.push_back({step->t + step->h, &step->y_new, step});
@@ -47,7 +47,6 @@ class EnergySearch {
 
   std::vector<std::optional<EnergyMade>> result() {
     std::vector<std::optional<EnergyMade>> out(conserves_.size());
-    leave_out_what_works();
     if (conserves_.size() < 2 || states_.empty() || !any()) return out;
     const auto rows = static_cast<Eigen::Index>(states_.size());
     for (MatrixXd* table : {&kinetic_, &in_inerters_, &potential_}) table->setZero(rows, connected_.count());
@@ -71,15 +70,6 @@ class EnergySearch {
   bool any() const { return std::find(conserves_.begin(), conserves_.end(), true) != conserves_.end(); }
   auto q(const VectorXd& y) const { return y.head(system_.q_size()); }
   auto v(const VectorXd& y) const { return y.segment(system_.q_size(), system_.v_size()); }
-
-  void leave_out_what_works() {
-    const Model& model = system_.model();
-    for (const int row : system_.driven_rows()) conserves_[connected_.of_row(row)] = false;
-    for (const Element& force : model.forces())
-      if (!may_conserve(model, force)) conserves_[connected_.of_bodies(force.i, force.j)] = false;
-    for (const JointForce& force : model.joint_forces()) conserves_[connected_.of_bodies(force.i, force.j)] = false;
-    if (!model.user_forces().empty()) conserves_.assign(conserves_.size(), false);  // on whichever bodies
-  }
 
   void add_bodies() {
     const Vec3<double>& gravity = system_.model().gravity();
@@ -116,6 +106,7 @@ class EnergySearch {
           !owner.joint && owner.element < static_cast<int>(forces.size()))
         history[owner.element] = k;
     for (std::size_t f = 0; f < forces.size(); ++f) {
+      if (forces[f].i == ground && forces[f].j == ground) continue;
       const int part = connected_.of_bodies(forces[f].i, forces[f].j);
       if (!conserves_[part]) continue;
       look_for_interruption();
@@ -160,6 +151,21 @@ class EnergySearch {
 };
 
 }  // namespace
+
+std::vector<bool> may_conserve(const System& system) {
+  const ConnectedParts& connected = ConnectedParts::of(system);
+  const Model& model = system.model();
+  std::vector<bool> out(static_cast<std::size_t>(connected.count()),
+                        model.user_forces().empty());  // on whichever bodies
+  const auto leave_out = [&](int i, int j) {
+    if (i != ground || j != ground) out[connected.of_bodies(i, j)] = false;
+  };
+  for (const int row : system.driven_rows()) out[connected.of_row(row)] = false;
+  for (const Element& force : model.forces())
+    if (!may_conserve(model, force)) leave_out(force.i, force.j);
+  for (const JointForce& force : model.joint_forces()) leave_out(force.i, force.j);
+  return out;
+}
 
 std::vector<std::optional<EnergyMade>> find_energies_made(Dynamics& dynamics, const std::vector<const KeptStep*>& steps,
                                                           const VectorXd& lengths) {

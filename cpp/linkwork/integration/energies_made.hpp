@@ -25,6 +25,10 @@ struct EnergyMade {
 std::vector<std::optional<EnergyMade>> find_energies_made(Dynamics& dynamics, const std::vector<const KeptStep*>& steps,
                                                           const VectorXd& lengths);
 
+/// Of each connected part whether nothing that would do work in any state acts there: a driver, a function of time, a law
+/// of the user's own, a contact or stop, an event aside; dampers may.
+std::vector<bool> may_conserve(const System& system);
+
 /// Kinetic energy of the inerters of each connected part [J], of velocities v at the state that was evaluated.
 VectorXd energies_in_inerters(const System& system, const Evaluation& at, const VectorXd& v);
 

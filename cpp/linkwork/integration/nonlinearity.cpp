@@ -5,101 +5,150 @@
 
 #include "linkwork/assembly/connected_components.hpp"
 #include "linkwork/assembly/force_elements.hpp"
+#include "linkwork/integration/energies_made.hpp"
 #include "linkwork/math/error.hpp"
 #include "linkwork/math/interruption.hpp"
-#include "linkwork/model/force_kind.hpp"
+#include "linkwork/model/joint_kind.hpp"
 
 namespace linkwork {
 namespace {
 
 constexpr std::size_t most_states = 24;
 constexpr std::size_t fewest_states = 8;  // else no mean is known
-constexpr double exponents = 4.0;         // of periods by energies, at most so often odd + even^2
+constexpr double margin = 8.0;
+constexpr double unstable = 0.2;  // of the work by which states come back: else some may be leaving
 
-/// Of all parts at once. Accelerations are those at the mean state, at some of the others and their mirror images about
-/// it, and half as far from it.
-class Chords {
+/// Rotation vector of a small difference of Euler parameters, in axes of the body.
+Vec3<double> turned_by(const Vec4<double>& dp, const Vec4<double>& p) {
+  const Vec3<double> e = p.tail<3>(), de = dp.tail<3>();
+  return 2.0 * (p[0] * de - dp[0] * e - e.cross(de));
+}
+
+/// Of all parts at once.
+class NonlinearitySearch {
  public:
-  Chords(Dynamics& dynamics, const std::vector<const KeptStep*>& steps, const MovingAxes& axes)
+  NonlinearitySearch(Dynamics& dynamics, const std::vector<const KeptStep*>& steps, const MovingAxes& axes,
+                     const VectorXd& lengths)
       : dynamics_(dynamics),
         system_(dynamics.system()),
         connected_(ConnectedParts::of(system_)),
         axes_(axes),
-        linear_(VectorXd::Zero(connected_.count())),
-        rotation_(linear_),
-        odd_(linear_),
-        even_(linear_),
-        work_(linear_),
-        odd_work_(linear_) {
+        lengths_(lengths),
+        open_(may_conserve(system_)),
+        freedoms_(open_.size(), 0),
+        largest_(open_.size()) {
+    std::vector<const KeptStep*> finite;
     for (const KeptStep* step : steps)
-      if (step->y.allFinite()) steps_.push_back(step);
-    find_mean();
+      if (step->y.allFinite()) finite.push_back(step);
+    if (finite.size() < fewest_states) return;
+    find_mean(finite);
+    const std::size_t every =
+        finite.size() / most_states | 1;  // odd: of the two steps of a part now one, now the other
+    for (std::size_t k = 0; k < finite.size(); k += every) steps_.push_back(finite[k]);
   }
 
-  VectorXd result() {
-    VectorXd out = VectorXd::Ones(linear_.size());
-    if (steps_.size() < fewest_states || (closed_.array() > 0.0).all()) return out;
-    const std::size_t every = (steps_.size() + most_states - 1) / most_states;
-    for (std::size_t k = 0; k < steps_.size(); k += every) {
+  VectorXd result(const std::vector<int>& redundant) {
+    VectorXd out = VectorXd::Ones(static_cast<Eigen::Index>(open_.size()));
+    if (steps_.empty()) return out;
+    leave_out_memories();
+    leave_out_rolling();
+    leave_out_rotations();
+    leave_out_work();
+    for (const KeptStep* step : steps_) {
+      if (std::find(open_.begin(), open_.end(), true) == open_.end()) return out;
       look_for_interruption();
-      if (!look_at(*steps_[k])) return out;
+      if (!look_at(*step)) return out;
     }
-    for (Eigen::Index part = 0; part < out.size(); ++part) {
-      const double odd = std::max(odd_[part] / linear_[part], odd_work_[part] / work_[part]);
-      const double even = even_[part] / linear_[part];
-      const double found = std::max(exponents * (odd + even * even), rotation_[part] * rotation_[part]);
-      if (closed_[part] == 0.0 && found < 1.0) out[part] = found;  // not where nothing accelerates: 0 / 0
-    }
+    count_freedoms(redundant);
+    for (std::size_t part = 0; part < open_.size(); ++part)
+      if (open_[part]) out[static_cast<Eigen::Index>(part)] = std::min(1.0, of_part(part));
     return out;
   }
 
  private:
-  VectorXd seen(const KeptStep& step) const {
+  /// Of a part, over these states.
+  struct Largest {
+    double rotation = 0.0;
+    double linear = 0.0, odd = 0.0, even = 0.0;                 ///< accelerations
+    double linear_work = 0.0, odd_work = 0.0, even_work = 0.0;  ///< what these do on the way back to the mean
+    double pushed = 0.0;                                        ///< and on the way from there, where they do
+  };
+
+  double of_part(std::size_t part) const {
+    const Largest& it = largest_[part];
+    if (it.pushed > unstable * it.linear_work) return 1.0;
+    const double odd = std::max(it.odd / it.linear, it.odd_work / it.linear_work);
+    const double even = std::max(it.even / it.linear, it.even_work / it.linear_work);
+    const double found = margin * (odd + (freedoms_[part] == 1 ? even * even : even));
+    return found >= 0.0 ? std::max(found, it.rotation * it.rotation) : 1.0;  // 0 / 0: nothing accelerates
+  }
+
+  static Eigen::Index place_of_p(int body) { return position_size * static_cast<Eigen::Index>(body) + 3; }
+
+  VectorXd seen(const KeptStep& step, const VectorXd& near) const {
     VectorXd y = step.y;
     axes_.see(step.t, y);
-    for (int body = 0; mean_.size() > 0 && body < system_.body_count(); ++body)
-      if (auto p = y.segment<4>(position_size * body + 3); p.dot(mean_.segment<4>(position_size * body + 3)) < 0.0)
-        p = -p;
+    for (int body = 0; body < system_.body_count(); ++body)
+      if (auto p = y.segment<4>(place_of_p(body)); p.dot(near.segment<4>(place_of_p(body))) < 0.0) p = -p;
     return y;
   }
 
-  void find_mean() {
-    VectorXd sum;
-    for (const KeptStep* step : steps_) {
-      const VectorXd y = seen(*step);
-      if (mean_.size() == 0) mean_ = y, sum = VectorXd::Zero(y.size());
-      sum += y;
-    }
-    if (steps_.empty()) return;
-    mean_ = sum / static_cast<double>(steps_.size());
+  void find_mean(const std::vector<const KeptStep*>& steps) {
+    const VectorXd& first = steps.front()->y;
+    mean_.setZero(first.size());
+    for (const KeptStep* step : steps) mean_ += seen(*step, first) / static_cast<double>(steps.size());
+    for (int body = 0; body < system_.body_count(); ++body)
+      if (auto p = mean_.segment<4>(place_of_p(body)); p.norm() < 0.5) p = first.segment<4>(place_of_p(body));
     normalize(mean_);
-    close_parts();
   }
 
   void normalize(VectorXd& y) const {
-    for (int body = 0; body < system_.body_count(); ++body) y.segment<4>(position_size * body + 3).normalize();
+    for (int body = 0; body < system_.body_count(); ++body) y.segment<4>(place_of_p(body)).normalize();
   }
 
-  /// Those with forces of which a few states do not tell.
-  void close_parts() {
+  void leave_out_memories() {
+    for (Eigen::Index k = 0; k < system_.history_size(); ++k) open_[connected_.of_history(system_, k)] = false;
+  }
+
+  void leave_out_rolling() {
     const Model& model = system_.model();
-    closed_ = VectorXd::Zero(linear_.size());
-    const auto close = [&](int i, int j) {
-      if (i != ground || j != ground) closed_[connected_.of_bodies(i, j)] = 1.0;
-    };
-    for (const Element& force : model.forces())
-      for (std::size_t p = 0; p < force_kinds()[static_cast<std::size_t>(force.kind)].info.parameters.size(); ++p)
-        if (const int signal = model.force_parameters()[force.first_parameter + p].signal;
-            signal >= 0 && !model.signals()[static_cast<std::size_t>(signal)]->of_time() &&
-            !model.signals()[static_cast<std::size_t>(signal)]->integral())
-          close(force.i, force.j);
-    for (const JointForce& force : model.joint_forces()) close(force.i, force.j);
-    for (const SwitchOwner& it : owners_of_switches(model)) {
-      const Element& force = model.forces()[static_cast<std::size_t>(it.element)];
-      close(force.i, force.j);
+    for (int k = 0; k < system_.joint_count(); ++k) {
+      const Element& joint = model.joints()[k];
+      if (!model.special_joint(k) && joint_kinds()[joint.kind].info.velocity_rows() > 0)
+        open_[connected_.of_bodies(joint.i, joint.j)] = false;
     }
-    for (Eigen::Index k = 0; k < system_.history_size(); ++k) closed_[connected_.of_history(system_, k)] = 1.0;
-    if (!model.user_forces().empty()) closed_.setOnes();  // on whichever bodies
+  }
+
+  void leave_out_rotations() {
+    for (const KeptStep* step : steps_) {
+      const VectorXd apart = seen(*step, mean_) - mean_;
+      for (int body = 0; body < system_.body_count(); ++body) {
+        double& rotation = largest_[connected_.of_body(body)].rotation;
+        rotation = std::max(rotation, 2.0 * apart.segment<4>(place_of_p(body)).norm());
+        if (rotation >= 1.0) open_[connected_.of_body(body)] = false;
+      }
+    }
+  }
+
+  void leave_out_work() {
+    const std::vector<Element>& forces = system_.model().forces();
+    for (std::size_t f = 0; f < forces.size(); ++f) {
+      if (forces[f].i == ground && forces[f].j == ground) continue;
+      const int part = connected_.of_bodies(forces[f].i, forces[f].j);
+      if (!open_[part]) continue;
+      look_for_interruption();
+      ForceElement element(system_, static_cast<int>(f), -1);
+      for (const KeptStep* step : steps_) {
+        const auto q = step->y.head(system_.q_size()), v = step->y.segment(system_.q_size(), system_.v_size());
+        if (element.energy(step->t, q, v, step->history).power != 0.0) open_[part] = false;
+      }
+    }
+  }
+
+  void count_freedoms(const std::vector<int>& redundant) {
+    for (int body = 0; body < system_.body_count(); ++body) freedoms_[connected_.of_body(body)] += velocity_size;
+    for (int row = 0; row < system_.row_count(); ++row) freedoms_[connected_.of_row(row)] -= 1;
+    for (const int row : redundant) freedoms_[connected_.of_row(row)] += 1;
   }
 
   /// Accelerations so far from the mean state, relative to that step; false: there are none.
@@ -118,8 +167,9 @@ class Chords {
     return v_dot.allFinite();
   }
 
+  /// At the mean state, at this one and at its mirror image about the mean, and half as far from it.
   bool look_at(const KeptStep& step) {
-    const VectorXd apart = seen(step) - mean_;
+    const VectorXd apart = seen(step, mean_) - mean_;
     VectorXd there, mirrored, half, half_mirrored, mean;
     if (!accelerate(step, apart, 1.0, there) || !accelerate(step, apart, -1.0, mirrored) ||
         !accelerate(step, apart, 0.5, half) || !accelerate(step, apart, -0.5, half_mirrored) ||
@@ -133,54 +183,59 @@ class Chords {
 
   /// Where small bodies vibrate fast, what they accelerate hides what large ones do: these show in the work.
   void weigh(const VectorXd& apart, const VectorXd& linear, const VectorXd& odd, const VectorXd& even) {
-    VectorXd work = VectorXd::Zero(linear_.size()), odd_work = work;
+    VectorXd work = VectorXd::Zero(lengths_.size()), odd_work = work, even_work = work;
     for (int body = 0; body < system_.body_count(); ++body) {
       const int part = connected_.of_body(body);
-      const Eigen::Index v = velocity_size * static_cast<Eigen::Index>(body),
-                         x = position_size * static_cast<Eigen::Index>(body);
-      const double length = std::sqrt(system_.inertia(body).trace() / std::max(system_.mass(body), least_mass));
+      const Eigen::Index v = velocity_size * static_cast<Eigen::Index>(body);
       const auto size = [&](const VectorXd& of) {
-        return std::max(of.segment<3>(v).norm(), length * of.segment<3>(v + 3).norm());
+        return std::max(of.segment<3>(v).norm(), lengths_[part] * of.segment<3>(v + 3).norm());
       };
-      linear_[part] = std::max(linear_[part], size(linear));
-      odd_[part] = std::max(odd_[part], size(odd));
-      even_[part] = std::max(even_[part], size(even));
-      const Vec3<double> turned = turned_by(apart.segment<4>(x + 3), mean_.segment<4>(x + 3));
-      rotation_[part] = std::max(rotation_[part], 2.0 * apart.segment<4>(x + 3).norm());
+      Largest& it = largest_[part];
+      it.linear = std::max(it.linear, size(linear));
+      it.odd = std::max(it.odd, size(odd));
+      it.even = std::max(it.even, size(even));
+      const Vec3<double> way = apart.segment<3>(place_of_p(body) - 3);
+      const Vec3<double> turned = turned_by(apart.segment<4>(place_of_p(body)), mean_.segment<4>(place_of_p(body)));
       const auto along = [&](const VectorXd& of) {
-        return system_.mass(body) * of.segment<3>(v).dot(apart.segment<3>(x)) +
+        return system_.mass(body) * of.segment<3>(v).dot(way) +
                turned.dot(system_.inertia(body) * of.segment<3>(v + 3));
       };
       work[part] += along(linear);
       odd_work[part] += std::abs(along(odd));
+      even_work[part] += std::abs(along(even));
     }
-    work_ = work_.cwiseMax(work.cwiseAbs());
-    odd_work_ = odd_work_.cwiseMax(odd_work);
+    note_work(work, odd_work, even_work);
   }
 
-  /// Rotation vector of a small difference of Euler parameters, in axes of the body.
-  static Vec3<double> turned_by(const Vec4<double>& dp, const Vec4<double>& p) {
-    const Vec3<double> e = p.tail<3>(), de = dp.tail<3>();
-    return 2.0 * (p[0] * de - dp[0] * e - e.cross(de));
+  void note_work(const VectorXd& work, const VectorXd& odd_work, const VectorXd& even_work) {
+    for (std::size_t part = 0; part < open_.size(); ++part) {
+      const auto k = static_cast<Eigen::Index>(part);
+      Largest& it = largest_[part];
+      it.pushed = std::max(it.pushed, work[k]);
+      it.linear_work = std::max(it.linear_work, -work[k]);
+      it.odd_work = std::max(it.odd_work, odd_work[k]);
+      it.even_work = std::max(it.even_work, even_work[k]);
+    }
   }
-
-  static constexpr double least_mass = 1e-300;
 
   Dynamics& dynamics_;
   const System& system_;
   const ConnectedParts& connected_;
   const MovingAxes& axes_;
+  const VectorXd& lengths_;
   std::vector<const KeptStep*> steps_;
   VectorXd mean_;
-  VectorXd closed_;  ///< 1: nobody looks there
-  // Largest of each part:
-  VectorXd linear_, rotation_, odd_, even_, work_, odd_work_;
+  // Of each part:
+  std::vector<bool> open_;  ///< not known to be 1
+  std::vector<int> freedoms_;
+  std::vector<Largest> largest_;
 };
 
 }  // namespace
 
-VectorXd find_nonlinearity(Dynamics& dynamics, const std::vector<const KeptStep*>& steps, const MovingAxes& axes) {
-  return Chords(dynamics, steps, axes).result();
+VectorXd find_nonlinearity(Dynamics& dynamics, const std::vector<const KeptStep*>& steps, const MovingAxes& axes,
+                           const VectorXd& lengths, const std::vector<int>& redundant) {
+  return NonlinearitySearch(dynamics, steps, axes, lengths).result(redundant);
 }
 
 }  // namespace linkwork

@@ -291,9 +291,8 @@ RunErrors RunJudge::judge_worst(const RetakenSteps& retaken) {
     part.kinetic = part.fastest * part.fastest * judge_.kinetic_energies()[static_cast<Eigen::Index>(k)];
   }
   look_for_rest();
-  const VectorXd nonlinearity = find_nonlinearity(dynamics_, kept_, judge_.axes());
-  for (Eigen::Index k = 0; k < nonlinearity.size(); ++k) out_.connected_parts[k].nonlinearity = nonlinearity[k];
   if (!sampling_.struck()) look_at_energies();
+  if (!sampling_.struck()) look_for_nonlinearity();
   return std::move(out_);
 }
 
@@ -309,6 +308,15 @@ void RunJudge::look_for_rest() {
     }
     out_.connected_parts[part].rest = std::move(found[part]);
   }
+}
+
+void RunJudge::look_for_nonlinearity() {
+  const RankReport& rank = dynamics_.rank();
+  std::vector<int> implied = rank.redundant_rows;
+  implied.insert(implied.end(), rank.singular_rows.begin(), rank.singular_rows.end());
+  const VectorXd found = find_nonlinearity(dynamics_, kept_, judge_.axes(), lengths_, implied);
+  for (std::size_t part = 0; part < out_.connected_parts.size(); ++part)
+    out_.connected_parts[part].nonlinearity = found[static_cast<Eigen::Index>(part)];
 }
 
 void RunJudge::look_at_energies() {

@@ -76,6 +76,7 @@ class RunJudge {
   void find_worst();
   void look_for_rest();
   void look_at_energies();
+  void look_for_nonlinearity();
   StepError judge_next(std::size_t k, int divisions, bool reactions, bool inside, const RetakenStep& retaken);
 
   const StepSampling& sampling_;

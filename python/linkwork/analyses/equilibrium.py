@@ -55,8 +55,8 @@ TINY_STEP = 1e-7
 COUNTED_TURN = np.pi / 2
 
 #: Of steps in which the imbalance does not fall, and of all; of corrections onto the joints, and of
-#: departures from unstable equilibria, with one of each body more.
-ITERATIONS, ALL_ITERATIONS, CORRECTIONS, DEPARTURES = 400, 4000, 20, 5
+#: departures from unstable equilibria, with one of each body more, up to so many.
+ITERATIONS, ALL_ITERATIONS, CORRECTIONS, DEPARTURES, MOST_DEPARTURES = 400, 4000, 20, 5, 500
 
 
 @dataclass(frozen=True, eq=False)
@@ -189,7 +189,7 @@ class _Search:
                 code="no_start",
             )
         self._accept(q)
-        for left in range(DEPARTURES + self.eq.core.body_count, -1, -1):
+        for left in range(DEPARTURES + min(self.eq.core.body_count, MOST_DEPARTURES), -1, -1):
             q = self._descend(q)
             if not self.stable or not left:
                 break

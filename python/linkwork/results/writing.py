@@ -361,8 +361,8 @@ class ResultWriter:
             self._allot(self._file.id.get_filesize() + 8 * sum(map(math.prod, self._chunks.values())))
             if target.exists():
                 shutil.copymode(target, begun)
-            os.replace(begun, target)
             checkpoints.beside(target).unlink(missing_ok=True)
+            os.replace(begun, target)
         except BaseException:
             if self._fields:
                 self._file.close()
