@@ -12,7 +12,7 @@ constexpr double exact = 1e-13, nearly_exact = 1e-10;  // residuals of rows, rel
 constexpr double exact_free_motion = 1e-13;            // changes, relative to M^-1 a: all of x where it is at rest
 constexpr double force_margin = 100.0;                 // multipliers are known so much less than accelerations
 constexpr double at_rest = 0.01;      // of the largest terms: those of rows between bodies that are hardly accelerated
-constexpr double balanced = 1e-11;    // accelerations, relative to M^-1 a: terms are roundoff of forces that balance
+constexpr double balanced = 1e-11;    // accelerations, by forces on the heaviest body: roundoff where these balance
 constexpr double unresisted = 1e-11;  // what D makes of a motion, D^T of multipliers, of natural size 1
 constexpr double nothing = 1e-290;    // residuals that are not known to digits, as of b just behind a driver's start
 constexpr double shrinking = 0.5;
@@ -46,6 +46,7 @@ void ConjugateResiduals::measure_rows(const Evaluation& at) { row_lengths_ = row
 bool ConjugateResiduals::solve(const Evaluation& at, const ConstVector& a, const ConstVector& b, MutableVector x,
                                MutableVector lambda, const Refinement::Nearby& nearby, double enough, int most) {
   size_.of_free_motion(a, free_motion_);
+  size_.of_heaviest(a, of_heaviest_);
   progress_.assign(progress_.size(), {});
   int restarts = 0;
   begin_anew();
@@ -151,8 +152,8 @@ void ConjugateResiduals::find_residuals_of_terms(const Evaluation& at, const Con
   residuals_.setZero(rates_.size());
   for (Eigen::Index row = 0; row < terms_.size(); ++row) {
     const int component = components_->of_row(row);
-    const bool balance = rates_[component] <= balanced * free_motion_[component];
-    const double largest = balance ? free_motion_[component] : rates_[component];
+    const bool balance = rates_[component] <= balanced * of_heaviest_[component];
+    const double largest = balance ? of_heaviest_[component] : rates_[component];
     const double floor = at_rest * largest * row_lengths_[row] + nothing;
     residuals_[component] =
         std::max(residuals_[component], NaturalSize::ratio(std::abs(r_2_[row]), terms_[row] + floor));

@@ -59,7 +59,8 @@ class ConjugateResiduals {
   VectorXd r_1_, r_2_, none_, no_rows_, terms_, dx_, dlambda_;
   VectorXd p_, p_lambda_, Mx_, Dp_;
   std::vector<Progress> progress_;  ///< of each component, as are these:
-  VectorXd residuals_, free_motion_, sizes_, motions_, rates_, left_, multipliers_, all_multipliers_, forces_;
+  VectorXd residuals_, free_motion_, of_heaviest_, sizes_, motions_, rates_, left_, multipliers_, all_multipliers_,
+      forces_;
   double scale_ = 1.0;  ///< of directions
   double square_ = 0.0, step_ = 0.0;
   int steps_ = 0;

@@ -31,12 +31,26 @@ void NaturalSize::of(const ConstVector& x, VectorXd& components) const {
   components = components.cwiseSqrt();
 }
 
-double NaturalSize::of_free_body(const ConstVector& a, int body) const {
-  const double m = system_->mass(body), length = lengths_[body];
-  if (!(m > 0.0)) return 0.0;
+double NaturalSize::of_forces(const ConstVector& a, int body) const {
   const double force = a.segment<3>(velocity_size * body).norm(),
                torque = a.segment<3>(velocity_size * body + 3).norm();
-  return (force + torque / length) / (m * length);
+  return force + torque / lengths_[body];
+}
+
+double NaturalSize::of_free_body(const ConstVector& a, int body) const {
+  const double m = system_->mass(body);
+  return m > 0.0 ? of_forces(a, body) / (m * lengths_[body]) : 0.0;
+}
+
+void NaturalSize::of_heaviest(const ConstVector& a, VectorXd& components) const {
+  components.setZero(components_->count());
+  VectorXd heaviest = components;
+  for (int body = 0; body < system_->body_count(); ++body) {
+    const int k = components_->of_body(body);
+    components[k] = std::max(components[k], of_forces(a, body) / lengths_[body]);
+    heaviest[k] = std::max(heaviest[k], system_->mass(body));
+  }
+  components = (heaviest.array() > 0.0).select(components.cwiseQuotient(heaviest), 0.0);
 }
 
 double NaturalSize::of_free_motion(const ConstVector& a) const {

@@ -18,6 +18,8 @@ class NaturalSize {
   /// M^-1 a of the bodies alone, those without mass left out: what forces would do without joints [1/s^2].
   double of_free_motion(const ConstVector& a) const;
   void of_free_motion(const ConstVector& a, VectorXd& components) const;
+  /// What they would do to a body as heavy as the heaviest one.
+  void of_heaviest(const ConstVector& a, VectorXd& components) const;
   /// |x| / size, which may both be nothing.
   static double ratio(double x, double size) { return x > 0.0 ? x / size : 0.0; }
   /// The largest of all components.
@@ -28,6 +30,7 @@ class NaturalSize {
  private:
   double square(const ConstVector& x, int body) const;
   double of_free_body(const ConstVector& a, int body) const;
+  double of_forces(const ConstVector& a, int body) const;  ///< torques over its length [N]
 
   const System* system_;
   const ConnectedComponents* components_;
