@@ -537,3 +537,33 @@ def test_a_driven_block_without_mass_follows_its_driver(held_twice: bool, form: 
     exact = 0.1 + rise * (share - np.sin(2 * np.pi * share) / (2 * np.pi))
     np.testing.assert_allclose(run.position[:, 0, 0], exact, atol=1e-12)
     assert run.verdict is not None and run.verdict.error < 1e-8
+
+
+def test_a_light_body_that_is_pressed_across_its_guide_takes_no_digits_from_what_hangs_on_it() -> None:
+    """Every second link has no mass; by its mass the force is a trillion times the accelerations."""
+
+    def accelerations(force: float, **how: Any) -> NDArray[np.float64]:
+        rng = np.random.default_rng(0)
+        model = lw.Model(gravity=(0, 0, -9.81))
+        before = model.body("light", mass=1e-7, inertia=(1e-7,) * 3, position=(0, 0, 0))
+        model.translational("ground", before, at=(0, 0, 0), axis=(1, 0, 0))
+        model.force(before, force=(0, force, 0))
+        place = np.zeros(3)
+        for k in range(24):
+            mass = 0.0 if k % 2 == 0 else 10 ** rng.uniform(-3, 0)
+            way = np.array([np.cos(0.3 * k), 0, -np.sin(0.3 * k)])
+            link = model.body(f"link {k}", mass=mass, inertia=(0.01 * mass,) * 3, position=place + way / 2)
+            model.revolute(before, link, at=place, axis=(0, 1, 0))
+            place = place + way
+            if mass == 0.0:
+                weight = model.body(
+                    f"weight {k}", mass=10 ** rng.uniform(-10, -8), inertia=(0, 0, 0), position=place
+                )
+                model.fixed(link, weight, at=place)
+            before = link
+        run = lw.simulate(model, 1e-6, 1e-6, on_inaccurate="pass", progress=False, **how)
+        return np.array(run.acceleration[0])
+
+    exact = accelerations(0.0)
+    pressed = accelerations(1e6, formulation="augmented_lagrangian")
+    assert np.abs(pressed - exact).max() < 1e-8 * np.abs(exact).max()
