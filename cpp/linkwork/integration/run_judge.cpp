@@ -11,12 +11,13 @@
 namespace linkwork {
 namespace {
 
-constexpr std::int64_t few_steps = 50;     // which are often long ones
-constexpr std::size_t every_reaction = 6;  // steps of which reactions are compared, too
-constexpr std::size_t every_inside = 3;    // the same for what is recorded inside, where there are not few
-constexpr std::size_t worst_parts = 3;     // of a mechanism that is not connected
-constexpr std::size_t worst = 3;           // steps of each that are looked at once more, in so many parts:
-constexpr double far_worse = 3.0;          // than the worst of the others, for a suspect to count
+constexpr std::int64_t few_steps = 50;         // which are often long ones
+constexpr std::int64_t of_many_periods = 300;  // steps at least; in fewer ones nothing grows far
+constexpr std::size_t every_reaction = 6;      // steps of which reactions are compared, too
+constexpr std::size_t every_inside = 3;        // the same for what is recorded inside, where there are not few
+constexpr std::size_t worst_parts = 3;         // of a mechanism that is not connected
+constexpr std::size_t worst = 3;               // steps of each that are looked at once more, in so many parts:
+constexpr double far_worse = 3.0;              // than the worst of the others, for a suspect to count
 constexpr int usual_divisions = 1, few_divisions = 2, divisions_of_worst = 3;  // powers of two
 
 /// A part of the run for each.
@@ -292,7 +293,7 @@ RunErrors RunJudge::judge_worst(const RetakenSteps& retaken) {
   }
   look_for_rest();
   if (!sampling_.struck()) look_at_energies();
-  if (!sampling_.struck()) look_for_nonlinearity();
+  if (!sampling_.struck() && sampling_.steps() >= of_many_periods) look_for_nonlinearity();
   return std::move(out_);
 }
 
