@@ -113,12 +113,11 @@ LINKWORK_INLINE const BodyState<Pack>& state_of_joint(const JointLanes& joints, 
   return state_of(joints.states, body < 0 ? ~body : body);
 }
 
-/// What varies of the rows of a body: of joints that hold a point and of rotations all but the columns of translation.
+/// What varies of the rows of a body of joints that hold a point and of rotations: all but the columns of translation.
 template <class Joint>
 LINKWORK_INLINE void put_varying_D(const Pack* D, Pack* to) {
-  constexpr int first = holds_point<Joint> || turns<Joint> ? 3 : 0;
   LINKWORK_UNROLL for (int r = 0; r < Joint::rows; ++r) LINKWORK_UNROLL
-    for (int c = first; c < 6; ++c) to[6 * r + c] = D[6 * r + c];
+    for (int c = 3; c < 6; ++c) to[6 * r + c] = D[6 * r + c];
 }
 
 /// Without D of a body that does not move, which nobody reads, and without what is constant in D and Phi_t.
@@ -129,16 +128,18 @@ LINKWORK_INLINE void evaluate_joint_of_lanes(const JointLanes& joints, int joint
   const BodyState<Pack>& i = state_of_joint(joints, joints.body_i[joint]);
   const BodyState<Pack>& j = state_of_joint(joints, joints.body_j[joint]);
   const long row = static_cast<long>(joints.row[joint]) * width;
-  Pack D_i[6 * rows], D_j[6 * rows], Phi_t[rows];
+  constexpr bool in_place = !holds_point<Joint> && !turns<Joint>;
+  Pack beside[12 * rows], zeros[rows];
+  Pack* const D = packs(out.D + joints.D[joint] * width);
+  Pack* const D_i = in_place ? D : beside;
+  Pack* const D_j = D_i + 6 * rows;
+  Pack* const Phi_t = holds_point<Joint> ? zeros : packs(out.Phi_t + row);
   Joint::template evaluate<Pack>(attachment_in(joints.attachment, joint), parameters, i, j,
                                  Rows<Pack, rows>{packs(out.Phi + row), Phi_t, packs(out.gamma + row), D_i, D_j});
   multiply<Joint, i_moves, j_moves>(D_i, D_j, i.r_dot.data(), j.r_dot.data(), Phi_t, packs(out.Phi_dot + row));
-  Pack* D = packs(out.D + joints.D[joint] * width);
+  if constexpr (in_place) return;
   if constexpr (i_moves) put_varying_D<Joint>(D_i, D);
   if constexpr (j_moves) put_varying_D<Joint>(D_j, D + 6 * rows);
-  if constexpr (holds_point<Joint>) return;
-  LINKWORK_UNROLL for (int r = 0; r < rows; ++r)
-    packs(out.Phi_t + row)[r] = Phi_t[r];
 }
 
 /// One joint of all lanes after the other. Those that hold a point have no Phi_t: the sum that is Phi_dot begins at
