@@ -8,7 +8,13 @@
 namespace linkwork {
 
 NaturalSize::NaturalSize(const System& system)
-    : system_(&system), components_(&ConnectedComponents::of(system)), lengths_(characteristic_lengths(system)) {}
+    : system_(&system), components_(&ConnectedComponents::of(system)), lengths_(characteristic_lengths(system)) {
+  heaviest_.setZero(components_->count());
+  for (int body = 0; body < system.body_count(); ++body) {
+    double& mass = heaviest_[components_->of_body(body)];
+    mass = std::max(mass, system.mass(body));
+  }
+}
 
 double NaturalSize::square(const ConstVector& x, int body) const {
   const auto own = x.segment<velocity_size>(velocity_size * body);
@@ -44,13 +50,11 @@ double NaturalSize::of_free_body(const ConstVector& a, int body) const {
 
 void NaturalSize::of_heaviest(const ConstVector& a, VectorXd& components) const {
   components.setZero(components_->count());
-  VectorXd heaviest = components;
   for (int body = 0; body < system_->body_count(); ++body) {
     const int k = components_->of_body(body);
-    components[k] = std::max(components[k], of_forces(a, body) / lengths_[body]);
-    heaviest[k] = std::max(heaviest[k], system_->mass(body));
+    if (heaviest_[k] > 0.0)
+      components[k] = std::max(components[k], of_forces(a, body) / (lengths_[body] * heaviest_[k]));
   }
-  components = (heaviest.array() > 0.0).select(components.cwiseQuotient(heaviest), 0.0);
 }
 
 double NaturalSize::of_free_motion(const ConstVector& a) const {

@@ -35,6 +35,7 @@ class NaturalSize {
   const System* system_;
   const ConnectedComponents* components_;
   VectorXd lengths_;
+  VectorXd heaviest_;  ///< mass of each component [kg]
 };
 
 }  // namespace linkwork
