@@ -129,3 +129,20 @@ def test_what_grows_by_itself_is_not_said_to_be_better_than_it_is(damping: float
     largest = max(abs(truth.position[-1, 0, 0]), abs(truth.velocity[-1, 0, 0]))
     true = float(abs(result.position[-1, 0, 0] - truth.position[-1, 0, 0]) / largest)
     assert said_by_true(result, true) > 0.5
+
+
+def test_a_law_is_not_asked_about_states_that_the_motion_does_not_have() -> None:
+    """It slows a body down that never comes beyond 1 m, beside one that vibrates: the verdict is of both."""
+    model = masses(1)
+    model.body("slower", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(5, 5, 0), velocity=(1, 0, 0))
+    model.translational("ground", "slower", at=(5, 5, 0), axis=(1, 0, 0), name="rail")
+
+    def brake(t: float, shift: float, rate: float) -> float:
+        if shift > 1.2:
+            raise ValueError(f"{shift} m is not on the rail")
+        return -rate
+
+    model.joint_force("rail", brake)
+    run = lw.simulate(model, 40.0, 1e-2, on_inaccurate="pass", progress=False)
+    assert run.verdict is not None and "no step could be taken again" not in run.verdict.sentence
+    assert run.verdict.local_error > 0

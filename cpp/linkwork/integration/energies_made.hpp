@@ -25,8 +25,8 @@ struct EnergyMade {
 std::vector<std::optional<EnergyMade>> find_energies_made(Dynamics& dynamics, const std::vector<const KeptStep*>& steps,
                                                           const VectorXd& lengths);
 
-/// Of each connected part whether nothing that would do work in any state acts there: a driver, a function of time, a law
-/// of the user's own, a contact or stop, an event aside; dampers may.
+/// Of each connected part whether energy may be a constant there: no driver, function of time, law of the user's own,
+/// contact or stop acts. Dampers and events are not looked at.
 std::vector<bool> may_conserve(const System& system);
 
 /// Kinetic energy of the inerters of each connected part [J], of velocities v at the state that was evaluated.

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t most_states = 24;
 constexpr std::size_t fewest_states = 8;  // else no mean is known
-constexpr double margin = 8.0;
-constexpr double unstable = 0.2;  // of the work by which states come back: else some may be leaving
+constexpr double margin = 8.0;            // above exponents of periods by energies, and paces of exchange
+constexpr double unstable = 0.2;          // of the work by which states come back: else some may be leaving
 
 /// Rotation vector of a small difference of Euler parameters, in axes of the body.
 Vec3<double> turned_by(const Vec4<double>& dp, const Vec4<double>& p) {
@@ -42,8 +42,7 @@ class NonlinearitySearch {
       if (step->y.allFinite()) finite.push_back(step);
     if (finite.size() < fewest_states) return;
     find_mean(finite);
-    const std::size_t every =
-        finite.size() / most_states | 1;  // odd: of the two steps of a part now one, now the other
+    const std::size_t every = finite.size() / most_states | 1;  // odd: now one, now the other step of a part of the run
     for (std::size_t k = 0; k < finite.size(); k += every) steps_.push_back(finite[k]);
   }
 

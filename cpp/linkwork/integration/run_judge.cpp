@@ -87,8 +87,7 @@ RunJudge::RunJudge(const StepSampling& sampling, Dynamics& dynamics, SecondTake 
     }
   see_from_moving_axes();
   look_at_forces();
-  const auto has_laws = [](const JudgedPart& part) { return part.has_laws; };
-  if (std::any_of(out_.connected_parts.begin(), out_.connected_parts.end(), has_laws)) judge_.weigh_energies();
+  if (has_laws()) judge_.weigh_energies();
   judge_.choose_from(choices_of_rows(kept_, dynamics.dropped().rows()));
 }
 
@@ -152,6 +151,11 @@ void RunJudge::look_at_forces() {
     const Element& force = model.forces()[static_cast<std::size_t>(it.element)];
     part_of(force.i, force.j).bursts_late = true;
   }
+}
+
+bool RunJudge::has_laws() const {
+  return std::any_of(out_.connected_parts.begin(), out_.connected_parts.end(),
+                     [](const JudgedPart& part) { return part.has_laws; });
 }
 
 /// The motion may have been fast for a while between two kept steps only.
@@ -293,7 +297,7 @@ RunErrors RunJudge::judge_worst(const RetakenSteps& retaken) {
   }
   look_for_rest();
   if (!sampling_.struck()) look_at_energies();
-  if (!sampling_.struck() && sampling_.steps() >= of_many_periods) look_for_nonlinearity();
+  look_for_nonlinearity();
   return std::move(out_);
 }
 
@@ -311,7 +315,9 @@ void RunJudge::look_for_rest() {
   }
 }
 
+/// Not where there are laws of the user's own, in whichever part: they may not know states that the run did not have.
 void RunJudge::look_for_nonlinearity() {
+  if (sampling_.struck() || sampling_.steps() < of_many_periods || has_laws()) return;
   const RankReport& rank = dynamics_.rank();
   std::vector<int> implied = rank.redundant_rows;
   implied.insert(implied.end(), rank.singular_rows.begin(), rank.singular_rows.end());

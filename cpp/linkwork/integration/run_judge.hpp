@@ -68,6 +68,7 @@ class RunJudge {
  private:
   void see_from_moving_axes();
   void look_at_forces();
+  bool has_laws() const;
   void look_at_speeds();
   double kinetic_energy(const KeptStep& step, const VectorXd& y);
   double size(const StepError& error, std::size_t part) const;
