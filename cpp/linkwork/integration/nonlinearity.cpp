@@ -6,6 +6,7 @@
 #include "linkwork/assembly/connected_components.hpp"
 #include "linkwork/assembly/force_elements.hpp"
 #include "linkwork/integration/energies_made.hpp"
+#include "linkwork/integration/state_difference.hpp"
 #include "linkwork/math/error.hpp"
 #include "linkwork/math/interruption.hpp"
 #include "linkwork/model/joint_kind.hpp"
@@ -17,12 +18,6 @@ constexpr std::size_t most_states = 24;
 constexpr std::size_t fewest_states = 8;  // else no mean is known
 constexpr double margin = 8.0;            // above exponents of periods by energies, and paces of exchange
 constexpr double unstable = 0.2;          // of the work by which states come back: else some may be leaving
-
-/// Rotation vector of a small difference of Euler parameters, in axes of the body.
-Vec3<double> turned_by(const Vec4<double>& dp, const Vec4<double>& p) {
-  const Vec3<double> e = p.tail<3>(), de = dp.tail<3>();
-  return 2.0 * (p[0] * de - dp[0] * e - e.cross(de));
-}
 
 /// Of all parts at once.
 class NonlinearitySearch {
@@ -98,11 +93,7 @@ class NonlinearitySearch {
     for (const KeptStep* step : steps) mean_ += seen(*step, first) / static_cast<double>(steps.size());
     for (int body = 0; body < system_.body_count(); ++body)
       if (auto p = mean_.segment<4>(place_of_p(body)); p.norm() < 0.5) p = first.segment<4>(place_of_p(body));
-    normalize(mean_);
-  }
-
-  void normalize(VectorXd& y) const {
-    for (int body = 0; body < system_.body_count(); ++body) y.segment<4>(place_of_p(body)).normalize();
+    system_.normalize(mean_.head(system_.q_size()));
   }
 
   void leave_out_memories() {
@@ -153,7 +144,7 @@ class NonlinearitySearch {
   /// Accelerations so far from the mean state, relative to that step; false: there are none.
   bool accelerate(const KeptStep& step, const VectorXd& apart, double share, VectorXd& v_dot) {
     VectorXd y = mean_ + share * apart, lambda = VectorXd::Zero(system_.row_count());
-    normalize(y);
+    system_.normalize(y.head(system_.q_size()));
     axes_.carry(step.t, y);
     v_dot.resize(system_.v_size());
     try {
@@ -194,7 +185,8 @@ class NonlinearitySearch {
       it.odd = std::max(it.odd, size(odd));
       it.even = std::max(it.even, size(even));
       const Vec3<double> way = apart.segment<3>(place_of_p(body) - 3);
-      const Vec3<double> turned = turned_by(apart.segment<4>(place_of_p(body)), mean_.segment<4>(place_of_p(body)));
+      const Vec4<double> p = mean_.segment<4>(place_of_p(body));
+      const Vec3<double> turned = StateDifference::turn(p + apart.segment<4>(place_of_p(body)), p);
       const auto along = [&](const VectorXd& of) {
         return system_.mass(body) * of.segment<3>(v).dot(way) +
                turned.dot(system_.inertia(body) * of.segment<3>(v + 3));
