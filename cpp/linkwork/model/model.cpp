@@ -193,7 +193,12 @@ void Model::check_element(Role role, const KindInfo& info, const Names& names, s
     if (!why.empty()) refuse_element(code, parameter.name + why, parameter.name);
   }
   if (!info.contradiction) return;
-  if (const std::string why = info.contradiction(parameters); !why.empty()) refuse_element("contradiction", why);
+  if (const std::string why = info.contradiction(parameters); !why.empty()) {
+    std::string given;
+    for (std::size_t p = 0; p < info.parameters.size(); ++p)
+      given += (p ? ", " : "") + info.parameters[p].name + " = " + text(parameters[p].constant);
+    refuse_element("contradiction", given + ": " + why);
+  }
 }
 
 /// Notes functions of time that are not to pass a bound.

@@ -1,4 +1,3 @@
-#include <cstdio>
 #include <numbers>
 
 #include "linkwork/model/joint_kind.hpp"
@@ -29,14 +28,8 @@ struct Gear {
   static std::string contradiction(const Parameter* teeth) {
     const double a = teeth[0].constant, b = teeth[1].constant;
     if ((a > 0.0 && b > 0.0) || (a * b < 0.0 && a + b < 0.0)) return "";
-    const auto shown = [](double number) {
-      char text[32];
-      std::snprintf(text, sizeof text, "%g", number);
-      return std::string(text);
-    };
-    const std::string given = "teeth_a = " + shown(a) + ", teeth_b = " + shown(b) + ": ";
-    if (a < 0.0 && b < 0.0) return given + "two ring gears with teeth inside do not mesh";
-    return given + "a wheel turns in a ring gear only if that has more teeth";
+    if (a < 0.0 && b < 0.0) return "two ring gears with teeth inside do not mesh";
+    return "a wheel turns in a ring gear only if that has more teeth";
   }
 
   template <class Real>
