@@ -47,6 +47,9 @@ inline py::dict to_dict(const AccumulatedError& found, const System& system, boo
   out["taken"] = found.steps.size();
   out["failed"] = found.failed;
   out["state"] = found.state;
+  out["growth"] = std::isnan(found.growth) ? py::object(py::none()) : py::float_(found.growth);
+  out["unstable"] = found.unstable;
+  out["grows"] = found.grows;
   out["local_error"] = found.local_error;
   out["reactions_by_state"] = found.reactions_by_state;
   out["yielding"] = std::isnan(found.yielding) ? 0.0 : found.yielding;

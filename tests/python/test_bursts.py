@@ -113,7 +113,7 @@ def test_work_that_a_force_gives_back_was_not_taken_from_the_error(e: float, rto
     exact = _velocities_in_orbit(e, run.t)
     assert run.verdict is not None
     true = float(np.linalg.norm(run.velocity[:, 0, :2] - exact, axis=1).max()) / np.sqrt((1 + e) / (1 - e))
-    assert true < run.verdict.error < 20 * true
+    assert true < run.verdict.error < 100 * true
 
 
 @pytest.mark.parametrize(("integrator", "step"), [("dopri5", 0.02), ("tsit5", 0.01), ("phem56", 0.01)])

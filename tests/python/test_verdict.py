@@ -26,7 +26,7 @@ _NUMBERS: dict[str, Any] = {
     "taken": 1, "failed": 0, "kinetic_share": 1.0, "rest_energy": 1.0, "violation": 0.0, "seconds": 1.0,
     "rate": 1.0, "slowness": 1.0, "suddenness": 0.0, "state": 1e-3,
     "local_error": 1e-3, "rounding": 0.0, "yielding": 0.0, "steps": [(0.0, 1e-3, 1e-6, None)], "energies": [],
-    "body": -1,
+    "body": -1, "growth": 2.0, "unstable": 1.0, "grows": False,
 }  # fmt: skip
 
 

@@ -8,6 +8,7 @@ namespace linkwork {
 namespace {
 
 constexpr double growth = 5.0;         // characteristic times L / V in which an error of a velocity moves positions
+constexpr double irregular = 15.0;     // growth of errors, relative to t V / L: beyond, motion is unstable
 constexpr double steep = 10.0;         // times the mean of its part: a change of accelerations out of the ordinary
 constexpr double sudden = 2.0;         // mean turning, up to which peaks of accelerations are those of bursts alone
 constexpr double burst = 0.5;          // of the largest acceleration: one, as of a bounce
@@ -122,7 +123,7 @@ class Accumulation {
     list_steps();
     const StateDifference corrections = errors_.corrections.empty() ? StateDifference() : errors_.corrections[part_];
     const double once = std::max(at_once(), error(corrections));
-    out_.state = once + (judged_.rest ? away_from_rest() : judged_.resolved * state());
+    out_.state = once + (judged_.rest ? away_from_rest() : judged_.resolved * accumulated());
     out_.local_error = sum([this](const StepError& it) { return error(of(it).end); }) / out_.seconds;
     out_.contacts_begin = std::any_of(errors_.steps.begin(), errors_.steps.end(),
                                       [this](const StepError& it) { return of(it).contact_begins; });
@@ -180,8 +181,7 @@ class Accumulation {
 
   /// When the part of the run begins in which there is one [s].
   double first_burst(const std::vector<const RunPart*>& all) const {
-    double most = 0.0;
-    for (const RunPart* it : all) most = std::fmax(most, pace(*it));
+    const double most = largest_pace();
     for (const RunPart* it : all)
       if (pace(*it) >= burst * most) return it->t;
     return INFINITY;
@@ -200,6 +200,12 @@ class Accumulation {
 
   double pace(const RunPart& part) const {
     return part.peaks.size() > 0 ? part.peaks[static_cast<Eigen::Index>(part_)] * size_ / (V_ * V_) : 0.0;
+  }
+
+  double largest_pace() const {
+    double most = 0.0;
+    for (const RunPart& it : errors_.parts) most = std::fmax(most, pace(it));
+    return most;
   }
 
   /// Over all the run, parts of which no step is known included.
@@ -303,6 +309,43 @@ class Accumulation {
     return std::max(sums.moved(end, rate) + sums.velocities, late);
   }
 
+  double accumulated() {
+    const double usual = state(), unstable = grown();
+    for (const ErrorGrowth& it : errors_.growth) {
+      out_.growth = std::fmax(out_.growth, factor(it));
+      out_.unstable = std::max(out_.unstable, unstable_factor(it));
+    }
+    out_.grows = unstable > usual;
+    return std::max(usual, unstable);
+  }
+
+  double factor(const ErrorGrowth& it) const { return it.of_part[static_cast<Eigen::Index>(part_)]; }
+
+  /// Where it is no more than that of regular motion, in proportion to time, none: what becomes of errors of energies
+  /// there, which come and go, their balance says.
+  double unstable_factor(const ErrorGrowth& it) const {
+    const double regular = (1.0 + V_ / L_ * (it.until - it.t)) * std::max(largest_pace(), 1.0);
+    return factor(it) > irregular * regular ? factor(it) : 1.0;
+  }
+
+  /// Of an error that arises at t: the larger one of those before and after it.
+  double growth_from(double t) const {
+    const std::vector<ErrorGrowth>& all = errors_.growth;
+    const auto next = std::find_if(all.begin(), all.end(), [t](const ErrorGrowth& it) { return it.t > t; });
+    const double before = next == all.begin() ? 1.0 : unstable_factor(*(next - 1));
+    return next == all.end() ? before : std::max(before, unstable_factor(*next));
+  }
+
+  /// The errors of all steps as they have become, where it is known how they grow.
+  double grown() const {
+    if (errors_.growth.empty()) return 0.0;
+    double sum = 0.0;
+    for (const KnownPart& it : parts_)
+      sum += it.steps() * growth_from(it.part->t + it.part->seconds / 2) *
+             it.mean([this](const StepError& step) { return error(of(step).end); });
+    return missed_ * sum;
+  }
+
   /// Of a part that rests: errors die out, or the run would have moved it.
   double away_from_rest() const {
     double largest = 0.0;
@@ -337,11 +380,12 @@ class Accumulation {
 AccumulatedError worse(AccumulatedError a, AccumulatedError b) {
   const double reactions = std::fmax(a.reactions_by_state * a.state, b.reactions_by_state * b.state);
   const double onset = std::max(a.onset, b.onset), yielding = std::fmax(a.yielding, b.yielding);
-  const double rounding = std::max(a.rounding, b.rounding);
+  const double rounding = std::max(a.rounding, b.rounding), unstable = std::max(a.unstable, b.unstable);
   const bool contacts_begin = a.contacts_begin || b.contacts_begin;
   AccumulatedError out = b.state > a.state || std::isnan(b.state) ? std::move(b) : std::move(a);
   out.reactions_by_state = reactions / out.state;
   out.contacts_begin = contacts_begin;
+  out.unstable = unstable;
   out.onset = onset;
   out.yielding = yielding;
   out.rounding = rounding;

@@ -38,11 +38,14 @@ struct Peaks {
 /// velocities to V, its largest speed; reactions to its largest. Box, path and speeds are those in MovingAxes. Where
 /// there is no motion, what moved is the error, relative to the size of the part and the speed of Rest.
 struct AccumulatedError {
-  std::size_t failed = 0;           ///< steps that could not be taken again; where all could not, the rest is zero
-  std::vector<JudgedStep> steps;    ///< the others, by time
-  int body = -1;                    ///< the first of that part; -1: there is but one
-  double state = 0.0;               ///< over the run
-  double local_error = 0.0;         ///< of the state, the mean over the run [1/s]
+  std::size_t failed = 0;         ///< steps that could not be taken again; where all could not, the rest is zero
+  std::vector<JudgedStep> steps;  ///< the others, by time
+  int body = -1;                  ///< the first of that part; -1: there is but one
+  double state = 0.0;             ///< over the run
+  double growth = std::numeric_limits<double>::quiet_NaN();  ///< see ErrorGrowth, the largest; NaN: not known
+  double unstable = 1.0;                                     ///< the largest that is more than that of regular motion
+  bool grows = false;                                        ///< that is most of the state's
+  double local_error = 0.0;                                  ///< of the state, the mean over the run [1/s]
   double reactions_by_state = 0.0;  ///< largest of those of any part, by the state of this; NaN: not known
   double yielding = 0.0;        ///< largest of what reactions lose as constraints yield, of any part; NaN: not known
   bool contacts_begin = false;  ///< of any part

@@ -47,7 +47,9 @@ class Run {
         singular_poses_(dynamics.watch().singular_poses()),
         violation_monitor_(dynamics),
         redundancy_(dynamics.system(), y_.head(dynamics.system().q_size())),
-        left_out_(dynamics.dropped().rows()) {}
+        left_out_(dynamics.dropped().rows()) {
+    sampling_.log_states();
+  }
   virtual ~Run() = default;
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;

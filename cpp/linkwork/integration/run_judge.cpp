@@ -17,7 +17,8 @@ constexpr std::size_t every_reaction = 6;      // steps of which reactions are c
 constexpr std::size_t every_inside = 3;        // the same for what is recorded inside, where there are not few
 constexpr std::size_t worst_parts = 3;         // of a mechanism that is not connected
 constexpr std::size_t worst = 3;               // steps of each that are looked at once more, in so many parts:
-constexpr double far_worse = 3.0;              // than the worst of the others, for a suspect to count
+constexpr std::int64_t affordable = 10'000, affordable_of_bodies = 50'000;  // evaluations to follow errors, of bodies
+constexpr double far_worse = 3.0;  // than the worst of the others, for a suspect to count
 constexpr int usual_divisions = 1, few_divisions = 2, divisions_of_worst = 3;  // powers of two
 
 /// A part of the run for each.
@@ -211,9 +212,11 @@ StepError RunJudge::judge_next(std::size_t k, int divisions, bool reactions, boo
 
 void RunJudge::judge(const RetakenSteps& retaken) {
   judge_.divide_parts(divisions_);
-  for (std::size_t k = 0; k < kept_.size(); ++k)
+  for (std::size_t k = 0; k < kept_.size(); ++k) {
     out_.steps.push_back(
         judge_next(k, divisions_, k % every_reaction == 0, k % every_inside_ == 0, of_step(k, retaken)));
+    if (sampling_.log().size() > 0) ends_.push_back({kept_[k]->t + kept_[k]->h, judge_.end(), judge_.exact_end()});
+  }
   for (const StepError& it : out_.steps)
     for (std::size_t part = 0; part < it.of_part.size(); ++part)
       speeds_[static_cast<Eigen::Index>(part)] =
@@ -238,6 +241,7 @@ void RunJudge::acquit_suspects() {
   for (std::size_t k = first; k < kept_.size(); ++k) {
     if (!is_far_worse(k)) continue;
     std::swap(out_.steps[k], out_.steps[end]);
+    if (!ends_.empty()) std::swap(ends_[k], ends_[end]);
     std::swap(out_.parts[out_.part_of[k]], out_.parts[out_.part_of[end]]);
     end += 1;
   }
@@ -298,6 +302,7 @@ RunErrors RunJudge::judge_worst(const RetakenSteps& retaken) {
   look_for_rest();
   if (!sampling_.struck()) look_at_energies();
   look_for_nonlinearity();
+  look_for_growth();
   return std::move(out_);
 }
 
@@ -324,6 +329,45 @@ void RunJudge::look_for_nonlinearity() {
   const VectorXd found = find_nonlinearity(dynamics_, kept_, judge_.axes(), lengths_, implied);
   for (std::size_t part = 0; part < out_.connected_parts.size(); ++part)
     out_.connected_parts[part].nonlinearity = found[static_cast<Eigen::Index>(part)];
+}
+
+/// Of each of some parts of the run, up to a time, the worst.
+std::vector<StepDifference> RunJudge::errors_to_follow(std::size_t count, double until) const {
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < kept_.size(); ++k)
+    if (!out_.steps[k].failed && ends_[k].t <= until && ends_[k].run.allFinite()) order.push_back(k);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return kept_[a]->t < kept_[b]->t; });
+  const auto largest = [&](std::size_t k) {
+    double out = 0.0;
+    for (std::size_t part = 0; part < out_.connected_parts.size(); ++part)
+      out = std::max(out, size(out_.steps[k], part));
+    return out;
+  };
+  std::vector<StepDifference> out;
+  for (std::size_t group = 0; group < count; ++group) {
+    const auto first = order.begin() + static_cast<std::ptrdiff_t>(group * order.size() / count);
+    const auto last = order.begin() + static_cast<std::ptrdiff_t>((group + 1) * order.size() / count);
+    if (first == last) continue;
+    out.push_back(
+        ends_[*std::max_element(first, last, [&](std::size_t a, std::size_t b) { return largest(a) < largest(b); })]);
+  }
+  return out;
+}
+
+/// Not where the run changed the rows that it leaves out: those of one pose may be bad in another.
+void RunJudge::look_for_growth() {
+  const auto rests = [](const JudgedPart& part) { return part.rest.has_value(); };
+  if (ends_.empty() || std::all_of(out_.connected_parts.begin(), out_.connected_parts.end(), rests)) return;
+  if (choices_of_rows(kept_, dynamics_.dropped().rows()).size() > 1) return;
+  VectorXd lengths = lengths_, speeds = speeds_;
+  for (std::size_t part = 0; part < out_.connected_parts.size(); ++part) {
+    const auto k = static_cast<Eigen::Index>(part);
+    lengths[k] = out_.connected_parts[part].length;
+    speeds[k] *= out_.connected_parts[part].fastest;
+  }
+  const auto follow = [this](std::size_t count, double until) { return errors_to_follow(count, until); };
+  const std::int64_t most = std::min(affordable, affordable_of_bodies / dynamics_.system().body_count());
+  out_.growth = find_error_growth(dynamics_, sampling_.log(), follow, lengths, speeds, most + sampling_.steps() / 4);
 }
 
 void RunJudge::look_at_energies() {

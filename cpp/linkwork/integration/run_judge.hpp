@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "linkwork/integration/energies_made.hpp"
+#include "linkwork/integration/error_growth.hpp"
 #include "linkwork/integration/rest.hpp"
 #include "linkwork/integration/step_judge.hpp"
 
@@ -37,6 +38,7 @@ struct RunErrors {
   std::vector<JudgedPart> connected_parts;  ///< as ConnectedParts
   DifferencesOfParts corrections;           ///< see StepSampling
   double kinetic_share = 1.0;               ///< see StepJudge
+  std::vector<ErrorGrowth> growth;          ///< by time; none: not known
 };
 
 /// Of kept steps, in their order.
@@ -78,6 +80,8 @@ class RunJudge {
   void look_for_rest();
   void look_at_energies();
   void look_for_nonlinearity();
+  std::vector<StepDifference> errors_to_follow(std::size_t count, double until) const;
+  void look_for_growth();
   StepError judge_next(std::size_t k, int divisions, bool reactions, bool inside, const RetakenStep& retaken);
 
   const StepSampling& sampling_;
@@ -89,7 +93,8 @@ class RunJudge {
   StepJudge judge_;
   RunErrors out_;
   std::vector<const KeptStep*> kept_;
-  std::size_t suspects_ = 0;  ///< of these
+  std::vector<StepDifference> ends_;  ///< of these, where states are logged
+  std::size_t suspects_ = 0;          ///< of these
   struct WorstOfPart {
     std::size_t part;
     std::vector<std::size_t> steps;

@@ -179,6 +179,7 @@ void StepJudge::find_violation(const KeptStep& step, StepError& out) {
 
 void StepJudge::look_at(const KeptStep& step, bool reactions, bool inside, const RetakenStep& retaken, StepError& out) {
   find_end(step, retaken);
+  run_end_ = step.y_new;
   compare(step, out);
   if (step.history_new.size() > 0) compare_history(step, out);
   if ((reactions || recorded_) && dynamics_.system().joint_count() > 0) compare_reactions(step, out);

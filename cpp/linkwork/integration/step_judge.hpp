@@ -112,6 +112,10 @@ class StepJudge {
     arms_ = std::move(arms);
   }
   const MovingAxes& axes() const { return axes_; }
+  /// Where the step that was judged last ended, and where it would have: y = (q, v, work), of staggered velocities half a
+  /// step later.
+  const VectorXd& end() const { return run_end_; }
+  const VectorXd& exact_end() const { return y_; }
   /// Energies that steps make are looked at, too, as where forces may have a potential but do not tell it: the balance
   /// of the run has their work by the same stages, and sees a part of what these err.
   void weigh_energies() { weighs_energies_ = true; }
@@ -166,7 +170,7 @@ class StepJudge {
   std::unique_ptr<PairStepper> stepper_;         ///< of a run that records inside of steps
   std::vector<std::vector<int>> choices_;
   std::vector<int> rows_;  ///< that are left out in this step
-  VectorXd y_, v_dot_, lambda_, seen_;
+  VectorXd y_, run_end_, v_dot_, lambda_, seen_;
   VectorXd inside_, interpolated_;
   bool weighs_energies_ = false;
   bool came_inside_ = false;                ///< to inside_, where the first part ends

@@ -123,6 +123,11 @@ void StepSampling::expect_breaks(std::vector<double> times) {
   broken_ = StepGroups(groups_of(group_of_break_), most_parts_);
 }
 
+void StepSampling::log_states() {
+  logs_ = true;
+  log_ = StateLog(body_count_, system_->history_size());
+}
+
 void StepSampling::begin_anew(const Dynamics& dynamics, const VectorXd& y, double start) {
   StepSampling fresh(dynamics);
   fresh.width_ = width_;
@@ -130,6 +135,7 @@ void StepSampling::begin_anew(const Dynamics& dynamics, const VectorXd& y, doubl
   fresh.group_of_break_ = std::move(group_of_break_);
   fresh.broken_ = StepGroups(groups_of(fresh.group_of_break_), most_parts_);
   fresh.memory_ = memory_;
+  if (logs_) fresh.log_states();
   fresh.work_before_ = y[y.size() - 1];
   if (last_.kept() && last_.t + (1.0 - same_time) * last_.h > start) {
     fresh.history_ = history_;
@@ -169,6 +175,7 @@ void StepSampling::look_for_switches(const VectorXd& history, const VectorXd& sw
     depends = depends || std::min(since_switch_[group], since_kink_[group]) <= memory_;
     if (since_switch_[group] <= memory_ || since_kink_[group] == 0) groups_of_step_.push_back(static_cast<int>(group));
   }
+  if (depends) log_.end();
   if (!last_.kept() || !depends) return;
   for (KeptStep* step : {&parts_.back().any, &parts_.back().steepest})
     if (step->kept() && step->t == last_.t) step->switched = true;
@@ -288,6 +295,7 @@ void StepSampling::follow(double t, double h, const VectorXd& y, const VectorXd&
   part.peaks = part.peaks.cwiseMax(largest_);
   part.velocity_paths += h * largest_;
   steps_ += 1;
+  log_.add(t, y, history_);
 }
 
 void StepSampling::choose(RunPart& part, double change, const VectorXd& y_new) {

@@ -11,6 +11,7 @@
 #include "linkwork/integration/kept_step.hpp"
 #include "linkwork/integration/kink_watch.hpp"
 #include "linkwork/integration/state_difference.hpp"
+#include "linkwork/integration/state_log.hpp"
 #include "linkwork/integration/step_groups.hpp"
 
 namespace linkwork {
@@ -53,6 +54,9 @@ class StepSampling {
   /// many.
   void expect_breaks(std::vector<double> times);
   const std::vector<double>& breaks() const { return breaks_; }
+  /// States are logged, too, up to where a contact or a stop begins or ends, or a characteristic has a kink.
+  void log_states();
+  const StateLog& log() const { return log_; }
   /// See Integrator::memory.
   void remember(int steps) { memory_ = steps; }
 
@@ -81,7 +85,10 @@ class StepSampling {
   void correct(const VectorXd& y, const VectorXd& corrected);
 
   /// An event, a driver that jumps or another choice of rows changed the state, and its energy.
-  void strike() { struck_ = true; }
+  void strike() {
+    struck_ = true;
+    log_.end();
+  }
   bool struck() const { return struck_; }
 
   /// The parts with what is to be taken again of them: of short runs less than what was kept.
@@ -139,6 +146,8 @@ class StepSampling {
   std::int64_t steps_ = 0;
   bool compared_ = false;  ///< rates_ are those of the step before
   VectorXd rates_;
+  bool logs_ = false;
+  StateLog log_;
   // Of the connected parts:
   VectorXd changes_, sums_of_changes_;  ///< of this step, of all compared ones
   VectorXd largest_, speeds_;           ///< largest acceleration of a body [m/s^2], squared speed

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "linkwork/formulation/dynamics.hpp"
+#include "linkwork/integration/state_log.hpp"
+
+namespace linkwork {
+
+/// The error of a step of a run, which ended at t in one of two states.
+struct StepDifference {
+  double t = 0.0;
+  VectorXd run, exact;  ///< y = (q, v, ...)
+};
+
+/// Largest relative to what it was at t that the error of a step becomes, of each of ConnectedParts, by the larger of
+/// those of poses and of velocities.
+struct ErrorGrowth {
+  double t = 0.0, until = 0.0;  ///< up to where it was followed [s]
+  VectorXd of_part;
+};
+
+/// The errors of so many steps, or fewer, spread over the run up to a time, in its order.
+using ErrorsToFollow = std::function<std::vector<StepDifference>(std::size_t count, double until)>;
+
+/// How the errors of some steps of a run grow on, to the first order: each is carried along by the equations of motion
+/// linearized about the states of the log, of which as many are taken as the motion and the error ask for, with cubic
+/// interpolation between; by the classical Runge-Kutta method, with a difference of two evaluations for the derivative.
+/// What it misses the equations of the joints by is taken back, as stabilization does. Memories stay as they are.
+///
+/// Of a long run as far as so many evaluations and the log go. Nothing, where that is not known: the run is very long,
+/// or the equations have no solution nearby. `lengths`, `speeds`: by which poses and velocities of each part count [m,
+/// m/s].
+std::vector<ErrorGrowth> find_error_growth(Dynamics& dynamics, const StateLog& log, const ErrorsToFollow& errors,
+                                           const VectorXd& lengths, const VectorXd& speeds,
+                                           std::int64_t most_evaluations);
+
+}  // namespace linkwork

@@ -1,0 +1,103 @@
+#include "linkwork/integration/error_growth.hpp"
+
+#include "support.hpp"
+
+using namespace linkwork;
+
+namespace {
+
+constexpr double g = 9.81, arm = 0.5, inertia = 0.1, mass = 2.0;               // m/s^2, m, kg m^2, kg
+const double pace = std::sqrt(mass * g * arm / (inertia + mass * arm * arm));  // of small swings [rad/s]
+
+/// A rod on a hinge in the origin, along y.
+Model pendulum(const Vec3<double>& gravity = -g * Vec3<double>::UnitZ()) {
+  Model model(gravity);
+  Body body;
+  body.mass = mass;
+  body.inertia = inertia * Mat3<double>::Identity();
+  body.position = {0.0, 0.0, -arm};
+  model.add_body("rod", body);
+  Attachment<double> at;
+  at.s_i.setZero();
+  at.s_j = {0.0, 0.0, arm};
+  at.C_i = at.C_j = Eigen::AngleAxisd(-M_PI / 2.0, Vec3<double>::UnitX()).toRotationMatrix();  // z along y
+  model.add_joint("revolute", "pin", ground, 0, at, {});
+  return model;
+}
+
+/// Its state at an angle from below and a rate.
+VectorXd state(double angle, double rate) {
+  VectorXd y = VectorXd::Zero(14);
+  y.segment<3>(0) = Eigen::AngleAxisd(angle, Vec3<double>::UnitY()) * Vec3<double>(0.0, 0.0, -arm);
+  y.segment<4>(3) << std::cos(angle / 2.0), 0.0, std::sin(angle / 2.0), 0.0;
+  y.segment<3>(7) = (rate * Vec3<double>::UnitY()).cross(Vec3<double>(y.segment<3>(0)));
+  y[11] = rate;
+  return y;
+}
+
+template <class Motion>
+StateLog log_of(double t_end, int states, Motion motion) {
+  StateLog log(1, 0);
+  for (int k = 0; k <= states; ++k) log.add(t_end * k / states, motion(t_end * k / states), VectorXd());
+  return log;
+}
+
+/// Of an angle that was off at the start, with lengths and speeds that say the same of angles and rates.
+std::vector<ErrorGrowth> growth(const Model& model, const StateLog& log, const VectorXd& off, const VectorXd& exact,
+                                double of_rate, std::int64_t most = 100'000) {
+  Dynamics dynamics(model, Options());
+  const auto errors = [&](std::size_t, double) { return std::vector<StepDifference>{{0.0, off, exact}}; };
+  return find_error_growth(dynamics, log, errors, VectorXd::Ones(1), VectorXd::Constant(1, of_rate), most);
+}
+
+}  // namespace
+
+TEST_CASE("beside an upright pendulum an angle grows by its hyperbolic cosine, however far apart states are known") {
+  const auto upright = [](double) { return state(M_PI, 0.0); };
+  for (const int states : {4, 40, 400}) {
+    const double t_end = 3.0;
+    const auto found = growth(pendulum(), log_of(t_end, states, upright), state(M_PI + 1e-6, 0.0), upright(0), pace);
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].until == doctest::Approx(t_end));
+    CHECK(found[0].of_part[0] == doctest::Approx(std::cosh(pace * t_end)).epsilon(0.02));
+  }
+}
+
+TEST_CASE("below it comes and goes") {
+  const auto below = [](double) { return state(0.0, 0.0); };
+  const auto found = growth(pendulum(), log_of(50.0, 2000, below), state(1e-6, 0.0), below(0.0), pace);
+  CHECK(found[0].of_part[0] == doctest::Approx(1.0).epsilon(1e-3));
+}
+
+TEST_CASE("without forces an error of the rate makes one of the angle in proportion to time") {
+  const auto turning = [](double t) { return state(2.0 * t, 2.0); };
+  const auto found =
+      growth(pendulum(Vec3<double>::Zero()), log_of(9.0, 300, turning), state(0.0, 2.0 + 1e-6), state(0.0, 2.0), 2.0);
+  CHECK(found[0].of_part[0] == doctest::Approx(2.0 * 9.0).epsilon(0.01));  // of the rate it was 1 / 2 of the speed
+}
+
+TEST_CASE("what misses the equations of the joints is taken back, and does not grow") {
+  const auto below = [](double) { return state(0.0, 0.0); };
+  VectorXd off = state(1e-6, 0.0);
+  off[1] += 1e-6;  // along the hinge
+  off[9] += 1e-4;  // against it
+  const auto found = growth(pendulum(), log_of(50.0, 2000, below), off, below(0.0), pace);
+  CHECK(found[0].of_part[0] == doctest::Approx(1.0).epsilon(1e-3));
+}
+
+TEST_CASE("with few evaluations it is followed as far as these go") {
+  const auto turning = [](double t) { return state(2.0 * t, 2.0); };
+  const auto found = growth(pendulum(Vec3<double>::Zero()), log_of(9.0, 300, turning), state(0.0, 2.0 + 1e-6),
+                            state(0.0, 2.0), 2.0, 200);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].until > 0.5);
+  CHECK(found[0].until < 8.0);
+  CHECK(found[0].of_part[0] == doctest::Approx(2.0 * found[0].until).epsilon(0.1));
+}
+
+TEST_CASE("of one state, and where there is no error, nothing grows") {
+  const auto below = [](double) { return state(0.0, 0.0); };
+  CHECK(growth(pendulum(), log_of(0.0, 0, below), state(1e-6, 0.0), below(0.0), pace).empty());
+  const auto found = growth(pendulum(), log_of(1.0, 9, below), below(0.0), below(0.0), pace);
+  CHECK(found[0].of_part[0] == 1.0);
+}

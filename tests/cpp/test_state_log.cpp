@@ -1,0 +1,68 @@
+#include "linkwork/integration/state_log.hpp"
+
+#include "support.hpp"
+
+using namespace linkwork;
+
+namespace {
+
+constexpr std::size_t most = 4096;
+
+/// One body that turns by so much from one state to the next [rad].
+VectorXd turned(double angle) {
+  VectorXd y = VectorXd::Zero(14);
+  y[3] = std::cos(angle / 2.0);
+  y[4] = std::sin(angle / 2.0);
+  y[10] = 1.0;
+  return y;
+}
+
+StateLog log_of(std::size_t states, double angle) {
+  StateLog log(1, 2);
+  for (std::size_t k = 0; k < states; ++k) {
+    const auto number = static_cast<double>(k);
+    log.add(number, turned(number * angle), VectorXd::Constant(2, number));
+  }
+  return log;
+}
+
+}  // namespace
+
+TEST_CASE("a log of few states has all of them") {
+  const StateLog log = log_of(100, 0.1);
+  REQUIRE(log.size() == 100);
+  CHECK(log.t(99) == 99.0);
+  CHECK(log.y(37) == turned(3.7));
+  CHECK(log.history(37) == VectorXd::Constant(2, 37.0));
+}
+
+TEST_CASE("of many that are near each other it has every so many, to the end") {
+  const std::size_t states = 10 * most;
+  const StateLog log = log_of(states, 1e-4);
+  CHECK(log.size() <= most);
+  CHECK(log.size() > most / 2);
+  const double every = log.t(1) - log.t(0);
+  for (std::size_t k = 0; k < log.size(); ++k) {
+    CHECK(log.t(k) == every * static_cast<double>(k));
+    CHECK(log.y(k) == turned(1e-4 * log.t(k)));
+    CHECK(log.history(k)[1] == log.t(k));
+  }
+  CHECK(log.t(log.size() - 1) > static_cast<double>(states) - 1.5 * every);
+}
+
+TEST_CASE("of many that are far from each other it has the first ones, as those left would be too far") {
+  const StateLog log = log_of(3 * most, 0.2);
+  REQUIRE(log.size() == most);
+  CHECK(log.t(most - 1) == static_cast<double>(most - 1));
+}
+
+TEST_CASE("a log that has ended, and one of a large model, take nothing") {
+  StateLog log = log_of(5, 0.1);
+  log.end();
+  log.add(5.0, turned(0.5), VectorXd::Zero(2));
+  CHECK(log.size() == 5);
+  const int bodies = 10'000;
+  StateLog large(bodies, 0);
+  large.add(0.0, VectorXd::Zero(13 * bodies + 1), VectorXd());
+  CHECK(large.size() == 0);
+}

@@ -1,0 +1,126 @@
+"""Unstable and chaotic motion: errors of steps are followed as they grow, so that the verdict knows of it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import linkwork as lw
+import numpy as np
+import pytest
+from linkwork import mechanisms
+from linkwork.accuracy.measures import Bodies, Differences, Sampled, Scales
+
+METHODS: tuple[dict[str, Any], ...] = (
+    {"rtol": 1e-5}, {"rtol": 1e-7}, {"step": 0.01, "integrator": "rk4"}, {"step": 2e-3, "integrator": "heun"},
+)  # fmt: skip
+
+
+def rods(*angles: float, gravity: float = 9.81) -> lw.Model:
+    """Of 1 m and 1 kg, one on the other on hinges along y, at these angles from upright."""
+    model = lw.Model(gravity=(0, 0, -gravity))
+    end = np.zeros(3)
+    for k, angle in enumerate(angles):
+        way = np.array([np.sin(angle), 0, np.cos(angle)])
+        model.body(f"rod {k}", mass=1.0, inertia=(1 / 12, 1 / 12, 1e-3), position=end + way / 2,
+                   orientation=(np.cos(angle / 2), 0, np.sin(angle / 2), 0))  # fmt: skip
+        model.revolute(f"rod {k - 1}" if k else "ground", f"rod {k}", at=end, axis=(0, 1, 0))
+        end = end + way
+    return model
+
+
+def run(model: lw.Model, t_end: float, **how: Any) -> lw.Result:
+    times = {"times": np.linspace(0, t_end, 301)} if "rtol" in how else {"record_every": 1}
+    return lw.simulate(model, t_end, **how, **times, on_inaccurate="pass", progress=False)
+
+
+def true_error(model: lw.Model, result: lw.Result) -> float:
+    times = result.t
+    exact = lw.simulate(model, float(times[-1]), rtol=1e-12, atol=1e-15, integrator="dop853", times=times,
+                        on_inaccurate="pass", progress=False)  # fmt: skip
+    reference = Sampled.of(exact)
+    apart = Differences.between(Sampled.of(result), reference)
+    return float(apart.state(Scales.of(reference, Bodies.of(exact.header))).max())
+
+
+def said_by_true(model: lw.Model, result: lw.Result) -> float:
+    """Where both are all of the motion, there is nothing more to say."""
+    assert result.verdict is not None
+    true = true_error(model, result)
+    return 1.0 if result.verdict.error > 0.5 < true else result.verdict.error / true
+
+
+@pytest.mark.parametrize("how", METHODS, ids=str)
+@pytest.mark.parametrize("angle", [0.1, 0.01, 1e-4, 1e-8])
+def test_a_rod_that_falls_from_upright_is_as_far_off_as_it_is_said_to_be(angle: float, how: Any) -> None:
+    model = rods(angle)
+    assert 0.5 < said_by_true(model, run(model, 8.0 + 0.1 / angle**0.2, **how)) < 300
+
+
+@pytest.mark.parametrize("how", METHODS, ids=str)
+@pytest.mark.parametrize("angles", [(1.6, 1.6), (1e-6, -2e-6, 1e-6), (1.5, 1.8, 1.2, 2.0)], ids=str)
+def test_rods_that_move_chaotically_are_not_said_to_be_better_than_they_are(
+    angles: tuple[float, ...], how: Any
+) -> None:
+    model = rods(*angles)
+    assert said_by_true(model, run(model, 6.0, **how)) > 0.5
+
+
+def test_what_is_unstable_is_told_with_by_how_much_errors_grow() -> None:
+    verdict = run(rods(1e-3), 6.0, rtol=1e-6).verdict
+    assert verdict is not None and verdict.growth is not None
+    assert verdict.growth > 1e4
+    assert verdict.level != "good" and "errors grow" in verdict.sentence
+
+
+def test_how_errors_grow_does_not_depend_on_units_nor_on_the_place() -> None:
+    def made(length: float, mass: float, shift: float) -> lw.Model:
+        model = lw.Model(gravity=(0, 0, -9.81 * length))
+        at = np.array([shift, 0, 0])
+        model.body("rod", mass=mass, inertia=np.array([1, 1, 0.01]) * mass * length**2 / 12,
+                   position=at + length * np.array([np.sin(0.01), 0, np.cos(0.01)]) / 2,
+                   orientation=(np.cos(0.005), 0, np.sin(0.005), 0))  # fmt: skip
+        model.revolute("ground", "rod", at=at, axis=(0, 1, 0))
+        return model
+
+    found = []
+    for length, mass, shift in ((1.0, 1.0, 0.0), (1e-3, 1e-9, 0.0), (1e3, 1e6, 0.0), (1.0, 1.0, 100.0)):
+        verdict = run(made(length, mass, shift * length), 5.0, step=0.01, integrator="rk4").verdict
+        assert verdict is not None and verdict.growth is not None
+        found.append(verdict.growth)
+    assert np.allclose(found, found[0], rtol=0.05)
+
+
+@pytest.mark.parametrize("name", ["four_bar", "bricard", "stewart_platform", "double_wishbone", "heavy_top"])
+def test_regular_motion_is_not_called_unstable(name: str) -> None:
+    verdict = run(getattr(mechanisms, name)(), 2.0, step=1e-3, integrator="rk4").verdict
+    assert verdict is not None
+    assert "grow" not in verdict.sentence and verdict.level == "good"
+
+
+def test_an_inherited_error_grows_on() -> None:
+    """A run that is good by itself goes on from one that is not that good, in the same unstable motion."""
+    model = rods(1e-3)
+    first = run(model, 2.0, rtol=1e-4)
+    second = lw.simulate(model, 6.0, rtol=1e-9, start=first.snapshot(), times=np.linspace(2, 6, 101),
+                         on_inaccurate="pass", progress=False)  # fmt: skip
+    assert second.verdict is not None and first.verdict is not None
+    assert second.verdict.before > 30 * first.verdict.error
+
+
+def test_a_law_of_the_users_own_that_drives_away_is_seen() -> None:
+    """x'' = 9 x - x^3 from 1e-6: leaves the saddle, and comes back to it time and again."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("mass", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1e-6, 0, 0))
+    joint = model.translational("ground", "mass", at=(1e-6, 0, 0), axis=(1, 0, 0))
+    model.joint_force(joint, lambda t, x, v: 9 * (x + 1e-6) - (x + 1e-6) ** 3)
+    result = run(model, 10.0, rtol=1e-6)
+    assert said_by_true(model, result) > 0.5
+
+
+def test_what_contacts_do_is_not_followed() -> None:
+    model = lw.Model(gravity=(0, 0, -9.81))
+    model.body("ball", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0, 0, 1.0))
+    model.sphere_plane_contact("ground", "ball", at=((0, 0, 0), (0, 0, 1.0)), normal=(0, 0, 1), radius=0.1,
+                               stiffness=1e6)  # fmt: skip
+    verdict = run(model, 3.0, rtol=1e-8).verdict
+    assert verdict is not None and (verdict.growth or 1.0) < 100
