@@ -105,7 +105,7 @@ def _is_nearly_steady(eq: Equations, v: Floats, now: Coefficients, near: float) 
     known."""
     if now.D.shape[1] > DENSE:
         return False
-    Z = null_space(eq, now.D)
+    Z = null_space(eq.scale, now.D)
     speed = float(np.abs(v / eq.scale).max(initial=0.0))
     forces = Z.T @ now.unbalanced
     change = np.hstack([eq.length * (Z.T @ (now.K @ Z)), speed * (Z.T @ (now.C @ Z))])

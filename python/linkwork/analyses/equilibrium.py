@@ -196,7 +196,7 @@ class _Search:
             soft = softest(self.eq, q, self._balance(q)[1])
             if soft.kink or not soft.stiffness < -soft.neutral:
                 break
-            away = self._moved(q, 0.01 * soft.motion / self._reach(soft.motion))
+            away = self._moved(q, 0.01 * soft.away / self._reach(soft.away))
             if away is None:
                 break
             q = away[0]

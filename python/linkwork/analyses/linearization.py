@@ -205,7 +205,7 @@ def _linearized(model: Model, start: Snapshot | None, modes: int | None, near: f
     now = _in_balance(eq, at)
     warn_of_time(eq, at, now.doubts)
     steadiness = Steadiness(eq, at, now) if np.any(at.v) else None
-    Z = null_space(eq, now.fixed) if now.D.shape[1] <= DENSE else None
+    Z = null_space(eq.scale, now.fixed) if now.D.shape[1] <= DENSE else None
     if steadiness is not None:
         steadiness.refuse_change(Z)
     eigenvalues, shapes = _modes(eq, now, Z, modes, near)

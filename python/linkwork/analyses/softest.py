@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from linkwork.analyses.eigenmodes import softest_by_lanczos
 from linkwork.analyses.kinks import Kink, kink
@@ -20,6 +21,9 @@ __all__ = ["Softest", "softest"]
 #: Stiffness below this part of the terms that it is the sum of, and of the largest, counts as none.
 NEUTRAL, EPSILON = 1e-9, 1e-14
 
+#: Which are looked at one by one.
+MOST_PARTS = 2000
+
 
 class Softest(NamedTuple):
     stiffness: float  # [N/m]; NaN: the joints leave no motion
@@ -27,6 +31,7 @@ class Softest(NamedTuple):
     neutral: float  # which stiffness would be rounding of the terms that it is the sum of [N/m]
     kink: Kink | None  # where there is one stiffness is none
     symmetric: bool  # the stiffness of what has a potential, which alone decides whether motions grow
+    away: Floats  # (6n,): each part that is pushed away, in its own softest motion, as far as any other
 
 
 def softest(eq: Equations, q: Floats, multipliers: Floats) -> Softest:
@@ -36,21 +41,51 @@ def softest(eq: Equations, q: Floats, multipliers: Floats) -> Softest:
     D = eq.terms(0.0, q).D
     D = D[eq.independent(D)]
     symmetric = bool(eq.holonomic.all()) and has_potential(eq, found)
-    value, x = _smallest(eq, found.K, D, symmetric)
+    of_parts = _smallest_of_parts(eq, found.K, D, symmetric)
+    value, x = min(of_parts, key=lambda it: np.nan_to_num(it[0], nan=np.inf))
     noise = float(found.rounding(x, NEUTRAL)) / (float(np.sum((x / eq.scale) ** 2)) or 1.0)
+    neutral = noise + EPSILON * _stiffest(eq, found.parts)
     at = Snapshot(0.0, q.reshape(-1, 7), rest.reshape(-1, 6))
-    return Softest(
-        value, x, noise + EPSILON * _stiffest(eq, found.parts), kink(eq, at, D, found.doubt), symmetric
-    )
+    away = np.zeros_like(rest)
+    for own_value, motion in of_parts:
+        if own_value < -neutral:
+            away += motion / np.abs(motion / eq.scale).max()
+    return Softest(value, x, neutral, kink(eq, at, D, found.doubt), symmetric, away)
 
 
-def _smallest(eq: Equations, K: Sparse, D: Sparse, symmetric: bool) -> tuple[float, Floats]:
+def _smallest_of_parts(eq: Equations, K: Sparse, D: Sparse, symmetric: bool) -> list[tuple[float, Floats]]:
+    """Of those that neither joints nor stiffness connects; of very many in one."""
+    part = _parts(K, D)
+    if not 1 < (count := int(part.max(initial=0)) + 1) <= MOST_PARTS:
+        return [_smallest(eq.scale, K, D, symmetric, _stiffest(eq, K))]
+    K, D, out = K.tocsr(), D.tocsc(), []
+    for k in range(count):
+        own = np.flatnonzero(part == k)
+        own_K, own_D = K[own][:, own], D[:, own].tocsr()
+        own_D = own_D[np.diff(own_D.indptr) > 0]
+        value, x = _smallest(eq.scale[own], own_K, own_D, symmetric, _stiffest(eq, K))
+        motion = np.zeros(len(part))
+        motion[own] = x
+        out.append((value, motion))
+    return out
+
+
+def _parts(K: Sparse, D: Sparse) -> NDArray[np.intp]:
+    """Of each coordinate (6n,)."""
+    from scipy.sparse import eye_array, kron
+    from scipy.sparse.csgraph import connected_components
+
+    bodies = kron(eye_array(K.shape[0] // 6), np.ones((6, 6)))
+    return np.asarray(connected_components(abs(K) + abs(D).T @ abs(D) + bodies, directed=False)[1])
+
+
+def _smallest(scale: Floats, K: Sparse, D: Sparse, symmetric: bool, stiffest: float) -> tuple[float, Floats]:
     if D.shape[1] > DENSE:
         from scipy.sparse import diags_array
 
-        W = diags_array(1 / eq.scale**2).tocsr()
-        return softest_by_lanczos(W, (K + K.T) / 2, D, _stiffest(eq, K))
-    Z = null_space(eq, D)
+        W = diags_array(1 / scale**2).tocsr()
+        return softest_by_lanczos(W, (K + K.T) / 2, D, stiffest)
+    Z = null_space(scale, D)
     if not Z.shape[1]:
         return np.nan, np.zeros(len(Z))
     k = Z.T @ (K @ Z)

@@ -231,7 +231,7 @@ def free_motions(equations: Equations, D: Sparse, count: int) -> Floats:
     Of large models what D leaves of random motions.
     """
     if D.shape[1] <= DENSE:
-        return null_space(equations, D)[:, :count]
+        return null_space(equations.scale, D)[:, :count]
     from scipy.sparse import diags_array
 
     W, rows = diags_array(1 / equations.scale).tocsr(), equations.independent(D)
@@ -253,14 +253,14 @@ def _localized(Z: Floats) -> Floats:
     return Z
 
 
-def null_space(equations: Equations, D: Sparse) -> Floats:
+def null_space(scale: Floats, D: Sparse) -> Floats:
     """Z (6n, f): a basis of the motions with D x = 0, orthonormal in scaled columns."""
-    scaled = np.asarray(D.todense()) * equations.scale
+    scaled = np.asarray(D.todense()) * scale
     length = np.linalg.norm(scaled, axis=1, keepdims=True)
     scaled = np.divide(scaled, length, out=np.zeros_like(scaled), where=length > 0)
     _, sigma, Vt = np.linalg.svd(scaled, full_matrices=True)
     rank = int(np.count_nonzero(sigma > RANK_TOLERANCE * sigma[0])) if len(sigma) and len(scaled) else 0
-    basis: Floats = equations.scale[:, None] * _localized(Vt[rank:].T)
+    basis: Floats = scale[:, None] * _localized(Vt[rank:].T)
     return basis
 
 
