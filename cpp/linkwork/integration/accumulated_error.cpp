@@ -8,7 +8,9 @@ namespace linkwork {
 namespace {
 
 constexpr double growth = 5.0;         // characteristic times L / V in which an error of a velocity moves positions
-constexpr double irregular = 15.0;     // growth of errors, relative to t V / L: beyond, motion is unstable
+constexpr double followed = 0.9;       // share of a run: beyond, its end is known
+constexpr double of_regular = 0.05;    // growth that counts
+constexpr double irregular = 20.0;     // growth of errors, relative to t V / L: beyond, motion is unstable
 constexpr double steep = 10.0;         // times the mean of its part: a change of accelerations out of the ordinary
 constexpr double sudden = 2.0;         // mean turning, up to which peaks of accelerations are those of bursts alone
 constexpr double burst = 0.5;          // of the largest acceleration: one, as of a bounce
@@ -310,30 +312,34 @@ class Accumulation {
   }
 
   double accumulated() {
-    const double usual = state(), unstable = grown();
+    const double usual = state(), unstable = grown(), first = all_parts().front()->t;
     for (const ErrorGrowth& it : errors_.growth) {
-      out_.growth = std::fmax(out_.growth, factor(it));
-      out_.unstable = std::max(out_.unstable, unstable_factor(it));
+      if (it.until >= followed * out_.seconds + first || factor(it) > regular_factor(it))
+        out_.growth = std::fmax(out_.growth, factor(it));
+      if (factor(it) > regular_factor(it)) out_.unstable = std::max(out_.unstable, factor(it));
     }
-    out_.grows = unstable > usual;
+    out_.grows = unstable > usual && out_.unstable > 1.0;
     return std::max(usual, unstable);
   }
 
   double factor(const ErrorGrowth& it) const { return it.of_part[static_cast<Eigen::Index>(part_)]; }
 
-  /// Where it is no more than that of regular motion, in proportion to time, none: what becomes of errors of energies
-  /// there, which come and go, their balance says.
-  double unstable_factor(const ErrorGrowth& it) const {
-    const double regular = (1.0 + V_ / L_ * (it.until - it.t)) * std::max(largest_pace(), 1.0);
-    return factor(it) > irregular * regular ? factor(it) : 1.0;
+  double regular_factor(const ErrorGrowth& it) const {
+    return irregular * (1.0 + V_ / L_ * (it.until - it.t)) * std::max(largest_pace(), 1.0);
+  }
+
+  /// That of regular motion, in proportion to time, counts by a part: what becomes of errors of energies there, which
+  /// come and go, their balance says.
+  double counted_factor(const ErrorGrowth& it) const {
+    return std::max(factor(it) * std::clamp(factor(it) / regular_factor(it), of_regular, 1.0), 1.0);
   }
 
   /// Of an error that arises at t: the larger one of those before and after it.
   double growth_from(double t) const {
     const std::vector<ErrorGrowth>& all = errors_.growth;
     const auto next = std::find_if(all.begin(), all.end(), [t](const ErrorGrowth& it) { return it.t > t; });
-    const double before = next == all.begin() ? 1.0 : unstable_factor(*(next - 1));
-    return next == all.end() ? before : std::max(before, unstable_factor(*next));
+    const double before = next == all.begin() ? 1.0 : counted_factor(*(next - 1));
+    return next == all.end() ? before : std::max(before, counted_factor(*next));
   }
 
   /// The errors of all steps as they have become, where it is known how they grow.

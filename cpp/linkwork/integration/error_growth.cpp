@@ -9,21 +9,29 @@
 #include "linkwork/integration/state_difference.hpp"
 #include "linkwork/math/interruption.hpp"
 #include "linkwork/math/rotation.hpp"
+#include "linkwork/model/joint_kind.hpp"
 
 namespace linkwork {
 namespace {
 
-constexpr double fewest_errors = 2.0, most_errors = 6.0;
-constexpr double small = 1e-7;  // of lengths and speeds: perturbations that stand for a derivative
+constexpr double fewest_errors = 1.0, most_errors = 6.0;
+constexpr double least = 1e-250;  // error that is one at all
+constexpr double small = 1e-7;    // of lengths and speeds: perturbations that stand for a derivative
 // From one state to the next, at most: of lengths, speeds and angles; rate of an error times the time between.
-constexpr double change = 0.25, resolved = 0.6;
+constexpr double near = 0.25, resolved = 0.6;
+// Of its velocity, by how much that of a cubic may be another one; of the largest of all, which is none.
+constexpr double smooth = 0.03, none = 1e-12;
 // By how much two stages of a step may differ, relative to the error; far beyond the step is taken again in parts.
-constexpr double apart = 2e-3, too_far = 10.0;
+constexpr double usual_difference = 2e-3, fine_difference = 4e-5, too_far = 10.0;
 constexpr double most_parts = 64.0, least_way = 0.1, least_density = 0.5;
 constexpr double forgotten = 0.7;  // of the rate of an error, from one step to the next
 constexpr double fast = 0.02;      // share of the largest kinetic energy
 // Steps for each that the motion alone would ask for; evaluations in one, of each error as errors begin later.
 constexpr double usual_density = 2.0, of_motion = 2.0, of_error = 2.0;
+// Growth, relative to that of regular motion, from which it is followed farther, and from which it is found again in
+// finer steps; by so many times the evaluations.
+constexpr double suspicious = 4.0, doubtful = 20.0;
+constexpr int more = 5;
 
 /// An error of a state, in space: of each body dr, dphi, dv, and d omega in body axes.
 struct Perturbation {
@@ -36,6 +44,12 @@ struct Perturbation {
   double rate = 0.0;       ///< [1/s]
 };
 
+bool all_holonomic(const Model& model) {
+  for (int k = 0; k < static_cast<int>(model.joints().size()); ++k)
+    if (!model.special_joint(k) && joint_kinds()[model.joints()[k].kind].info.velocity_rows() > 0) return false;
+  return true;
+}
+
 bool all_may_conserve(const System& system) {
   const std::vector<bool> parts = may_conserve(system);
   return system.inerters().empty() && std::all_of(parts.begin(), parts.end(), [](bool it) { return it; });
@@ -43,14 +57,18 @@ bool all_may_conserve(const System& system) {
 
 class GrowthSearch {
  public:
-  GrowthSearch(Dynamics& dynamics, const StateLog& log, const VectorXd& lengths, const VectorXd& speeds)
+  GrowthSearch(Dynamics& dynamics, const StateLog& log, const MovingAxes& axes, const VectorXd& lengths,
+               const VectorXd& speeds, double difference)
       : dynamics_(dynamics),
         system_(dynamics.system()),
         connected_(ConnectedParts::of(system_)),
         log_(log),
+        axes_(axes),
         lengths_(lengths),
         speeds_(speeds),
+        most_difference_(difference),
         conservative_(all_may_conserve(dynamics.system())),
+        holonomic_(all_holonomic(dynamics.system().model())),
         other_v_dot_(system_.v_size()),
         lambda_(VectorXd::Zero(system_.row_count())),
         most_change_(VectorXd::Zero(lengths.size())) {}
@@ -84,7 +102,8 @@ class GrowthSearch {
     } catch (const std::exception& error) {  // functions of the user's throw what they like
       if (is_interruption(error)) throw;
     }
-    for (const Perturbation& it : carried_) out[it.place] = {out[it.place].t, here_.t, it.largest};
+    for (ErrorGrowth& it : out) it.until = here_.t;
+    for (const Perturbation& it : carried_) out[it.place].of_part = it.largest;
     return out;
   }
 
@@ -97,10 +116,8 @@ class GrowthSearch {
     std::size_t next = 0;
     if (!go_to(log_.t(0), log_.y(0), 0)) return;
     for (std::size_t k = 0;;) {
-      for (; next < errors.size() && errors[next].t <= log_.t(k); ++next) {
-        out.push_back({errors[next].t, errors[next].t, VectorXd::Ones(lengths_.size())});
-        begin(next, errors[next]);
-      }
+      for (; next < errors.size() && errors[next].t <= log_.t(k); ++next)
+        if (begin(out.size(), errors[next])) out.push_back({errors[next].t, errors[next].t, carried_.back().largest});
       if (k + 1 == log_.size()) return;
       const std::size_t following = next_state(k, next < errors.size() ? errors[next].t : INFINITY);
       if (!carry(k, following)) return;
@@ -175,8 +192,8 @@ class GrowthSearch {
     }
   }
 
-  /// As if it were one of the state where this is.
-  void begin(std::size_t place, const StepDifference& error) {
+  /// As if it were one of the state where this is; false: there is none, or nothing is known of it.
+  bool begin(std::size_t place, const StepDifference& error) {
     const Eigen::Index q_size = system_.q_size(), v_size = system_.v_size();
     Perturbation it;
     it.place = place;
@@ -189,22 +206,25 @@ class GrowthSearch {
     }
     take_violations_back(it);
     it.first = size(it.way, it.velocity);
-    if (!(it.first.maxCoeff() > 0.0)) return;
+    if (!is_some(it.first)) return false;
     it.largest = VectorXd::Ones(lengths_.size());
     it.energy = energies(it);
-    find_acceleration(it);
+    if (evaluations_ > most_ || !find_acceleration(it)) return false;
     carried_.push_back(std::move(it));
+    return true;
   }
 
-  /// Of the error, which stabilization does.
+  static bool is_some(const VectorXd& size) { return size.maxCoeff() > least && size.allFinite(); }
+
+  /// Of the error, which stabilization does. Rows of velocities alone, of wheels that roll, say nothing of poses.
   void take_violations_back(Perturbation& it) {
     if (system_.row_count() == 0) return turn(it.way);
     evaluations_ += 3;
     dynamics_.evaluate(here_.t, here_.y);
     const VectorXd rates = dynamics_.evaluation().Phi_dot;
-    it.way = allowed(it.way, VectorXd::Zero(system_.row_count()));
+    if (holonomic_) it.way = allowed(it.way, VectorXd::Zero(system_.row_count()));
     turn(it.way);
-    const double by = small / std::max(size(it.way, it.velocity).maxCoeff(), 1e-300);
+    const double by = small / std::max(size(it.way, it.velocity).maxCoeff(), least);
     dynamics_.evaluate(here_.t, moved(it.way, VectorXd::Zero(system_.v_size()), by));
     const VectorXd b = (rates - dynamics_.evaluation().Phi_dot) / by;
     dynamics_.evaluate(here_.t, here_.y);
@@ -290,9 +310,11 @@ class GrowthSearch {
       const int part = connected_.of_body(body);
       const Eigen::Index r = r_of(body), v = system_.q_size() + v_of(body);
       if (!(speeds_[part] > 0.0)) continue;
-      out = std::max({out, (y.segment<3>(r) - here_.y.segment<3>(r)).norm() / (change * lengths_[part]),
-                      2.0 * (y.segment<4>(r + 3) - here_.y.segment<4>(r + 3)).norm() / change,
-                      (y.segment<3>(v) - here_.y.segment<3>(v)).norm() / (change * speeds_[part])});
+      Vec3<double> way = y.segment<3>(r) - here_.y.segment<3>(r);
+      if (!axes_.part.empty()) way -= (log_.t(k) - here_.t) * axes_.velocity.col(part);
+      out = std::max({out, way.norm() / (near * lengths_[part]),
+                      2.0 * (y.segment<4>(r + 3) - here_.y.segment<4>(r + 3)).norm() / near,
+                      (y.segment<3>(v) - here_.y.segment<3>(v)).norm() / (near * speeds_[part])});
     }
     return density_ * out;
   }
@@ -300,8 +322,31 @@ class GrowthSearch {
   /// The last one of the log, or up to a time, that is near enough.
   std::size_t next_state(std::size_t k, double until) const {
     std::size_t out = k + 1;
-    while (out + 1 < log_.size() && log_.t(out) < until && distance(out + 1) <= 1.0) ++out;
+    while (out + 1 < log_.size() && log_.t(out) < until && distance(out + 1) <= 1.0 && is_smooth(k, out + 1)) ++out;
     return out;
+  }
+
+  /// Whether the cubic from state k, where this is, to another goes as the run did halfway: what is small beside what comes
+  /// later counts by its own size.
+  bool is_smooth(std::size_t k, std::size_t end) const {
+    const std::size_t middle = k + (end - k) / 2;
+    if (middle == k) return true;
+    const double h = log_.t(end) - here_.t;
+    const VectorXd last = log_.y(end), there = log_.y(middle);
+    const VectorXd cubic = between(here_.y, last, h, (log_.t(middle) - here_.t) / h);
+    for (int body = 0; body < system_.body_count(); ++body) {
+      const int part = connected_.of_body(body);
+      const Eigen::Index v = system_.q_size() + v_of(body);
+      const Vec3<double> whole = axes_.part.empty() ? Vec3<double>::Zero() : Vec3<double>(axes_.velocity.col(part));
+      const auto size = [&](const VectorXd& y) {
+        return std::max((y.segment<3>(v) - whole).norm(), lengths_[part] * y.segment<3>(v + 3).norm());
+      };
+      const double off = std::max((cubic.segment<3>(v) - there.segment<3>(v)).norm(),
+                                  lengths_[part] * (cubic.segment<3>(v + 3) - there.segment<3>(v + 3)).norm());
+      const double least_speed = none * (speeds_[part] + whole.norm());
+      if (off > smooth * std::max({size(here_.y), size(there), size(last)}) + least_speed) return false;
+    }
+    return true;
   }
 
   /// All of them on to a state of the log, by some between where it is far, or where stages differ too much.
@@ -317,7 +362,7 @@ class GrowthSearch {
       const Place before = here_;
       std::vector<Perturbation> carried = carried_;
       if (!carry_to(first.t + h * next, at(next), at(0.5 * (share + next)), k)) return false;
-      if (stages_apart_ > too_far * apart) {
+      if (stages_apart_ > too_far * most_difference_) {
         here_ = before;
         carried_ = std::move(carried);
         parts *= 2.0;
@@ -326,7 +371,7 @@ class GrowthSearch {
       share = next;
       worst = std::max(worst, stages_apart_);
     }
-    const double wanted = parts / std::max(way, least_way) * std::cbrt(worst / apart);
+    const double wanted = parts / std::max(way, least_way) * std::sqrt(worst / most_difference_);
     density_ = std::clamp(std::clamp(wanted, density_ / 2.0, density_ * 2.0), least_density, most_parts);
     return true;
   }
@@ -384,6 +429,7 @@ class GrowthSearch {
     if (!go_to(t, y, k) || !accelerate_stages()) return false;
     add(1.0 / 6.0, 0.0);
     carried_ = std::move(sum);
+    std::erase_if(carried_, [this](const Perturbation& it) { return !is_some(size(it.way, it.velocity)); });
     for (Perturbation& it : carried_) {
       if (!find_acceleration(it)) return false;
       if (system_.row_count() > 0) go_back_to_constraints(it);
@@ -410,8 +456,10 @@ class GrowthSearch {
   const System& system_;
   const ConnectedParts& connected_;
   const StateLog& log_;
+  const MovingAxes& axes_;
   const VectorXd &lengths_, &speeds_;
-  bool conservative_;
+  double most_difference_;
+  bool conservative_, holonomic_;
   struct Place {
     double t = 0.0;
     VectorXd y, v_dot;
@@ -429,13 +477,40 @@ class GrowthSearch {
 
 }  // namespace
 
+namespace {
+
+/// The largest growth relative to that of regular motion, in proportion to time.
+double irregularity(const std::vector<ErrorGrowth>& found, const VectorXd& lengths, const VectorXd& speeds) {
+  double out = 0.0;
+  for (const ErrorGrowth& it : found)
+    for (Eigen::Index part = 0; part < lengths.size(); ++part)
+      out = std::max(out, it.of_part[part] / (1.0 + speeds[part] / lengths[part] * (it.until - it.t)));
+  return out;
+}
+
+}  // namespace
+
 std::vector<ErrorGrowth> find_error_growth(Dynamics& dynamics, const StateLog& log, const ErrorsToFollow& errors,
-                                           const VectorXd& lengths, const VectorXd& speeds,
+                                           const MovingAxes& axes, const VectorXd& lengths, const VectorXd& speeds,
                                            std::int64_t most_evaluations) {
   if (log.size() < 2) return {};
-  GrowthSearch search(dynamics, log, lengths, speeds);
-  const auto [count, until] = search.plan(most_evaluations);
-  return search.find(errors(count, until), most_evaluations);
+  std::vector<StepDifference> followed;
+  const auto find = [&](double difference, std::int64_t most) {
+    GrowthSearch search(dynamics, log, axes, lengths, speeds, difference);
+    if (difference == usual_difference) {
+      const auto [count, until] = search.plan(most);
+      followed = errors(count, until);
+    }
+    return search.find(followed, most);
+  };
+  std::vector<ErrorGrowth> found = find(usual_difference, most_evaluations);
+  if (found.empty()) return found;
+  const double end = log.t(log.size() - 1);
+  if (found.front().until < end && irregularity(found, lengths, speeds) > suspicious)
+    found = find(usual_difference, more * most_evaluations);
+  if (!(irregularity(found, lengths, speeds) > doubtful)) return found;
+  std::vector<ErrorGrowth> again = find(fine_difference, more * more * most_evaluations);
+  return again.size() == found.size() && again.front().until >= found.front().until ? again : found;
 }
 
 }  // namespace linkwork

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "linkwork/formulation/dynamics.hpp"
+#include "linkwork/integration/moving_axes.hpp"
 #include "linkwork/integration/state_log.hpp"
 
 namespace linkwork {
@@ -29,11 +30,11 @@ using ErrorsToFollow = std::function<std::vector<StepDifference>(std::size_t cou
 /// interpolation between; by the classical Runge-Kutta method, with a difference of two evaluations for the derivative.
 /// What it misses the equations of the joints by is taken back, as stabilization does. Memories stay as they are.
 ///
-/// Of a long run as far as so many evaluations and the log go. Nothing, where that is not known: the run is very long,
-/// or the equations have no solution nearby. `lengths`, `speeds`: by which poses and velocities of each part count [m,
-/// m/s].
+/// Of a long run as far as so many evaluations and the log go; what grows much is followed once more in finer steps, as
+/// what these leave grows, too. `lengths`, `speeds`: by which poses and velocities of each part, seen from its axes, count
+/// [m, m/s].
 std::vector<ErrorGrowth> find_error_growth(Dynamics& dynamics, const StateLog& log, const ErrorsToFollow& errors,
-                                           const VectorXd& lengths, const VectorXd& speeds,
+                                           const MovingAxes& axes, const VectorXd& lengths, const VectorXd& speeds,
                                            std::int64_t most_evaluations);
 
 }  // namespace linkwork

@@ -8,8 +8,9 @@ namespace linkwork {
 namespace {
 
 constexpr std::size_t most_bytes = 1u << 25, most_states = 4096, few_states = 200;
-constexpr double far =
-    0.15;  // of the largest speed, or an angle [rad], in the mean between states that follow each other
+// Of the range of velocities of a body, or an angle [rad], in the mean between states that follow each other; ranges
+// below this part of the largest speed are none.
+constexpr double far = 0.15, constant = 1e-9;
 
 }  // namespace
 
@@ -31,25 +32,39 @@ void StateLog::add(double t, const VectorXd& y, const VectorXd& history) {
     leave_out_every_other();
     if ((steps_ - 1) % every_ != 0) return;
   }
+  if (times_.empty()) {
+    times_.reserve(most_);
+    numbers_.reserve(most_ * row());
+  }
   times_.push_back(t);
   numbers_.insert(numbers_.end(), y.data(), y.data() + y_size_);
   numbers_.insert(numbers_.end(), history.data(), history.data() + history_size_);
 }
 
-/// The mean, of the body that goes farthest.
+/// The mean, of the body that goes farthest by what its velocity does at all.
 double StateLog::distance_between() const {
-  const Eigen::Index q_size = position_size * static_cast<Eigen::Index>(bodies_);
-  double speed = 0.0, sum = 0.0;
-  for (std::size_t k = 0; k < size(); ++k)
-    for (int body = 0; body < bodies_; ++body)
-      speed = std::max(speed, y(k).segment<3>(q_size + velocity_size * body).norm());
+  const auto velocity = [this](std::size_t k, int body) {
+    return y(k).segment<3>(position_size * static_cast<Eigen::Index>(bodies_) + velocity_size * body);
+  };
+  double sum = 0.0, largest = 0.0;
+  std::vector<double> range;
+  for (int body = 0; body < bodies_; ++body) {
+    Vec3<double> least = velocity(0, body), most = least;
+    for (std::size_t k = 1; k < size(); ++k) {
+      least = least.cwiseMin(velocity(k, body));
+      most = most.cwiseMax(velocity(k, body));
+    }
+    range.push_back((most - least).norm() / 2.0);
+    largest = std::max({largest, least.norm(), most.norm()});
+  }
   for (std::size_t k = 1; k < size(); ++k) {
-    const Eigen::Map<const VectorXd> a = y(k - 1), b = y(k);
     double farthest = 0.0;
     for (int body = 0; body < bodies_; ++body) {
-      const Eigen::Index p = position_size * static_cast<Eigen::Index>(body) + 3, v = q_size + velocity_size * body;
-      farthest = std::max(farthest, 2.0 * (b.segment<4>(p) - a.segment<4>(p)).norm());
-      if (speed > 0.0) farthest = std::max(farthest, (b.segment<3>(v) - a.segment<3>(v)).norm() / speed);
+      const Eigen::Index p = position_size * static_cast<Eigen::Index>(body) + 3;
+      farthest = std::max(farthest, 2.0 * (y(k).segment<4>(p) - y(k - 1).segment<4>(p)).norm());
+      if (range[static_cast<std::size_t>(body)] > constant * largest)
+        farthest = std::max(farthest,
+                            (velocity(k, body) - velocity(k - 1, body)).norm() / range[static_cast<std::size_t>(body)]);
     }
     sum += farthest;
   }

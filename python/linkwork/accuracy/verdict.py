@@ -17,8 +17,8 @@ go wrong.
 
 The steps are taken again when the run is over, and change nothing in it. Of runs of 10 000 steps by rk4 that
 takes 1.3 % of the time or less, of one body by Euler's method 2.5 to 4 %. Some of their errors are then
-followed as they grow, up to the first contact, by up to 10 000 evaluations, 50 000 of one body and one for
-four steps: where motion is unstable or chaotic they grow exponentially, see `error_growth.hpp`.
+followed as they grow, by up to 10 000 evaluations, or 100 000 of one body, and one for two steps; five times
+as many where motion seems unstable or chaotic, where errors grow exponentially: see `error_growth.hpp`.
 """
 
 from __future__ import annotations
@@ -63,6 +63,9 @@ VIOLATED = 10.0
 
 #: Of an estimate: what is left of it in a finer run where steps resolve what happens is less.
 HARDLY = 0.5
+
+#: Of a step: rounding adds up in as many more.
+LEAST_SHARE = 1e-6
 
 #: Of errors: beyond such a growth a motion is unstable or chaotic.
 UNSTABLE = 100.0
@@ -113,9 +116,9 @@ class Verdict:
                  digit, in steps that are short beside the distance from the origin; of velocities there, into
                  which stabilization turns violations that are rounding
     body         of the connected part that the error is of; "": all bodies are one part, or it is of no one
-    growth       of errors of steps until the end of the run, or as far as they were followed: the largest
-                 factor. In proportion to time in regular motion, exponential where it is unstable or chaotic.
-                 None: not known, as of members of ensembles, long runs of large models, and contacts
+    growth       of errors of steps until the end of the run, the largest factor: in proportion to time in
+                 regular motion, exponential where it is unstable or chaotic. None: not known, as of members
+                 of ensembles, long runs, large models, and from the first contact on
     """
 
     level: Literal["good", "coarse", "wrong"]
@@ -268,8 +271,10 @@ class Method:
 
     def _smaller(self, error: float) -> str:
         if self.rtol is None:
-            step = (self.step or 0.0) * (AIM / error) ** (1 / max(self.order, 1))
-            better = f"{_rounded(step):g} s"
+            share = (AIM / error) ** (1 / max(self.order, 1))
+            if share < LEAST_SHARE:
+                return "no step is short enough up to its end"
+            better = f"{_rounded((self.step or 0.0) * share):g} s"
         elif self.rtol * AIM / error < LEAST_RTOL:
             return "no tolerance is small enough up to its end"
         else:
@@ -302,7 +307,7 @@ def estimate(
         why = "no step could be taken again" if found["failed"] else "no step was one of the method's own"
         return without_steps(why, energies, statistics, found["violation"], before)
     (energy, delay, late), violation = _made(found, energies), found["violation"]
-    before *= found["unstable"]
+    before *= found["unstable"] if found["body"] < 0 else 1.0  # else of which part it is, nobody knows
     by_steps = before + SAFETY * _known(found["state"])
     state = max(by_steps, before + max(delay, VIOLATED * violation))
     ratio, failed, yielding = found["reactions_by_state"], found["failed"], found["yielding"]
