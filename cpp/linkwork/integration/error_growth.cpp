@@ -326,8 +326,8 @@ class GrowthSearch {
     return out;
   }
 
-  /// Whether the cubic from state k, where this is, to another goes as the run did halfway: what is small beside what comes
-  /// later counts by its own size.
+  /// Whether the cubic from state k, where this is, to another goes as the run did halfway: what is small beside what
+  /// comes later counts by its own size.
   bool is_smooth(std::size_t k, std::size_t end) const {
     const std::size_t middle = k + (end - k) / 2;
     if (middle == k) return true;

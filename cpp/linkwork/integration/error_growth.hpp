@@ -31,8 +31,8 @@ using ErrorsToFollow = std::function<std::vector<StepDifference>(std::size_t cou
 /// What it misses the equations of the joints by is taken back, as stabilization does. Memories stay as they are.
 ///
 /// Of a long run as far as so many evaluations and the log go; what grows much is followed once more in finer steps, as
-/// what these leave grows, too. `lengths`, `speeds`: by which poses and velocities of each part, seen from its axes, count
-/// [m, m/s].
+/// what these leave grows, too. `lengths`, `speeds`: by which poses and velocities of each part count, seen from its
+/// axes [m, m/s].
 std::vector<ErrorGrowth> find_error_growth(Dynamics& dynamics, const StateLog& log, const ErrorsToFollow& errors,
                                            const MovingAxes& axes, const VectorXd& lengths, const VectorXd& speeds,
                                            std::int64_t most_evaluations);

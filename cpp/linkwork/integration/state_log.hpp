@@ -8,9 +8,9 @@
 
 namespace linkwork {
 
-/// States of a run where its steps begin: of each step of a short one, of every so many of a long one, as many as memory
-/// allows; up to where that would be too few to tell how the motion goes between them. Of models so large that these
-/// would be few, none.
+/// States of a run where its steps begin: of each step of a short one, of every so many of a long one, as many as
+/// memory allows; up to where that would be too few to tell how the motion goes between them. Of models so large that
+/// these would be few, none.
 class StateLog {
  public:
   StateLog() = default;
