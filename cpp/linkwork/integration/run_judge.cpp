@@ -370,7 +370,8 @@ void RunJudge::look_for_growth() {
   }
   const auto follow = [this](std::size_t count, double until) { return errors_to_follow(count, until); };
   const std::int64_t usual = std::min(affordable, affordable_of_bodies / dynamics_.system().body_count());
-  const std::int64_t most = (has_laws() ? affordable_of_laws : usual) + sampling_.steps() / 2;
+  const std::int64_t of_laws = std::min(affordable_of_laws, 2 * sampling_.steps());
+  const std::int64_t most = (has_laws() ? of_laws : usual) + sampling_.steps() / 2;
   out_.growth = find_error_growth(dynamics_, sampling_.log(), follow, judge_.axes(), lengths, speeds, most);
 }
 
