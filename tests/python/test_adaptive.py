@@ -147,7 +147,7 @@ def test_with_velocities_reversed_the_mechanism_goes_back(name: str) -> None:
 
 def test_a_violation_of_the_constraints_stays_at_the_tolerance() -> None:
     for rtol in (1e-5, 1e-8):
-        result = run(spherical_pendulum(), 20.0, rtol, record_every=1)
+        result = run(spherical_pendulum(), 20.0, rtol, record_every=1, on_inaccurate="pass")  # it is chaotic
         assert result.violation[:, 0].max() <= 10 * rtol
         assert result.violation[:, 1].max() <= 100 * rtol
 

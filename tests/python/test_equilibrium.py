@@ -343,6 +343,20 @@ def test_pendulums_that_nothing_joins_fall_all_at_once(count: int) -> None:
     np.testing.assert_allclose(np.array(rest.model.compiled().q0)[2::7], -0.5, atol=1e-9)
 
 
+@pytest.mark.parametrize("stiffness", [1e6, 1e10, 1e12])
+def test_a_small_pendulum_falls_beside_whatever_is_stiff(stiffness: float) -> None:
+    """That what rounding makes of the other part is more than all of its own says nothing of it."""
+    model = lw.Model()
+    model.body("slider", mass=1.0, inertia=(0.1,) * 3, position=(3, 0, 0))
+    model.translational("ground", "slider", at=(3, 0, 0), axis=(0, 0, 1))
+    model.translational_spring_damper("ground", "slider", at=(3, 0, 0), axis=(0, 0, 1), stiffness=stiffness)
+    model.body("small", mass=1e-3, inertia=(1e-8,) * 3, position=(0, 0, 0.005))
+    model.revolute("ground", "small", at=(0, 0, 0), axis=(0, 1, 0))
+    assert lw.equilibrium(model, stable=False).stability == "unstable"
+    rest = lw.equilibrium(model)
+    assert rest.stability == "stable" and rest.moved[1] == pytest.approx(0.01, rel=1e-9)
+
+
 def test_one_heavy_pendulum_upside_down_beside_89_that_hang_falls() -> None:
     model = lw.Model()
     for i in range(90):

@@ -143,8 +143,17 @@ class GrowthSearch {
   bool accelerate(const VectorXd& y, VectorXd& v_dot) {
     evaluations_ += 1;
     dynamics_.evaluate(here_.t, y);
+    if (!on_the_same_sides(dynamics_.evaluation().switches)) return false;
     dynamics_.accelerations(v_dot, lambda_);
     return evaluations_ <= most_ && v_dot.allFinite();
+  }
+
+  /// As at the start: a contact or a stop may begin between two states that know of none.
+  bool on_the_same_sides(const VectorXd& switches) {
+    if (sides_.size() != switches.size()) sides_ = switches;
+    for (Eigen::Index k = 0; k < switches.size(); ++k)
+      if ((switches[k] > 0.0) != (sides_[k] > 0.0)) return false;
+    return true;
   }
 
   /// Of each part: the largest of poses and of velocities.
@@ -468,6 +477,7 @@ class GrowthSearch {
   };
   Place here_;
   VectorXd other_v_dot_, lambda_;
+  VectorXd sides_;  ///< switches at the start
   VectorXd most_change_;       ///< of each part: twice the largest kinetic energy [J]
   double density_ = 1.0;       ///< of states on the way, by what `distance` takes for far
   double stages_apart_ = 0.0;  ///< of the last step

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from linkwork.analyses.eigenmodes import softest_by_lanczos
 from linkwork.analyses.kinks import Kink, kink
-from linkwork.analyses.stiffness import has_potential, scaled, stiffness_and_parts
+from linkwork.analyses.stiffness import Stiffness, has_potential, scaled, stiffness_and_parts
 from linkwork.arrays import Floats
 from linkwork.constraints.equations import Equations, Sparse
 from linkwork.constraints.solver import DENSE, null_space
@@ -41,32 +41,38 @@ def softest(eq: Equations, q: Floats, multipliers: Floats) -> Softest:
     D = eq.terms(0.0, q).D
     D = D[eq.independent(D)]
     symmetric = bool(eq.holonomic.all()) and has_potential(eq, found)
-    of_parts = _smallest_of_parts(eq, found.K, D, symmetric)
-    value, x = min(of_parts, key=lambda it: np.nan_to_num(it[0], nan=np.inf))
-    noise = float(found.rounding(x, NEUTRAL)) / (float(np.sum((x / eq.scale) ** 2)) or 1.0)
-    neutral = noise + EPSILON * _stiffest(eq, found.parts)
     at = Snapshot(0.0, q.reshape(-1, 7), rest.reshape(-1, 6))
-    away = np.zeros_like(rest)
-    for own_value, motion in of_parts:
-        if own_value < -neutral:
-            away += motion / np.abs(motion / eq.scale).max()
+    away, of_parts = np.zeros_like(rest), _of_parts(eq, found, D, symmetric)
+    for value, x, neutral in of_parts:
+        if value < -neutral:
+            away += x / np.abs(x / eq.scale).max()
+    # Of a stiff or large part rounding is more than what others have at all.
+    unstable = [it for it in of_parts if it[0] < -it[2]]
+    value, x, neutral = min(unstable or of_parts, key=lambda it: np.nan_to_num(it[0], nan=np.inf))
     return Softest(value, x, neutral, kink(eq, at, D, found.doubt), symmetric, away)
 
 
-def _smallest_of_parts(eq: Equations, K: Sparse, D: Sparse, symmetric: bool) -> list[tuple[float, Floats]]:
-    """Of those that neither joints nor stiffness connects; of very many in one."""
-    part = _parts(K, D)
-    if not 1 < (count := int(part.max(initial=0)) + 1) <= MOST_PARTS:
-        return [_smallest(eq.scale, K, D, symmetric, _stiffest(eq, K))]
-    K, D, out = K.tocsr(), D.tocsc(), []
+def _of_parts(
+    eq: Equations, found: Stiffness, D: Sparse, symmetric: bool
+) -> list[tuple[float, Floats, float]]:
+    """The smallest stiffness, its motion, and which would be rounding, of each part that neither joints nor
+    stiffness connects; of very many in one."""
+    part = _parts(found.K, D)
+    count = int(part.max(initial=0)) + 1
+    if count > MOST_PARTS:
+        part, count = np.zeros_like(part), 1
+    K, D, out = found.K.tocsr(), D.tocsc(), []
+    scaled_K, sizes = scaled(eq, K).tocsr(), scaled(eq, found.parts).tocsr()
     for k in range(count):
         own = np.flatnonzero(part == k)
-        own_K, own_D = K[own][:, own], D[:, own].tocsr()
+        own_D = D[:, own].tocsr()
         own_D = own_D[np.diff(own_D.indptr) > 0]
-        value, x = _smallest(eq.scale[own], own_K, own_D, symmetric, _stiffest(eq, K))
-        motion = np.zeros(len(part))
-        motion[own] = x
-        out.append((value, motion))
+        own_K, stiffest = K[own][:, own], _stiffest(scaled_K[own])
+        value, motion = _smallest(eq.scale[own], own_K, own_D, symmetric, stiffest)
+        x = np.zeros(len(part))
+        x[own] = motion
+        noise = float(found.rounding(x, NEUTRAL)) / (float(np.sum((x / eq.scale) ** 2)) or 1.0)
+        out.append((value, x, noise + EPSILON * _stiffest(sizes[own])))
     return out
 
 
@@ -99,5 +105,5 @@ def _smallest(scale: Floats, K: Sparse, D: Sparse, symmetric: bool, stiffest: fl
     return float(values[lowest].real), Z @ y[:, lowest].real
 
 
-def _stiffest(eq: Equations, K: Sparse) -> float:
-    return float(abs(scaled(eq, K)).max()) if K.nnz else 0.0
+def _stiffest(rows: Sparse) -> float:
+    return float(abs(rows).max()) if rows.nnz else 0.0
