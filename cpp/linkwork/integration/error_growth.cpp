@@ -477,7 +477,7 @@ class GrowthSearch {
   };
   Place here_;
   VectorXd other_v_dot_, lambda_;
-  VectorXd sides_;  ///< switches at the start
+  VectorXd sides_;             ///< switches at the start
   VectorXd most_change_;       ///< of each part: twice the largest kinetic energy [J]
   double density_ = 1.0;       ///< of states on the way, by what `distance` takes for far
   double stages_apart_ = 0.0;  ///< of the last step
