@@ -136,6 +136,21 @@ def test_what_is_small_now_counts_beside_what_it_becomes() -> None:
     assert said_by_true(model, run(model, 40.0, step=1e-3, integrator="heun")) > 0.5
 
 
+@pytest.mark.parametrize(
+    "how", [{"rtol": 1e-5}, {"rtol": 1e-6}, {"step": 0.01, "integrator": "rk4"}], ids=str
+)
+@pytest.mark.parametrize("beside", [0.01, 0.1, 1.0])
+def test_a_body_that_tumbles_about_its_middle_axis_again_and_again_is_regular(
+    beside: float, how: Any
+) -> None:
+    """Slow passages of an integrable motion: errors grow in proportion to time."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("top", mass=1.0, inertia=(1, 2, 3), omega=(beside, 5, beside))
+    result = run(model, 30.0, **how)
+    assert result.verdict is not None and "grow" not in result.verdict.sentence
+    assert 0.2 < said_by_true(model, result) < 100
+
+
 @pytest.mark.parametrize("name", ["four_bar", "bricard", "stewart_platform", "double_wishbone", "heavy_top"])
 def test_regular_motion_is_not_called_unstable(name: str) -> None:
     verdict = run(getattr(mechanisms, name)(), 2.0, step=1e-3, integrator="rk4").verdict

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <utility>
 
 #include "linkwork/assembly/connected_components.hpp"
 #include "linkwork/integration/energies_made.hpp"
@@ -25,13 +26,14 @@ constexpr double smooth = 0.03, none = 1e-12;
 constexpr double usual_difference = 2e-3, fine_difference = 4e-5, too_far = 10.0;
 constexpr double most_parts = 64.0, least_way = 0.1, least_density = 0.5;
 constexpr double forgotten = 0.7;  // of the rate of an error, from one step to the next
-constexpr double fast = 0.02;      // share of the largest kinetic energy
+constexpr double fast = 0.02;      // share of the largest kinetic energy so far
+constexpr double at_all = 1e-24;   // of that of the largest speed: below, velocities are rounding
 // Steps for each that the motion alone would ask for; evaluations in one, of each error as errors begin later.
 constexpr double usual_density = 2.0, of_motion = 2.0, of_error = 2.0;
 // Growth, relative to that of regular motion, from which it is followed farther, and from which it is found again in
 // finer steps; by so many times the evaluations.
 constexpr double suspicious = 4.0, doubtful = 20.0;
-constexpr int more = 5;
+constexpr std::int64_t more = 5, most_of_bodies = 1'500'000;  // evaluations of one
 
 /// An error of a state, in space: of each body dr, dphi, dv, and d omega in body axes.
 struct Perturbation {
@@ -71,7 +73,12 @@ class GrowthSearch {
         holonomic_(all_holonomic(dynamics.system().model())),
         other_v_dot_(system_.v_size()),
         lambda_(VectorXd::Zero(system_.row_count())),
-        most_change_(VectorXd::Zero(lengths.size())) {}
+        most_change_(VectorXd::Zero(lengths.size())) {
+    for (int body = 0; body < system_.body_count(); ++body) {
+      const int part = connected_.of_body(body);
+      most_change_[part] += at_all / fast * system_.mass(body) * speeds[part] * speeds[part];
+    }
+  }
 
   struct Plan {
     std::size_t count;  ///< of errors to follow
@@ -108,6 +115,13 @@ class GrowthSearch {
   }
 
  private:
+  struct Place {
+    double t = 0.0;
+    VectorXd y, v_dot;
+    VectorXd violations, rates;  ///< of the rows
+    VectorXd forces;
+  };
+
   static Eigen::Index r_of(int body) { return position_size * static_cast<Eigen::Index>(body); }
   static Eigen::Index v_of(int body) { return velocity_size * static_cast<Eigen::Index>(body); }
 
@@ -362,12 +376,13 @@ class GrowthSearch {
   bool carry(std::size_t k, std::size_t following) {
     const double way = distance(following) / density_, h = log_.t(following) - here_.t;
     const Place first = here_;
-    const VectorXd end = log_.y(following);
+    if (!go_to(log_.t(following), log_.y(following), following)) return false;
+    const Place last = std::exchange(here_, first);
     double parts = std::max(std::ceil(density_ * way), 1.0), share = 0.0, worst = 0.0;
     while (share < 1.0) {
       if (!(parts <= most_parts)) return false;
       const double next = share + 1.5 / parts < 1.0 ? share + 1.0 / parts : 1.0;
-      const auto at = [&](double s) { return s == 1.0 ? end : between(first.y, end, h, s); };
+      const auto at = [&](double s) { return s == 1.0 ? last.y : between(first, last, s); };
       const Place before = here_;
       std::vector<Perturbation> carried = carried_;
       if (!carry_to(first.t + h * next, at(next), at(0.5 * (share + next)), k)) return false;
@@ -383,6 +398,47 @@ class GrowthSearch {
     const double wanted = parts / std::max(way, least_way) * std::sqrt(worst / most_difference_);
     density_ = std::clamp(std::clamp(wanted, density_ / 2.0, density_ * 2.0), least_density, most_parts);
     return true;
+  }
+
+  /// Of the fifth degree in positions, as velocities and accelerations at both ends have it.
+  VectorXd between(const Place& begin, const Place& end, double s) const {
+    const double h = end.t - begin.t, s2 = s * s, s3 = s2 * s, s4 = s3 * s, s5 = s4 * s;
+    const double way[] = {10 * s3 - 15 * s4 + 6 * s5, h * (s - 6 * s3 + 8 * s4 - 3 * s5),
+                          h * h * (s2 - 3 * s3 + 3 * s4 - s5) / 2, h * (-4 * s3 + 7 * s4 - 3 * s5),
+                          h * h * (s3 - 2 * s4 + s5) / 2};
+    const double rate[] = {(30 * s2 - 60 * s3 + 30 * s4) / h, 1 - 18 * s2 + 32 * s3 - 15 * s4,
+                           h * (2 * s - 9 * s2 + 12 * s3 - 5 * s4) / 2, -12 * s2 + 28 * s3 - 15 * s4,
+                           h * (3 * s2 - 8 * s3 + 5 * s4) / 2};
+    const auto sum = [](const double(&of)[5], const auto& whole, const auto& v0, const auto& a0, const auto& v1,
+                        const auto& a1) {
+      return (of[0] * whole + of[1] * v0 + of[2] * a0 + of[3] * v1 + of[4] * a1).eval();
+    };
+    VectorXd out = begin.y;
+    for (int body = 0; body < system_.body_count(); ++body) {
+      const Eigen::Index r = r_of(body), own = v_of(body), v = system_.q_size() + own;
+      const Vec3<double> x = end.y.segment<3>(r) - begin.y.segment<3>(r), v0 = begin.y.segment<3>(v),
+                         v1 = end.y.segment<3>(v), a0 = begin.v_dot.segment<3>(own), a1 = end.v_dot.segment<3>(own);
+      out.segment<3>(r) += sum(way, x, v0, a0, v1, a1);
+      out.segment<3>(v) = sum(rate, x, v0, a0, v1, a1);
+      const Vec4<double> p0 = begin.y.segment<4>(r + 3), p1 = end.y.segment<4>(r + 3), turned = p1 - p0;
+      const Vec4<double> rate0 = euler_parameter_rates<double>(p0, begin.y.segment<3>(v + 3)),
+                         rate1 = euler_parameter_rates<double>(p1, end.y.segment<3>(v + 3));
+      const Vec4<double> bent0 = second_rates(p0, rate0, begin, body), bent1 = second_rates(p1, rate1, end, body);
+      const Vec4<double> p = p0 + sum(way, turned, rate0, bent0, rate1, bent1),
+                         p_dot = sum(rate, turned, rate0, bent0, rate1, bent1);
+      out.segment<4>(r + 3) = p;
+      out.segment<3>(v + 3) =
+          2.0 / p.squaredNorm() * quaternion_product<double>({p[0], -p[1], -p[2], -p[3]}, p_dot).tail<3>();
+    }
+    system_.normalize(out.head(system_.q_size()));
+    return out;
+  }
+
+  /// Of Euler parameters.
+  Vec4<double> second_rates(const Vec4<double>& p, const Vec4<double>& p_dot, const Place& at, int body) const {
+    const Vec3<double> omega = at.y.segment<3>(system_.q_size() + v_of(body) + 3);
+    return euler_parameter_rates<double>(p_dot, omega) +
+           euler_parameter_rates<double>(p, at.v_dot.segment<3>(v_of(body) + 3));
   }
 
   /// Cubic in positions, as velocities at both ends have it.
@@ -469,12 +525,6 @@ class GrowthSearch {
   const VectorXd &lengths_, &speeds_;
   double most_difference_;
   bool conservative_, holonomic_;
-  struct Place {
-    double t = 0.0;
-    VectorXd y, v_dot;
-    VectorXd violations, rates;  ///< of the rows
-    VectorXd forces;
-  };
   Place here_;
   VectorXd other_v_dot_, lambda_;
   VectorXd sides_;             ///< switches at the start
@@ -519,7 +569,8 @@ std::vector<ErrorGrowth> find_error_growth(Dynamics& dynamics, const StateLog& l
   if (found.front().until < end && irregularity(found, lengths, speeds) > suspicious)
     found = find(usual_difference, more * most_evaluations);
   if (!(irregularity(found, lengths, speeds) > doubtful)) return found;
-  std::vector<ErrorGrowth> again = find(fine_difference, more * more * most_evaluations);
+  const std::int64_t affordable = most_of_bodies / dynamics.system().body_count();
+  std::vector<ErrorGrowth> again = find(fine_difference, std::min(more * more * most_evaluations, affordable));
   return again.size() == found.size() && again.front().until >= found.front().until ? again : found;
 }
 

@@ -26,9 +26,10 @@ struct ErrorGrowth {
 using ErrorsToFollow = std::function<std::vector<StepDifference>(std::size_t count, double until)>;
 
 /// How the errors of some steps of a run grow on, to the first order: each is carried along by the equations of motion
-/// linearized about the states of the log, of which as many are taken as the motion and the error ask for, with cubic
-/// interpolation between; by the classical Runge-Kutta method, with a difference of two evaluations for the derivative.
-/// What it misses the equations of the joints by is taken back, as stabilization does. Memories stay as they are.
+/// linearized about the states of the log, of which as many are taken as the motion and the error ask for, with
+/// interpolation of the fifth degree between; by the classical Runge-Kutta method, with a difference of two evaluations
+/// for the derivative. What it misses the equations of the joints by is taken back, as stabilization does. Memories stay
+/// as they are.
 ///
 /// Of a long run as far as so many evaluations and the log go; what grows much is followed once more in finer steps, as
 /// what these leave grows, too. `lengths`, `speeds`: by which poses and velocities of each part count, seen from its
