@@ -63,7 +63,8 @@ def test_what_is_late_counts_where_accelerations_burst_without_contacts_too(
     run = lw.simulate(_trammel(light), t_end=t_end, on_inaccurate="pass", record_every=1, **how)
     assert run.verdict is not None
     true = _off(light, run)
-    assert true < run.verdict.error < 150 * true  # what is late grows on, and cancels in part
+    most = 100 if how == {"rtol": 1e-8} else 20  # there what is late grows on, and cancels in part
+    assert true < run.verdict.error < most * true
 
 
 @pytest.mark.parametrize("velocity", [0.0, 1.0, 1e4])
@@ -113,7 +114,8 @@ def test_work_that_a_force_gives_back_was_not_taken_from_the_error(e: float, rto
     exact = _velocities_in_orbit(e, run.t)
     assert run.verdict is not None
     true = float(np.linalg.norm(run.velocity[:, 0, :2] - exact, axis=1).max()) / np.sqrt((1 + e) / (1 - e))
-    assert true < run.verdict.error < 500 * true  # likewise  # likewise
+    most = 500 if rtol == 1e-9 else 20  # likewise
+    assert true < run.verdict.error < most * true
 
 
 @pytest.mark.parametrize(("integrator", "step"), [("dopri5", 0.02), ("tsit5", 0.01), ("phem56", 0.01)])
@@ -127,7 +129,7 @@ def test_energy_that_the_balance_does_not_show_is_found_by_steps(
     exact = _velocities_in_orbit(0.6, run.t)
     assert run.verdict is not None
     true = float(np.linalg.norm(run.velocity[:, 0, :2] - exact, axis=1).max()) / 2
-    assert 0.8 * true < run.verdict.error < 300 * true  # likewise
+    assert 0.8 * true < run.verdict.error < 30 * true
 
 
 def _hanging(law: bool, beside: str = "") -> lw.Model:

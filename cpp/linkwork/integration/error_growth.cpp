@@ -109,7 +109,7 @@ class GrowthSearch {
     } catch (const std::exception& error) {  // functions of the user's throw what they like
       if (is_interruption(error)) throw;
     }
-    for (ErrorGrowth& it : out) it.until = here_.t;
+    for (ErrorGrowth& it : out) it.until = reached_;
     for (const Perturbation& it : carried_) out[it.place].of_part = it.largest;
     return out;
   }
@@ -129,6 +129,7 @@ class GrowthSearch {
   void follow(const std::vector<StepDifference>& errors, std::vector<ErrorGrowth>& out) {
     std::size_t next = 0;
     if (!go_to(log_.t(0), log_.y(0), 0)) return;
+    reached_ = here_.t;
     for (std::size_t k = 0;;) {
       for (; next < errors.size() && errors[next].t <= log_.t(k); ++next)
         if (begin(out.size(), errors[next])) out.push_back({errors[next].t, errors[next].t, carried_.back().largest});
@@ -501,6 +502,7 @@ class GrowthSearch {
       go_back_to_energies(it);
       note(it);
     }
+    reached_ = t;
     return true;
   }
 
@@ -526,6 +528,7 @@ class GrowthSearch {
   double most_difference_;
   bool conservative_, holonomic_;
   Place here_;
+  double reached_ = 0.0;  ///< up to where errors were carried [s]
   VectorXd other_v_dot_, lambda_;
   VectorXd sides_;             ///< switches at the start
   VectorXd most_change_;       ///< of each part: twice the largest kinetic energy [J]
