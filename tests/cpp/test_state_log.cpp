@@ -56,6 +56,16 @@ TEST_CASE("of many that are far from each other it has the first ones, as those 
   CHECK(log.t(most - 1) == static_cast<double>(most - 1));
 }
 
+TEST_CASE("Euler parameters that change their signs are those nearer to the state before") {
+  StateLog log(1, 0);
+  for (int k = 0; k < 60; ++k) {
+    VectorXd y = turned(0.2 * k);
+    if (k % 3 == 1) y.segment<4>(3) *= -1.0;
+    log.add(k, y, VectorXd());
+  }
+  for (std::size_t k = 0; k < 60; ++k) CHECK(log.y(k) == turned(0.2 * static_cast<double>(k)));
+}
+
 TEST_CASE("a log that has ended, and one of a large model, take nothing") {
   StateLog log = log_of(5, 0.1);
   log.end();

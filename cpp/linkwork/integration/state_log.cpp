@@ -39,6 +39,16 @@ void StateLog::add(double t, const VectorXd& y, const VectorXd& history) {
   times_.push_back(t);
   numbers_.insert(numbers_.end(), y.data(), y.data() + y_size_);
   numbers_.insert(numbers_.end(), history.data(), history.data() + history_size_);
+  if (size() > 1) take_nearer_signs();
+}
+
+/// Of Euler parameters: some integrators change them, and what lies between states goes by the numbers.
+void StateLog::take_nearer_signs() {
+  double* last = numbers_.data() + (size() - 1) * row();
+  for (Eigen::Index p = 3; p < position_size * static_cast<Eigen::Index>(bodies_); p += position_size) {
+    Eigen::Map<Vec4<double>> own(last + p);
+    if (own.dot(Eigen::Map<const Vec4<double>>(last - row() + p)) < 0.0) own = -own;
+  }
 }
 
 /// The mean, of the body that goes farthest by what its velocity does at all.

@@ -27,6 +27,7 @@ class StateLog {
 
  private:
   std::size_t row() const { return static_cast<std::size_t>(y_size_ + history_size_); }
+  void take_nearer_signs();
   double distance_between() const;
   void leave_out_every_other();
 
