@@ -202,13 +202,15 @@ py::list to_python(const std::vector<PassedTouch>& touches, const System& system
 /// What the verdict of a member of an ensemble is made of.
 void bind_lane_runs(py::module_& module) {
   py::class_<LaneRun>(module, "LaneRun", "What the verdict of a member of an ensemble is made of, as that of a Run.")
-      .def(py::init([](Dynamics& dynamics, double t_end, double step, std::int64_t balance_every) {
+      .def(py::init([](Dynamics& dynamics, double t_end, double step, std::int64_t balance_every, bool follow_errors) {
              const Busy busy(dynamics);
              const FixedSteps steps(t_end, step, std::max<std::int64_t>(balance_every, 1));
-             return std::make_unique<LaneRun>(dynamics, steps, balance_every > 0);
+             return std::make_unique<LaneRun>(dynamics, steps, balance_every > 0, follow_errors);
            }),
-           py::arg("dynamics"), py::arg("t_end"), py::arg("step"), py::arg("balance_every") = 0, py::keep_alive<1, 2>(),
-           "balance_every: steps between the energies that are kept; 0: none.")
+           py::arg("dynamics"), py::arg("t_end"), py::arg("step"), py::arg("balance_every") = 0,
+           py::arg("follow_errors") = true, py::keep_alive<1, 2>(),
+           "balance_every: steps between the energies that are kept; 0: none. follow_errors: whether the verdict knows "
+           "how they grow.")
       .def(
           "expect_breaks",
           [](LaneRun& run, std::vector<double> times) { run.sampling.expect_breaks(std::move(times)); },
@@ -268,6 +270,8 @@ void bind_runs(py::module_& module) {
       .def("record_reactions", exclusive(+[](Run& run) { run.record_reactions(); }),
            "Frames have reaction_force and reaction_torque (k, joints, 3), too: as Dynamics.reactions finds them, for "
            "less. Before the first frame.")
+      .def("follow_errors", &Run::follow_errors, py::arg("wanted"),
+           "Whether the verdict knows how errors grow, as it does if nobody says so. Before the first step.")
       .def(
           "expect_breaks", &Run::expect_breaks, py::arg("times"),
           "Times [s], ascending, at which something is not smooth and no step ends: of the steps that contain one some "

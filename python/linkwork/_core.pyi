@@ -713,9 +713,10 @@ class LaneRun:
         t_end: typing.SupportsFloat | typing.SupportsIndex,
         step: typing.SupportsFloat | typing.SupportsIndex,
         balance_every: typing.SupportsInt | typing.SupportsIndex = 0,
+        follow_errors: bool = True,
     ) -> None:
         """
-        balance_every: steps between the energies that are kept; 0: none.
+        balance_every: steps between the energies that are kept; 0: none. follow_errors: whether the verdict knows how they grow.
         """
     def expect_breaks(
         self, times: collections.abc.Sequence[typing.SupportsFloat | typing.SupportsIndex]
@@ -1200,6 +1201,10 @@ class Run:
     ) -> None:
         """
         Times [s], ascending, at which something is not smooth and no step ends: of the steps that contain one some are taken again, too.
+        """
+    def follow_errors(self, wanted: bool) -> None:
+        """
+        Whether the verdict knows how errors grow, as it does if nobody says so. Before the first step.
         """
     def judge(
         self,

@@ -231,11 +231,16 @@ def check_suffix(given: Any, what: str) -> Path:
     return found
 
 
+def check_switch(name: str, given: Any) -> None:
+    """OptionError: it is neither True nor False."""
+    if not isinstance(given, bool):
+        raise OptionError(f"{name} {given!r:.80} is not True or False", code=name)
+
+
 def check_new(given: Any, what: str, overwrite: bool) -> Path:
     """As `check_suffix`. FileError: there is a file, which may not be replaced."""
     found = check_suffix(given, what)
-    if not isinstance(overwrite, bool):
-        raise OptionError(f"overwrite {overwrite!r:.80} is not True or False", code="overwrite")
+    check_switch("overwrite", overwrite)
     if not overwrite and os.path.isfile(found):
         raise FileError(
             f"{what} '{found}': there is such a file already: choose another name, or replace it by "

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any
 
 import linkwork as lw
@@ -139,11 +138,3 @@ def carousel(lift: float) -> lw.Model:
         tip, rod = up + 1.5 * out, 0.1 * k * along + 0.7 * up + 0.3 * out if k else along + lift * up
         model.distance(arm, model.ground, at=(tip, tip + rod), name=f"rod {k}")
     return model
-
-
-def assert_same_but_for_growth(member: lw.Verdict | None, single: lw.Verdict | None) -> None:
-    """Of errors of poses and velocities, which single runs follow as they grow."""
-    assert member is not None and single is not None
-    assert member.error <= single.error
-    assert member == replace(single, level=member.level, sentence=member.sentence, error=member.error,
-                             state=member.state, reactions=member.reactions)  # fmt: skip

@@ -1512,6 +1512,7 @@ def test_command_refuses_before_the_first_case_what_it_could_not_write_or_draw(
             for option, of in (
                 ("t_end: 9.0", "of the study: write it outside"),
                 ("processes: 2", "of the command"),
+                ("follow_errors: true", "of the study: write it outside"),
                 ("progress: false", "of linkwork.sweep in Python"),
             )
         ),
@@ -1667,6 +1668,16 @@ def test_a_study_with_a_tolerance_keeps_the_method_of_its_model_file(folder: Pat
         "formulation": "penalty", "penalty": 1e4, "integrator": "tsit5", "rtol": 1e-8
     }  # fmt: skip
     assert "step" not in given and given["t_end"] == 0.05
+
+
+def test_a_file_says_whether_errors_of_all_cases_are_followed(folder: Path) -> None:
+    found = {}
+    for text in ("", "follow_errors: true\n"):
+        (folder / "study.yaml").write_text(STUDY.replace("kept", f"kept{len(text)}") + text)
+        given = read_study(folder / "study.yaml")
+        many = given | {"t_end": 1.0, "parameters": {"rod.mass": np.linspace(1, 2, 9).tolist()}}
+        found[text] = np.isnan(lw.sweep(**many, processes=1, progress=False).unstable).sum()
+    assert list(found.values()) == [5, 0]
 
 
 def test_a_file_has_samplers_and_distributions(folder: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import linkwork as lw
@@ -185,3 +186,85 @@ def test_what_contacts_do_is_not_followed() -> None:
                                stiffness=1e6)  # fmt: skip
     verdict = run(model, 3.0, rtol=1e-8).verdict
     assert verdict is not None and verdict.growth is None
+
+
+# --- many at once: errors of one in 64 are followed in lanes, which say so of the others ---
+
+MASSES = np.linspace(0.9, 1.1, 130).tolist()
+HOW: tuple[dict[str, Any], ...] = ({"step": 5e-3}, {"rtol": 1e-6})
+
+
+def many(angle: float, masses: list[float], **how: Any) -> lw.EnsembleResult:
+    varied = {"rod 1.mass": masses}
+    return lw.simulate_many(rods(angle, angle), varied, 10.0, outputs="final", progress=False, **how)
+
+
+@pytest.mark.parametrize("how", HOW, ids=str)
+def test_some_members_of_an_ensemble_say_that_those_like_them_may_be_unstable(how: Any) -> None:
+    with (
+        pytest.warns(lw.LinkworkWarning, match=r"the motion of \d of the 4 members where they were followed"),
+        pytest.warns(lw.LinkworkWarning, match="more than 1 % off"),
+    ):
+        found = many(1e-3, MASSES, **how)
+    assert (~np.isnan(found.unstable)).sum() == 4 and np.nanmax(found.unstable) > 1e4
+    assert "the other 126 are" in repr(found)
+
+
+@pytest.mark.parametrize("how", HOW, ids=str)
+def test_which_members_are_followed_depends_on_what_they_are_not_on_their_places(how: Any) -> None:
+    found, turned = (many(1e-3, it, **how, on_inaccurate="pass") for it in (MASSES, MASSES[::-1]))
+    np.testing.assert_array_equal(found.unstable, turned.unstable[::-1])
+    np.testing.assert_array_equal(found.accuracy, turned.accuracy[::-1])
+
+
+@pytest.mark.parametrize("how", HOW, ids=str)
+def test_where_errors_of_all_are_followed_each_has_the_verdict_of_its_run_by_itself(how: Any) -> None:
+    ensemble = lw.Ensemble(rods(1e-3, 1e-3), {"rod 1.mass": MASSES[:3]})
+    found = ensemble.simulate(10.0, **how, follow_errors=True, on_inaccurate="pass", progress=False)
+    for k in range(3):
+        member = found.member(k).verdict
+        single = ensemble.single(k, 10.0, **how, on_inaccurate="pass", progress=False).verdict
+        assert member is not None and single is not None and member.unstable
+        assert member.numbers() == single.numbers()
+    assert "followed" not in repr(found)
+
+
+def test_of_regular_motion_nothing_is_said() -> None:
+    found = many(3.0, MASSES[:70], step=5e-3)
+    assert np.nanmax(found.unstable) == 1.0 and np.isnan(found.unstable).any()
+    assert "followed" not in repr(found)
+
+
+def test_a_study_is_told_by_some_of_its_cases_also_when_it_is_read_again(tmp_path: Path) -> None:
+    def study(**more: Any) -> lw.Study:
+        given = {"t_end": 10.0, "step": 5e-3, "progress": False, "processes": 1, **more}
+        return lw.sweep(rods(1e-3, 1e-3), {"rod 1.mass": MASSES}, "final", **given)
+
+    with pytest.warns(lw.LinkworkWarning, match="errors grow up to"):
+        found = study(directory=tmp_path / "some")
+    assert found.manifest["lanes"] is True
+    assert "of the 4 cases" in repr(found) and (~np.isnan(found.unstable)).sum() == 4
+    again = study(directory=tmp_path / "some", on_inaccurate="pass")
+    np.testing.assert_array_equal(found.unstable, again.unstable)
+    assert repr(again) == repr(found)
+    with pytest.raises(lw.FileError, match="holds a study with other follow_errors"):
+        study(directory=tmp_path / "some", follow_errors=True)
+    every = study(follow_errors=True)
+    assert not np.isnan(every.unstable).any() and "followed" not in repr(every)
+    assert (every.accuracy >= found.accuracy).all()
+    known = ~np.isnan(found.unstable)
+    np.testing.assert_array_equal(every.accuracy[known], found.accuracy[known])
+
+
+def test_cases_that_run_by_themselves_are_all_followed() -> None:
+    found = lw.sweep(rods(1e-3), {"rod 0.mass": [1.0, 2.0, 3.0]}, "final", t_end=5.0, step=5e-3, processes=1,
+                     deterministic=False, progress=False)  # fmt: skip
+    assert found.manifest["lanes"] is False and (found.unstable > 1e3).all()
+
+
+@pytest.mark.parametrize("wrong", [1, "all", None])
+def test_whether_errors_are_followed_is_true_or_false(wrong: Any) -> None:
+    with pytest.raises(lw.OptionError, match="follow_errors .* is not True or False"):
+        many(1e-3, MASSES[:2], step=5e-3, follow_errors=wrong)
+    with pytest.raises(lw.OptionError, match="follow_errors .* is not True or False"):
+        lw.sweep(rods(1e-3), {"rod 0.mass": [1.0]}, "final", t_end=1.0, step=5e-3, follow_errors=wrong)

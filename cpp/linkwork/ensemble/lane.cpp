@@ -28,7 +28,7 @@ FixedSteps::FixedSteps(double t_end, double step, std::int64_t record_every, std
   whole_ = std::abs(t_end - end) <= same_time * step + 4.0 * std::numeric_limits<double>::epsilon() * std::abs(t_end);
 }
 
-LaneRun::LaneRun(Dynamics& mechanism, const FixedSteps& steps, bool keeps_balance)
+LaneRun::LaneRun(Dynamics& mechanism, const FixedSteps& steps, bool keeps_balance, bool follows_errors)
     : dynamics(mechanism),
       fixed_steps(steps),
       balanced(keeps_balance),
@@ -36,6 +36,7 @@ LaneRun::LaneRun(Dynamics& mechanism, const FixedSteps& steps, bool keeps_balanc
       touches(mechanism),
       y(mechanism.initial_y()) {
   sampling.expect(steps.count());
+  sampling.log_states(follows_errors);
 }
 
 Lane::Lane(Dynamics& dynamics, const FixedSteps& steps, LaneRun* run)

@@ -117,8 +117,9 @@ class Verdict:
                  which stabilization turns violations that are rounding
     body         of the connected part that the error is of; "": all bodies are one part, or it is of no one
     growth       of errors of steps until the end of the run, the largest factor: in proportion to time in
-                 regular motion, exponential where it is unstable or chaotic. None: not known, as of members
-                 of ensembles, long runs, large models, and from the first contact on
+                 regular motion, exponential where it is unstable or chaotic. None: not known, as of most
+                 members of ensembles, long runs, large models, and from the first contact on
+    unstable     whether that is more than in regular motion
     """
 
     level: Literal["good", "coarse", "wrong"]
@@ -142,7 +143,8 @@ class Verdict:
     yielding: float = 0.0
     rounding: float = 0.0
     body: str = ""
-    growth: float | None = field(default=None, compare=False)  # lanes do not look at it
+    growth: float | None = field(default=None, compare=False)  # most lanes do not look at it
+    unstable: bool = field(default=False, compare=False)
 
     def numbers(self) -> dict[str, Any]:
         """
@@ -333,7 +335,8 @@ def estimate(
         body=body,
         **_counts(statistics),
     )
-    return _rounded_off(replace(verdict, rounding=found["rounding"], growth=found["growth"]))
+    growing = {"growth": found["growth"], "unstable": found["unstable"] > 1.0}
+    return _rounded_off(replace(verdict, rounding=found["rounding"], **growing))
 
 
 def without_steps(

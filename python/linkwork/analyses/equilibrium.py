@@ -12,6 +12,7 @@ from linkwork.analyses.softest import softest
 from linkwork.analyses.stability import Stability, judged
 from linkwork.analyses.step_limits import LONGEST_STEP, LONGEST_TURN, StepLimits
 from linkwork.analyses.stiffness import stiffness
+from linkwork.arguments import check_switch
 from linkwork.arrays import Floats, ReadOnly
 from linkwork.constraints.equations import LAST_DIGITS, Equations, Sparse
 from linkwork.constraints.rolling import rolled
@@ -19,7 +20,6 @@ from linkwork.constraints.solver import balance, check_regular, saddle_point, sh
 from linkwork.constraints.tangent import between, displaced
 from linkwork.errors import (
     NotConvergedError,
-    OptionError,
     SingularSystemError,
 )
 from linkwork.modeling.handles import Named, place_of
@@ -143,8 +143,7 @@ def equilibrium(model: Model, *, stable: bool = True) -> Equilibrium:
     joints repeat each other but for digits of their points or axes; functions of the model
     remember calls, so that it may rest elsewhere.
     """
-    if not isinstance(stable, bool):
-        raise OptionError(f"stable {stable!r:.80} is not True or False", code="stable")
+    check_switch("stable", stable)
     with told_of_memory(model, "equilibrium"):
         equations = Equations(model)
         checks.warn_of_near_dependence(equations.dynamics)

@@ -13,11 +13,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork import memory
-from linkwork.arguments import whole
+from linkwork.arguments import check_switch, whole
 from linkwork.arrays import Floats
 from linkwork.comparison.workers import processor_count
 from linkwork.ensemble.outcome import DIMENSIONS, OWN, TRAJECTORIES, EnsembleResult, whole_number
 from linkwork.errors import LinkworkError, LinkworkWarning, OptionError, carry, warn
+from linkwork.fingerprints import digests
 from linkwork.modeling.model import Model, check_model
 from linkwork.options import TABLE, check_number, check_option
 from linkwork.results.result import Result
@@ -32,6 +33,7 @@ from linkwork.running.simulation import check_run, simulate
 from linkwork.studies import outputs as wanted
 from linkwork.studies.cases import Run, check_times, in_one, kept
 from linkwork.studies.collected import Collected
+from linkwork.studies.followed import last_followed, of_the_others
 from linkwork.studies.lanes import PACK
 from linkwork.studies.notes import MULTIPLIERS, noted, warn_of_notes
 from linkwork.studies.sampling import Cases, cases_of
@@ -143,6 +145,7 @@ class Ensemble:
         times: ArrayLike | None = None,
         record_every: int | None = None,
         threads: int | None = None,
+        follow_errors: bool = False,
         progress: ShowOption = None,
         **options: Any,
     ) -> EnsembleResult:
@@ -157,6 +160,8 @@ class Ensemble:
         times         [s] of outputs that are arrays; multiples of the step
         record_every  steps between frames; None: about 1000 frames, with outputs every step, with rtol both
         threads       of this process; None: one a processor
+        follow_errors whether the verdicts of all members, not of one in 64, know how errors grow in motion
+                      that is unstable or chaotic: that takes as long as some to 30 members
         progress      None: a line on a terminal or in a notebook; False: nothing
         options       of `simulate`. `deterministic` is always on
 
@@ -170,13 +175,15 @@ class Ensemble:
         neighbors, `threads` and the processor are. One that fails is kept as failed, and disturbs no other.
 
         OptionError: an option or output that does not exist or cannot be, before the first member.
-        LinkworkWarning: members are more than 1 % off, or functions remember calls. Ctrl-C ends it: the
+        LinkworkWarning: members are more than 1 % off, errors of those that were followed grow as those of
+        the others may, or functions remember calls. Ctrl-C ends it: the
         `result` of the KeyboardInterrupt has the members that are done, others have the status "skipped".
         """  # Long: its arguments are fifteen lines.
         started = time.perf_counter()
         check_number("t_end", t_end, positive=True, unit="s")
         options = _checked_options(options)
         count = processor_count() if threads is None else whole(threads, 1, "threads")
+        check_switch("follow_errors", follow_errors)
         example = self._members.example()
         checks.warn_of_opposed_axes(example, example.compiled().q0)
         asked = None if outputs is None else wanted.outputs_of(outputs)
@@ -201,7 +208,8 @@ class Ensemble:
         about = {**platform_facts(), "t_end": float(t_end), "step": step, "threads": count}
         try:
             # ctrl-C loses those under way, of which functions of Python take long
-            self._carry_out(method, members, progress, PACK if example._calls else AT_ONCE)
+            follows = self._members.followed(every=follow_errors)
+            self._carry_out(method, members, progress, PACK if example._calls else AT_ONCE, follows)
         except KeyboardInterrupt as stop:
             about["seconds"] = time.perf_counter() - started
             raise members.interrupted(stop, self, about) from stop
@@ -210,14 +218,17 @@ class Ensemble:
             members.warn_of_inaccurate(found)
         return found
 
-    def _carry_out(self, method: Method, to: _Kept, progress: ShowOption, at_once: int) -> None:
+    def _carry_out(
+        self, method: Method, to: _Kept, progress: ShowOption, at_once: int, follows: Sequence[bool]
+    ) -> None:
         at_once *= method.threads
         with counting(progress, len(self)) as report:
             for first in range(0, len(self), at_once):
                 report(first, f"{first} of {len(self)} members")
                 numbers = range(first, min(first + at_once, len(self)))
                 models = [self._members.model_or_error(k) for k in numbers]
-                for number, member in zip(numbers, run_members(models, method), strict=True):
+                found = run_members(models, method, follows[numbers.start : numbers.stop])
+                for number, member in zip(numbers, found, strict=True):
                     to.keep(number, member)
 
 
@@ -253,6 +264,15 @@ class _Members:
             return self.make(number)
         except Exception as error:
             return error
+
+    def followed(self, *, every: bool) -> Sequence[bool]:
+        """Whether errors of each are followed as they grow."""
+        if every:
+            return [True] * self.count
+        models = {} if self.columns else {"model": [self.make(k).hash() for k in range(self.count)]}
+        keys = digests("", self.columns or models)
+        last = last_followed(keys)
+        return [key <= last for key in keys]
 
     def example(self) -> Model:
         """The first that there is. What its building raises where none of the first has one."""
@@ -412,6 +432,7 @@ class _Kept:
             alone=self._alone,
             remarks=self._found.remarks(),
             accuracy=self._found.accuracy,
+            unstable=self._found.unstable,
             t=np.asarray(longest),
             trajectories=dict(_trajectories(self._results, len(ensemble), longest)),
             outputs=outputs,
@@ -433,8 +454,10 @@ class _Kept:
         return error
 
     def warn_of_inaccurate(self, found: EnsembleResult) -> None:
-        """LinkworkWarning: members are more than 1 % off, or nobody knows how much."""
+        """LinkworkWarning: members are more than 1 % off, or nobody knows how much, or may be."""
         self._found.warn_of_memory()
+        if others := of_the_others(found.unstable, found.status, "members"):
+            warn(others)
         bad = [k for k in self._doubts if found.status[k] == "finished"]
         if not bad:
             return

@@ -16,6 +16,7 @@ from linkwork.arrays import Floats, ReadOnly, by_value
 from linkwork.errors import OptionError, counted
 from linkwork.results.result import Result
 from linkwork.studies.datasets import dimensions, without_groups
+from linkwork.studies.followed import of_the_others
 from linkwork.studies.told import lines
 
 if TYPE_CHECKING:
@@ -55,6 +56,8 @@ class EnsembleResult(ReadOnly):
     alone         by member: why it was simulated by itself and not in a lane
     remarks       by member: warnings, and what its summary says of what is kept
     accuracy      (n,) estimated relative errors, those of their verdicts; NaN in members that failed
+    unstable      (n,) by how much errors of steps grow where motion is unstable or chaotic, 1 where it is
+                  regular; NaN in members of which that is not known, see `follow_errors`
     t             (k,) times of the frames [s] of the member that has most; empty where outputs were asked for
     trajectories  without outputs "q" (n, k, bodies, 7), "v" and "vdot" (n, k, bodies, 6), "lambda"
                   (n, k, rows), "energy" (n, k) [J]: NaN in members that failed, and after the end of one that
@@ -66,8 +69,8 @@ class EnsembleResult(ReadOnly):
     notes         by output, without outputs of "lambda": what it is in all members but those whose remarks
                   say otherwise, such as a reaction that redundant equations leave open
 
-    A member has the bits and the verdict that `simulate(model, ..., deterministic=True)` gives, whatever runs
-    beside it.
+    A member has the bits that `simulate(model, ..., deterministic=True)` gives, whatever runs beside it, and
+    its verdict, but for how errors grow where they were not followed.
     """
 
     parameters: Mapping[str, NDArray[Any]]
@@ -76,6 +79,7 @@ class EnsembleResult(ReadOnly):
     alone: Mapping[int, str]
     remarks: Mapping[int, str]
     accuracy: Floats
+    unstable: Floats
     t: Floats
     trajectories: Mapping[str, Floats]
     outputs: Mapping[str, Floats]
@@ -95,7 +99,9 @@ class EnsembleResult(ReadOnly):
         parts.append(f"{self.manifest['lanes']} in lanes")
         why = Counter(text.split(" (at t = ")[0] for text in self.alone.values()).most_common(LISTED)
         alone = [f"  {count} by itself: {text}" for text, count in why]
-        told = lines(self.errors, self.remarks, self.notes, counted(len(self), "member"))
+        told = [*lines(self.errors, self.remarks, self.notes, counted(len(self), "member"))]
+        if others := of_the_others(self.unstable, self.status, "members"):
+            told.append(f"  {others}")
         return "\n".join([f"<EnsembleResult: {len(self)} members: {', '.join(parts)}>", *alone, *told])
 
     @property

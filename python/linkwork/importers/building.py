@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork import rotation
-from linkwork.arguments import array, is_number, one_of
+from linkwork.arguments import array, check_switch, is_number, one_of
 from linkwork.arrays import Floats
 from linkwork.errors import Fault, LinkworkError, ModelError, ModelFileError, OptionError, nearest
 from linkwork.importers.alignment import align_axes
@@ -95,8 +95,7 @@ def check_options(options: Options) -> None:
             hint = nearest(name, Options.__annotations__)
             raise OptionError(f"an import has no option '{name}'{hint}", code="unknown_option")
     for name in SWITCHES:
-        if not isinstance(value := options.get(name, False), bool):
-            raise OptionError(f"{name} {value!r:.60} is not True or False", code=name)
+        check_switch(name, options.get(name, False))
     if not isinstance(floating := options.get("floating"), bool | None):
         raise OptionError(f"floating {floating!r:.60} is not True, False or None", code="floating")
     one_of(options.get("limits", "note"), ("note", "stops"), "limits")

@@ -13,6 +13,7 @@ from typing import Any, get_args
 import numpy as np
 
 from linkwork import _core
+from linkwork.arguments import check_switch
 from linkwork.errors import ModelError, OptionError, nearest
 from linkwork.functions import check_breaks
 from linkwork.integrators import METHODS, EmbeddedPair, HalfExplicit, named
@@ -159,11 +160,6 @@ def _check_breaks(given: Any) -> None:
         raise OptionError(error.message, code=error.code) from error
 
 
-def _check_switch(name: str, given: Any) -> None:
-    if not isinstance(given, bool):
-        raise OptionError(f"{name} {given!r:.80} is not True or False", code=name)
-
-
 def _check_policy(given: Any) -> None:
     check_name("on_inaccurate", given, get_args(Policy))
 
@@ -177,7 +173,7 @@ RUN_SETTINGS: Mapping[str, Callable[[Any], None]] = {
     "atol": partial(check_number, "atol", positive=True),
     "record_every": _check_record_every,
     "breaks": _check_breaks,
-    "assemble": partial(_check_switch, "assemble"),
+    "assemble": partial(check_switch, "assemble"),
     "on_inaccurate": _check_policy,
-    "verify": partial(_check_switch, "verify"),
+    "verify": partial(check_switch, "verify"),
 }

@@ -203,15 +203,18 @@ def refusal(model: Model, method: Method) -> str:
             return str(error)
 
 
-def run_members(models: Sequence[Model | Exception], method: Method) -> Iterator[Member]:
-    """In the order of the models; an exception in place of a model is why there is none.
+def run_members(
+    models: Sequence[Model | Exception], method: Method, follows: Sequence[bool]
+) -> Iterator[Member]:
+    """In the order of the models; an exception in place of a model is why there is none. `follows`: whether
+    errors of each are followed as they grow, for its verdict, also in a lane.
 
     Each begins with what functions of the user's remember now, and what its own run leaves there stays until
     the next is asked for. Those that run side by side would share it: who remembers runs alone.
     """
     there = {place: model for place, model in enumerate(models) if isinstance(model, Model)}
     with memory_of(_functions_of_all(there, method)) as memory:
-        found = _of_lanes(there, method, memory)
+        found = _of_lanes(there, method, memory, follows)
         for place, model in enumerate(models):
             it = Member(None, error=facts_of(model)) if isinstance(model, Exception) else found[place]
             if isinstance(it, Member):
@@ -230,14 +233,17 @@ def _functions_of_all(models: Mapping[int, Model], method: Method) -> dict[str, 
     return found
 
 
-def _of_lanes(models: Mapping[int, Model], method: Method, memory: Memory) -> dict[int, Member | _Left]:
+def _of_lanes(
+    models: Mapping[int, Model], method: Method, memory: Memory, follows: Sequence[bool]
+) -> dict[int, Member | _Left]:
     """What becomes of all of them there, or why not."""
     if method.alone or not models:
         return dict.fromkeys(models, _Left(method.alone))
     remember = dict.fromkeys(models, _Left("its functions remember, which lanes would share"))
     if method.adaptive and not memory.is_empty and _changes_by_itself(models, method, memory):
         return dict[int, Member | _Left](remember)
-    found = _side_by_side(models, method) if method.adaptive else _at_fixed_steps(models, method)
+    run = _side_by_side if method.adaptive else _at_fixed_steps
+    found = run(models, method, follows)
     if memory.is_changed(logs=method.looked_at) or memory.makes_a_difference():
         warn_of_lasting(memory.give_back(logs=method.looked_at))
         return dict[int, Member | _Left](remember)
@@ -262,11 +268,13 @@ def _changes_by_itself(models: Mapping[int, Model], method: Method, memory: Memo
     return found
 
 
-def _at_fixed_steps(models: Mapping[int, Model], method: Method) -> dict[int, Member | _Left]:
+def _at_fixed_steps(
+    models: Mapping[int, Model], method: Method, follows: Sequence[bool]
+) -> dict[int, Member | _Left]:
     found: dict[int, Member | _Left] = {}
     ready: list[_Ready] = []
     for place, model in models.items():
-        it = _prepared(place, model, method, ready[0] if ready else None)
+        it = _prepared(place, model, method, ready[0] if ready else None, follows=follows[place])
         if isinstance(it, Member):
             found[place] = it
         else:
@@ -277,7 +285,9 @@ def _at_fixed_steps(models: Mapping[int, Model], method: Method) -> dict[int, Me
     return found
 
 
-def _side_by_side(models: Mapping[int, Model], method: Method) -> dict[int, Member | _Left]:
+def _side_by_side(
+    models: Mapping[int, Model], method: Method, follows: Sequence[bool]
+) -> dict[int, Member | _Left]:
     """With steps that follow tolerances: each is the run that it is alone, but lanes take stages of it."""
     found: dict[int, Member | _Left] = {}
     runs: dict[int, tuple[Prepared, estimation.ErrorEstimator, list[str]]] = {}
@@ -289,6 +299,7 @@ def _side_by_side(models: Mapping[int, Model], method: Method) -> dict[int, Memb
                     given = {"on_inaccurate": "pass", **method.given}
                     it = prepared(model, method.plan, given, method.options)
                     it = replace(it, facts={**it.facts, "lane": True})
+                    it.run.follow_errors(follows[place])
                     runs[place] = it, estimator_of(it), remarks  # it sees the run from the first step on
             except Exception as error:
                 found[place] = Member(None, error=facts_of(error))
@@ -322,7 +333,9 @@ def _concluded(
     return Member(result, remarks=list(dict.fromkeys([*remarks, *more])))
 
 
-def _prepared(place: int, model: Model, method: Method, first: _Ready | None) -> _Ready | Member:
+def _prepared(
+    place: int, model: Model, method: Method, first: _Ready | None, *, follows: bool
+) -> _Ready | Member:
     """`first`: one that was prepared before: what does not depend on weights is not looked at again."""
     known = first is not None and method.weights_alone and first.plain
     with remarked() as remarks:
@@ -335,7 +348,7 @@ def _prepared(place: int, model: Model, method: Method, first: _Ready | None) ->
                 forecast.look_ahead(it.system, own.plan, it.stepped.method, None, None, None)
             it.plain = it.stepped.assembly is None and not remarks
             if method.judged:
-                _follow(it, it.method)
+                _follow(it, it.method, follows)
         except Exception as error:
             return Member(None, error=facts_of(error))
     return it
@@ -353,12 +366,12 @@ def _stepped(model: Model, method: Method, like: System | None = None) -> Steppe
         return what_steps(model, method.plan, method.given, method.options, like=like)
 
 
-def _follow(it: _Ready, method: Method) -> None:
-    """Its steps, for the verdict."""
+def _follow(it: _Ready, method: Method, errors: bool) -> None:
+    """Its steps, for the verdict, and `errors` as they grow."""
     plan = method.plan
     assert isinstance(plan, schedule.Fixed)
     every = plan.record_every if method.last_state else 0
-    it.run = _core.LaneRun(it.system.compiled(), plan.t_end, plan.step, every)
+    it.run = _core.LaneRun(it.system.compiled(), plan.t_end, plan.step, every, errors)
     it.estimator = estimation.ErrorEstimator(
         it.run, it.stepped.method, it.system, it.stepped.options, None, plan, breaks=it.stepped.breaks
     )

@@ -51,7 +51,8 @@ class Run:
     status   "finished" or "failed"
     outputs  by label, in lists; none of one that failed
     error    of one that failed: type, code, message, and `reached`, the simulated time [s] up to there
-    verdict  level, sentence and error of Result.verdict, and what remembers; nothing where there is none
+    verdict  level, sentence and error of Result.verdict, what remembers, and where that is known the growth
+             of errors that is more than in regular motion, "unstable"; nothing where there is none
     seconds  wall time
     """
 
@@ -148,6 +149,8 @@ def _verdict(result: Result | LastState) -> dict[str, Any]:
     if verdict is None:
         return {}
     found = {"level": verdict.level, "error": float(verdict.error), "sentence": verdict.sentence}
+    if verdict.growth is not None:
+        found["unstable"] = verdict.growth if verdict.unstable else 1.0
     return {**found, "memory": list(verdict.memory)} if verdict.memory else found
 
 

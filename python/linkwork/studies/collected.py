@@ -34,6 +34,7 @@ class Collected:
         self._state = np.full(len(keys), NOTHING, dtype=np.int8)
         self._seconds, self._accuracy = (np.full(len(keys), np.nan) for _ in range(2))
         self._level = np.zeros(len(keys), dtype="<U6")
+        self._unstable: dict[int, float] = {}  # where errors were followed
         self._memory: list[str] = []
         self._errors: dict[int, Mapping[str, Any]] = {}
         self._remarks: dict[int, str] = {}
@@ -73,6 +74,7 @@ class Collected:
     def _clear(self, k: int) -> None:
         self._errors.pop(k, None)
         self._remarks.pop(k, None)
+        self._unstable.pop(k, None)
         self._seconds[k], self._accuracy[k], self._level[k] = np.nan, np.nan, ""
 
     def add(self, run: Run) -> None:
@@ -82,6 +84,8 @@ class Collected:
         self._seconds[k] = run.seconds
         self._accuracy[k] = run.verdict.get("error", np.nan)
         self._level[k] = run.verdict.get("level", "")
+        if "unstable" in run.verdict:
+            self._unstable[k] = run.verdict["unstable"]
         self._memory += [name for name in run.verdict.get("memory", ()) if name not in self._memory]
         if run.error:
             self._errors[k] = run.error
@@ -177,6 +181,14 @@ class Collected:
     @property
     def accuracy(self) -> Floats:
         return self._each(self._accuracy)
+
+    @property
+    def unstable(self) -> Floats:
+        """NaN where errors were not followed."""
+        found = np.full(len(self._state), np.nan)
+        for k, growth in self._unstable.items():
+            found[k] = growth
+        return self._each(found)
 
     @property
     def level(self) -> NDArray[np.str_]:

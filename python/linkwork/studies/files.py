@@ -12,6 +12,7 @@ cases: 64
 seed: 1
 outputs: ["final", "reaction('motor pin').force.max"]   # or {label: name}
 directory: variants               # without it that of this file's name
+follow_errors: true               # as they grow, in all cases and not in some
 """
 
 from __future__ import annotations
@@ -39,7 +40,7 @@ VERSION = 1
 #: Arguments of `sweep` that are no option of a run, and so not under `simulation`.
 OF_STUDIES = {
     **dict.fromkeys(("model", "parameters", "outputs", "t_end", "times", "sampler", "cases", "seed",
-                     "directory"), "of the study: write it outside"),
+                     "directory", "follow_errors"), "of the study: write it outside"),
     **dict.fromkeys(("shard", "gather", "retry", "processes", "case_seconds"),
                     "of the command: give it there"),
     **dict.fromkeys(("executor", "progress"), "of linkwork.sweep in Python"),
@@ -58,6 +59,7 @@ class _Document(Record):
     cases: int | None = Field(None, ge=1)
     seed: int | None = Field(None, ge=0)
     directory: Word | None = None
+    follow_errors: bool = False
 
 
 def read_study(path: str | os.PathLike[str]) -> dict[str, Any]:

@@ -24,6 +24,7 @@ from linkwork.running.members import (
 )
 from linkwork.running.remarks import facts_of, remarked
 from linkwork.studies.cases import Answer, Case, Run, Runner, machine
+from linkwork.studies.followed import ALL
 
 __all__ = ["PACK", "fits", "with_lanes"]
 
@@ -42,20 +43,28 @@ class LaneRunner(Runner):
     """Several cases at once, in the lanes of an ensemble."""
 
     lanes: ClassVar[bool] = True
+    follow_errors: bool = False  #: of all cases
+    last_followed: str = ALL  #: else of those with a key up to this one
+
+    def follows(self, case: Case) -> bool:
+        """Errors of this one as they grow."""
+        return case.key <= self.last_followed
 
     def __call__(self, cases: Sequence[Case]) -> Answer:
         return Answer(machine(), [run for start in range(0, len(cases), AT_ONCE)
                                   for run in _at_once(self, cases[start : start + AT_ONCE])])  # fmt: skip
 
 
-def with_lanes(runner: Runner, given: Mapping[str, Any]) -> Runner | None:
+def with_lanes(runner: Runner, given: Mapping[str, Any], follow_errors: bool) -> Runner | None:
     """The same in lanes; None: they cannot have what it asks for, or the `given` options forbid it."""
     if given.get("deterministic") is False or given.get("on_inaccurate") == "stop":
         return None
     if any(given.get(name) for name in ALONE):
         return None
     options = {**runner.options, "deterministic": True}
-    return LaneRunner(runner.source, runner.t_end, options, runner.outputs, runner.times)
+    return LaneRunner(
+        runner.source, runner.t_end, options, runner.outputs, runner.times, follow_errors=follow_errors
+    )
 
 
 def fits(runner: Runner, example: Model) -> bool:
@@ -66,7 +75,7 @@ def fits(runner: Runner, example: Model) -> bool:
         return False
 
 
-def _at_once(runner: Runner, cases: Sequence[Case]) -> list[Run]:
+def _at_once(runner: LaneRunner, cases: Sequence[Case]) -> list[Run]:
     started = time.perf_counter()
     models = [_model_or_error(runner, case) for case in cases]
     example = next((it for it in models if isinstance(it, Model)), None)
@@ -75,7 +84,8 @@ def _at_once(runner: Runner, cases: Sequence[Case]) -> list[Run]:
         return [Run(case.key, "failed", error=facts, values=dict(case.values))
                 for case, facts in zip(cases, errors, strict=True)]  # fmt: skip
     with remarked() as told:
-        kept = [_kept(runner, member) for member in run_members(models, _method(runner, example))]
+        found = run_members(models, _method(runner, example), [runner.follows(case) for case in cases])
+        kept = [_kept(runner, member) for member in found]
     seconds = (time.perf_counter() - started) / len(cases)
     return [runner.noted(case, found, [*remarks, *told], seconds)
             for case, (found, remarks) in zip(cases, kept, strict=True)]  # fmt: skip

@@ -23,6 +23,7 @@ from linkwork.results.result import Result
 from linkwork.studies.cases import Runner
 from linkwork.studies.collected import Collected
 from linkwork.studies.datasets import dimensions, for_netcdf, without_groups
+from linkwork.studies.followed import of_the_others
 from linkwork.studies.sampling import Cases
 from linkwork.studies.told import lines
 
@@ -50,6 +51,8 @@ class Study(ReadOnly):
                 case was lost
     verdict     (n,) "good", "coarse" or "wrong", see linkwork.Verdict; empty where there is none
     accuracy    (n,) the estimated relative error of the run, Verdict.error; NaN where there is none
+    unstable    (n,) by how much errors of steps grow where motion is unstable or chaotic, 1 where it is
+                regular; NaN in cases of which that is not known, see `follow_errors`
     seconds     (n,) wall time
     remarks     by case: warnings of the run, and what its summary says of what the outputs are
     units       of parameters and outputs that are known
@@ -65,6 +68,7 @@ class Study(ReadOnly):
     errors: Mapping[int, Mapping[str, Any]]
     verdict: NDArray[np.str_]
     accuracy: Floats
+    unstable: Floats
     seconds: Floats
     remarks: Mapping[int, str]
     units: Mapping[str, str]
@@ -85,7 +89,10 @@ class Study(ReadOnly):
         doubtful = Counter(self.verdict.tolist())
         parts += [f"{doubtful[name]} of them {name}" for name in ("coarse", "wrong") if doubtful[name]]
         head = f"<Study: {len(self)} cases of {', '.join(self.parameters)}: {', '.join(parts)}>"
-        return "\n".join([head, *lines(self.errors, self.remarks, self.notes, counted(len(self), "case"))])
+        told = [*lines(self.errors, self.remarks, self.notes, counted(len(self), "case"))]
+        if others := of_the_others(self.unstable, self.status, "cases"):
+            told.append(f"  {others}")
+        return "\n".join([head, *told])
 
     def case(self, number: int) -> dict[str, Any]:
         """Everything of one case.
@@ -338,6 +345,7 @@ def assembled(
         errors=found.errors(lost, keys),
         verdict=found.level,
         accuracy=found.accuracy,
+        unstable=found.unstable,
         seconds=found.seconds,
         remarks=found.remarks(),
         units={name: unit for name, unit in {

@@ -13,13 +13,13 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import closing, contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from linkwork.arguments import whole
+from linkwork.arguments import check_switch, whole
 from linkwork.arrays import Floats
 from linkwork.comparison.workers import Lost, can_fork
 from linkwork.equations.system import System
@@ -42,7 +42,8 @@ from linkwork.studies.cases import Answer, Case, Runner, check_times, machine
 from linkwork.studies.chunks import run_cases
 from linkwork.studies.collected import Collected, Todo
 from linkwork.studies.executors import check_executor
-from linkwork.studies.lanes import fits, with_lanes
+from linkwork.studies.followed import last_followed, of_the_others
+from linkwork.studies.lanes import LaneRunner, fits, with_lanes
 from linkwork.studies.notes import noted
 from linkwork.studies.sampling import Cases, cases_of
 from linkwork.studies.store import Store, stored_identity
@@ -88,6 +89,7 @@ def sweep(
     gather: bool = False,
     retry: bool = False,
     case_seconds: float | None = None,
+    follow_errors: bool = False,
     progress: ShowOption = None,
     **options: Any,
 ) -> Study:
@@ -126,6 +128,8 @@ def sweep(
     case_seconds  wall time that one case may take by itself [s], of local processes: what takes longer is
                 failed, however the cases are shared out, and tried again when the study is run again. None:
                 any time
+    follow_errors  whether the verdicts of all cases in lanes, and not of one in 64, know how errors grow in
+                motion that is unstable or chaotic: that takes as long as some to 30 cases
     progress    None: a line on a terminal or in a notebook; False: nothing
     options     of linkwork.simulate: step, rtol, integrator, events, ... Without record_every all steps are
                 recorded, with rtol also about 1000 even times, as steps may be long, or of last values with a
@@ -140,12 +144,13 @@ def sweep(
     sampler without seed, an option that cannot be: before the first case. FileError: `directory` belongs to
     another study, or cannot be written. LinkworkError: the executor works no more, or its workers have other
     functions or another version than this process. LinkworkWarning: machines of several instruction sets
-    took part, or functions remember calls.
+    took part, functions remember calls, or errors of cases that were followed grow as those of others may.
     """  # Long: the arguments alone are twenty lines.
     check_number("t_end", t_end, positive=True, unit="s")
     _check_places(shard, gather, retry, directory, processes)
     _check_gather(gather, shard=shard, executor=executor, processes=processes, case_seconds=case_seconds,
                   retry=retry or None)  # fmt: skip
+    check_switch("follow_errors", follow_errors)
     options = _checked_options(options)
     drawn = cases_of(parameters, sampler, cases, seed)
     source = source_of(model, drawn.columns)
@@ -163,12 +168,14 @@ def sweep(
     _check_times(checked, wanted_times, run_options)
     runner = Runner(source, float(t_end), run_options, checked, wanted_times)
     base = model if isinstance(model, Model) else example
-    runner = _chosen(runner, with_lanes(runner, options), base, drawn, directory)
+    runner = _chosen(runner, with_lanes(runner, options, follow_errors), base, drawn, directory)
     check_executor(executor, processes, runner)
     case_seconds = _checked_case_seconds(case_seconds, executor)
     identity = _identity(runner, drawn)
     head = digest(identity, _version())
     keys = digests(head, drawn.columns)
+    if isinstance(runner, LaneRunner) and not runner.follow_errors:
+        runner = replace(runner, last_followed=last_followed(keys))
     about = _about(runner, drawn, keys[0], first, seed)
     store = None if directory is None else _store(directory, drawn, identity, about, gather)
     _check_example(source, store, drawn, keys, head)
@@ -180,8 +187,9 @@ def sweep(
     found = _Found(known, machines, store)
     workers = _Workers(executor, processes, case_seconds, len(drawn), here)
     lost = _carried_out(runner, todo, found, progress, workers)
-    _tell(machines, known, options)
-    return assembled(drawn, keys, known, lost, runner, {**about, "identity": identity, "machines": machines})
+    study = assembled(drawn, keys, known, lost, runner, {**about, "identity": identity, "machines": machines})
+    _tell(machines, known, study, options)
+    return study
 
 
 # --- before the first case ---
@@ -192,8 +200,7 @@ def _check_places(shard: Any, gather: Any, retry: Any, directory: Any, processes
     if processes is not None:
         whole(processes, 1, "processes")
     for name, flag in (("gather", gather), ("retry", retry)):
-        if not isinstance(flag, bool):
-            raise OptionError(f"{name} {flag!r:.40} is not True or False", code=name)
+        check_switch(name, flag)
     if shard is not None:
         good = isinstance(shard, tuple | list) and len(shard) == 2
         good = good and all(isinstance(it, int) and not isinstance(it, bool) for it in shard)
@@ -383,6 +390,7 @@ def _identity(runner: Runner, cases: Cases) -> dict[str, Any]:
             name: digest(value) if name == "times" else canonical(plain(value))  # of about a thousand frames
             for name, value in sorted(without_threads(runner.options).items())
         },
+        **({"follow_errors": True} if isinstance(runner, LaneRunner) and runner.follow_errors else {}),
     }  # fmt: skip
 
 
@@ -518,10 +526,14 @@ def _line(done: int, total: int, elapsed: float, failed: int) -> str:
     return f"{done} of {total} cases{rate}" + (f", {failed} failed" if failed else "")
 
 
-def _tell(machines: Sequence[Mapping[str, Any]], found: Collected, options: Mapping[str, Any]) -> None:
+def _tell(
+    machines: Sequence[Mapping[str, Any]], found: Collected, study: Study, options: Mapping[str, Any]
+) -> None:
     """LinkworkWarning, once for all cases, but for what `options` say is nothing to be told."""
     if options.get("on_inaccurate") != "pass":
         found.warn_of_memory()
+        if others := of_the_others(study.unstable, study.status, "cases"):
+            warn(f"study: {others}")
     sets = sorted({str(it.get("instruction_set")) for it in machines})
     if len(sets) > 1:
         warn(
