@@ -188,6 +188,29 @@ def test_what_contacts_do_is_not_followed() -> None:
     assert verdict is not None and verdict.growth is None
 
 
+@pytest.mark.parametrize(
+    "how", [{"rtol": 1e-7}, {"step": 0.0125}, {"step": 1 / 480, "integrator": "heun"}], ids=str
+)
+def test_from_next_to_rest_errors_grow_as_small_motions_do(how: Any) -> None:
+    """By e^(w t): differences of energies are rounding where speeds are."""
+    verdict = run(rods(1e-10), 10.0, **how).verdict
+    assert verdict is not None and verdict.growth is not None
+    assert 1e6 < verdict.growth < 10 * np.exp(10 * np.sqrt(1.5 * 9.81))
+
+
+@pytest.mark.parametrize("t_end", [60.0, 100.0])
+@pytest.mark.parametrize("how", [{"rtol": 1e-5}, {"rtol": 1e-7}, {"step": 0.02}], ids=str)
+def test_a_driven_oscillator_between_two_wells_by_a_law_is_not_said_to_be_better_than_it_is(
+    how: Any, t_end: float
+) -> None:
+    """Duffing's, x'' = x - x^3 - x'/4 + cos(t)/2, chaotic."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("mass", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1.0, 0, 0))
+    joint = model.translational("ground", "mass", at=(1.0, 0, 0), axis=(1, 0, 0))
+    model.joint_force(joint, lambda t, x, v: (x + 1) - (x + 1) ** 3 - 0.25 * v + 0.5 * np.cos(t))
+    assert said_by_true(model, run(model, t_end, **how)) > 0.3
+
+
 # --- many at once: errors of one in 64 are followed in lanes, which say so of the others ---
 
 MASSES = np.linspace(0.9, 1.1, 130).tolist()

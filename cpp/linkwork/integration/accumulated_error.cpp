@@ -9,6 +9,7 @@ namespace {
 
 constexpr double growth = 5.0;         // characteristic times L / V in which an error of a velocity moves positions
 constexpr double followed = 0.9;       // share of a run: beyond, its end is known
+constexpr double same_time = 1e-9;     // relative
 constexpr double of_regular = 0.05;    // growth that counts
 constexpr double irregular = 20.0;     // growth of errors, relative to t V / L: beyond, motion is unstable
 constexpr double steep = 10.0;         // times the mean of its part: a change of accelerations out of the ordinary
@@ -334,12 +335,19 @@ class Accumulation {
     return std::max(factor(it) * std::clamp(factor(it) / regular_factor(it), of_regular, 1.0), 1.0);
   }
 
-  /// Of an error that arises at t: the larger one of those before and after it.
-  double growth_from(double t) const {
+  /// Of errors that arise in a part of the run: the larger one of those followed before and after it; where one of its
+  /// own was, the mean with that, on a scale of powers, as others of the part have other directions.
+  double growth_from(const RunPart& part) const {
     const std::vector<ErrorGrowth>& all = errors_.growth;
-    const auto next = std::find_if(all.begin(), all.end(), [t](const ErrorGrowth& it) { return it.t > t; });
-    const double before = next == all.begin() ? 1.0 : counted_factor(*(next - 1));
-    return next == all.end() ? before : std::max(before, counted_factor(*next));
+    const auto after = [&](double t) {
+      return std::find_if(all.begin(), all.end(), [t](const ErrorGrowth& it) { return it.t > t; });
+    };
+    const auto own = after(part.t), next = after((1.0 + same_time) * (part.t + part.seconds));
+    double around = 1.0, within = 1.0;
+    for (auto it = own; it != next; ++it) within = std::max(within, counted_factor(*it));
+    if (own != all.begin()) around = counted_factor(*(own - 1));
+    if (next != all.end()) around = std::max(around, counted_factor(*next));
+    return own == next || within > around ? std::max(within, around) : std::sqrt(within * around);
   }
 
   /// The errors of all steps as they have become, where it is known how they grow.
@@ -347,8 +355,8 @@ class Accumulation {
     if (errors_.growth.empty()) return 0.0;
     double sum = 0.0;
     for (const KnownPart& it : parts_)
-      sum += it.steps() * growth_from(it.part->t + it.part->seconds / 2) *
-             it.mean([this](const StepError& step) { return error(of(step).end); });
+      sum +=
+          it.steps() * growth_from(*it.part) * it.mean([this](const StepError& step) { return error(of(step).end); });
     return missed_ * sum;
   }
 

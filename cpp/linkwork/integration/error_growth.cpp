@@ -27,9 +27,9 @@ constexpr double usual_difference = 2e-3, fine_difference = 4e-5, too_far = 10.0
 constexpr double most_parts = 64.0, least_way = 0.1, least_density = 0.5;
 constexpr double forgotten = 0.7;  // of the rate of an error, from one step to the next
 constexpr double fast = 0.02;      // share of the largest kinetic energy so far
-constexpr double at_all = 1e-24;   // of that of the largest speed: below, velocities are rounding
+constexpr double at_all = 1e-12;   // of that of the largest speed: below, differences of energies are rounding
 // Steps for each that the motion alone would ask for; evaluations in one, of each error as errors begin later.
-constexpr double usual_density = 2.0, of_motion = 2.0, of_error = 2.0;
+constexpr double usual_density = 2.0, of_motion = 2.0, of_error = 2.4;
 // Growth, relative to that of regular motion, from which it is followed farther, and from which it is found again in
 // finer steps; by so many times the evaluations.
 constexpr double suspicious = 4.0, doubtful = 20.0;

@@ -18,7 +18,7 @@ constexpr std::size_t every_inside = 3;        // the same for what is recorded 
 constexpr std::size_t worst_parts = 3;         // of a mechanism that is not connected
 constexpr std::size_t worst = 3;               // steps of each that are looked at once more, in so many parts:
 // Evaluations to follow errors, of all bodies, and where laws of the user's own act, beside one for each second step.
-constexpr std::int64_t affordable = 10'000, affordable_of_bodies = 100'000, affordable_of_laws = 2000;
+constexpr std::int64_t affordable = 10'000, affordable_of_bodies = 100'000, affordable_of_laws = 2000, of_step = 6;
 constexpr std::size_t few_errors = 3;  // that are followed
 constexpr double far_worse = 3.0;      // than the worst of the others, for a suspect to count
 constexpr int usual_divisions = 1, few_divisions = 2, divisions_of_worst = 3;  // powers of two
@@ -333,7 +333,8 @@ void RunJudge::look_for_nonlinearity() {
     out_.connected_parts[part].nonlinearity = found[static_cast<Eigen::Index>(part)];
 }
 
-/// Of each of some parts of the run, up to a time, the worst; of few not the last part, where nothing has time to grow.
+/// Of each of some parts of the run, up to a time, the worst: parts are the shorter the earlier, as what begins early
+/// grows most; of few not the last parts, where nothing has time to grow.
 std::vector<StepDifference> RunJudge::errors_to_follow(std::size_t count, double until) const {
   std::vector<std::size_t> order;
   for (std::size_t k = 0; k < kept_.size(); ++k)
@@ -345,11 +346,14 @@ std::vector<StepDifference> RunJudge::errors_to_follow(std::size_t count, double
       out = std::max(out, size(out_.steps[k], part));
     return out;
   };
-  const std::size_t groups = count < few_errors ? count + 1 : count;
+  const std::size_t groups = count < few_errors ? count + 2 : count;
+  const auto begin_of = [&](std::size_t group) {
+    const double share = std::pow(static_cast<double>(group) / static_cast<double>(groups), 1.5);
+    return order.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(order.size()));
+  };
   std::vector<StepDifference> out;
   for (std::size_t group = 0; group < count; ++group) {
-    const auto first = order.begin() + static_cast<std::ptrdiff_t>(group * order.size() / groups);
-    const auto last = order.begin() + static_cast<std::ptrdiff_t>((group + 1) * order.size() / groups);
+    const auto first = begin_of(group), last = begin_of(group + 1);
     if (first == last) continue;
     out.push_back(
         ends_[*std::max_element(first, last, [&](std::size_t a, std::size_t b) { return largest(a) < largest(b); })]);
@@ -370,7 +374,7 @@ void RunJudge::look_for_growth() {
   }
   const auto follow = [this](std::size_t count, double until) { return errors_to_follow(count, until); };
   const std::int64_t usual = std::min(affordable, affordable_of_bodies / dynamics_.system().body_count());
-  const std::int64_t of_laws = std::min(affordable_of_laws, 2 * sampling_.steps());
+  const std::int64_t of_laws = std::min(affordable_of_laws, of_step * sampling_.steps());
   const std::int64_t most = (has_laws() ? of_laws : usual) + sampling_.steps() / 2;
   out_.growth = find_error_growth(dynamics_, sampling_.log(), follow, judge_.axes(), lengths, speeds, most);
 }
