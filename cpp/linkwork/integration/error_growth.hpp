@@ -3,20 +3,14 @@
 #include <functional>
 #include <vector>
 
-#include "linkwork/formulation/dynamics.hpp"
+#include "linkwork/integration/linearized_motion.hpp"
 #include "linkwork/integration/moving_axes.hpp"
 #include "linkwork/integration/state_log.hpp"
 
 namespace linkwork {
 
-/// The error of a step of a run, which ended at t in one of two states.
-struct StepDifference {
-  double t = 0.0;
-  VectorXd run, exact;  ///< y = (q, v, ...)
-};
-
 /// Largest relative to what it was at t that the error of a step becomes, of each of ConnectedParts, by the larger of
-/// those of poses and of velocities.
+/// those of poses and of velocities; as much of it as the joints allow grows.
 struct ErrorGrowth {
   double t = 0.0, until = 0.0;  ///< up to where it was followed [s]
   VectorXd of_part;

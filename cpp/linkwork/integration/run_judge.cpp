@@ -18,7 +18,7 @@ constexpr std::size_t every_inside = 3;        // the same for what is recorded 
 constexpr std::size_t worst_parts = 3;         // of a mechanism that is not connected
 constexpr std::size_t worst = 3;               // steps of each that are looked at once more, in so many parts:
 // Evaluations to follow errors, of all bodies, and where laws of the user's own act, beside one for each second step.
-constexpr std::int64_t affordable = 10'000, affordable_of_bodies = 100'000, affordable_of_laws = 2000, of_step = 6;
+constexpr std::int64_t affordable = 10'000, affordable_of_bodies = 100'000, affordable_of_laws = 2000, most_of_step = 6;
 constexpr std::size_t few_errors = 3;  // that are followed
 constexpr double far_worse = 3.0;      // than the worst of the others, for a suspect to count
 constexpr int usual_divisions = 1, few_divisions = 2, divisions_of_worst = 3;  // powers of two
@@ -374,7 +374,7 @@ void RunJudge::look_for_growth() {
   }
   const auto follow = [this](std::size_t count, double until) { return errors_to_follow(count, until); };
   const std::int64_t usual = std::min(affordable, affordable_of_bodies / dynamics_.system().body_count());
-  const std::int64_t of_laws = std::min(affordable_of_laws, of_step * sampling_.steps());
+  const std::int64_t of_laws = std::min(affordable_of_laws, most_of_step * sampling_.steps());
   const std::int64_t most = (has_laws() ? of_laws : usual) + sampling_.steps() / 2;
   out_.growth = find_error_growth(dynamics_, sampling_.log(), follow, judge_.axes(), lengths, speeds, most);
 }

@@ -119,7 +119,7 @@ class Verdict:
     growth       of errors of steps until the end of the run, the largest factor: in proportion to time in
                  regular motion, exponential where it is unstable or chaotic. None: not known, as of most
                  members of ensembles, long runs, large models, and from the first contact on
-    unstable     whether that is more than in regular motion
+    unstable     whether that is much more than in regular motion
     """
 
     level: Literal["good", "coarse", "wrong"]
@@ -304,8 +304,7 @@ def estimate(
     name: Callable[[int], str] = lambda body: "",
 ) -> Verdict:
     """From what `_core.Run.judge` found; `name`: of a body, by its index."""
-    taken = found["taken"]
-    if not taken:
+    if not (taken := found["taken"]):
         why = "no step could be taken again" if found["failed"] else "no step was one of the method's own"
         return without_steps(why, energies, statistics, found["violation"], before)
     (energy, delay, late), violation = _made(found, energies), found["violation"]
@@ -317,8 +316,8 @@ def estimate(
     reactions = None if accumulated is None else accumulated + yielding
     error, steps = max(state, energy, yielding), tuple(itertools.starmap(StepEstimate, found["steps"]))
     method = replace(method, growth=found["growth"] if found["grows"] and by_steps >= error else 1.0)
-    made = max(before + delay, energy)
-    body = name(found["body"] if by_steps >= error else late if made >= error else -1)
+    late = late if max(before + delay, energy) >= error else -1
+    body = name(found["body"] if by_steps >= error else late)
     verdict = Verdict(
         level=_level(error),
         sentence=_sentence(error, violation, state, method, before, steps, body) + _but(error, reactions),
@@ -333,10 +332,14 @@ def estimate(
         before=before,
         yielding=yielding,
         body=body,
+        **_as_found(found),
         **_counts(statistics),
     )
-    growing = {"growth": found["growth"], "unstable": found["unstable"] > 1.0}
-    return _rounded_off(replace(verdict, rounding=found["rounding"], **growing))
+    return _rounded_off(verdict)
+
+
+def _as_found(found: Mapping[str, Any]) -> dict[str, Any]:
+    return {"rounding": found["rounding"], "growth": found["growth"], "unstable": found["unstable"] > 1.0}
 
 
 def without_steps(

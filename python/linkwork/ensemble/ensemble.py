@@ -33,7 +33,7 @@ from linkwork.running.simulation import check_run, simulate
 from linkwork.studies import outputs as wanted
 from linkwork.studies.cases import Run, check_times, in_one, kept
 from linkwork.studies.collected import Collected
-from linkwork.studies.followed import last_followed, of_the_others
+from linkwork.studies.followed import apart, last_followed, of_the_others
 from linkwork.studies.lanes import PACK
 from linkwork.studies.notes import MULTIPLIERS, noted, warn_of_notes
 from linkwork.studies.sampling import Cases, cases_of
@@ -160,8 +160,9 @@ class Ensemble:
         times         [s] of outputs that are arrays; multiples of the step
         record_every  steps between frames; None: about 1000 frames, with outputs every step, with rtol both
         threads       of this process; None: one a processor
-        follow_errors whether the verdicts of all members, not of one in 64, know how errors grow in motion
-                      that is unstable or chaotic: that takes as long as some to 30 members
+        follow_errors whether the verdicts of all members know how errors grow in motion that is unstable or
+                      chaotic: with rtol they do; at a fixed step, where that takes as long as some to 30
+                      members, those of one in 64, at least of 16
         progress      None: a line on a terminal or in a notebook; False: nothing
         options       of `simulate`. `deterministic` is always on
 
@@ -205,10 +206,12 @@ class Ensemble:
             _check_memory(len(self), method, example)
             told = [noted(MULTIPLIERS, at_start)]
         members = _Kept(len(self), asked, wanted_times, told)
-        about = {**platform_facts(), "t_end": float(t_end), "step": step, "threads": count}
+        every = follow_errors or method.adaptive
+        about = {**platform_facts(), "t_end": float(t_end), "step": step, "threads": count,
+                 "follow_errors": every}  # fmt: skip
         try:
             # ctrl-C loses those under way, of which functions of Python take long
-            follows = self._members.followed(every=follow_errors)
+            follows = self._members.followed(every=every)
             self._carry_out(method, members, progress, PACK if example._calls else AT_ONCE, follows)
         except KeyboardInterrupt as stop:
             about["seconds"] = time.perf_counter() - started
@@ -270,7 +273,7 @@ class _Members:
         if every:
             return [True] * self.count
         models = {} if self.columns else {"model": [self.make(k).hash() for k in range(self.count)]}
-        keys = digests("", self.columns or models)
+        keys = apart(digests("", self.columns or models))
         last = last_followed(keys)
         return [key <= last for key in keys]
 
@@ -456,13 +459,14 @@ class _Kept:
     def warn_of_inaccurate(self, found: EnsembleResult) -> None:
         """LinkworkWarning: members are more than 1 % off, or nobody knows how much, or may be."""
         self._found.warn_of_memory()
-        if others := of_the_others(found.unstable, found.status, "members"):
+        every = bool(found.manifest["follow_errors"])
+        if others := of_the_others(found.unstable, found.status, "members", every=every):
             warn(others)
         bad = [k for k in self._doubts if found.status[k] == "finished"]
         if not bad:
             return
         worst = max(bad, key=lambda k: found.accuracy[k])
-        count = f"{len(bad)} of {len(found)} members are more than 1 % off"
+        count = f"{'at least ' if others else ''}{len(bad)} of {len(found)} members are more than 1 % off"
         warn(
             f"{count}, the worst is {worst}: {self._doubts[worst]} (the result's `accuracy` tells of each, "
             "on_inaccurate='pass' nothing)"

@@ -16,7 +16,7 @@ from linkwork.arrays import Floats, ReadOnly, by_value
 from linkwork.errors import OptionError, counted
 from linkwork.results.result import Result
 from linkwork.studies.datasets import dimensions, without_groups
-from linkwork.studies.followed import of_the_others
+from linkwork.studies.followed import summary
 from linkwork.studies.told import lines
 
 if TYPE_CHECKING:
@@ -41,7 +41,7 @@ COMPONENTS = {
 }
 
 #: Coordinates that a data set has of every ensemble, and dimensions that it has of motions.
-OWN = ("member", "status", "accuracy", "alone", "error", "remarks", "time")
+OWN = ("member", "status", "accuracy", "unstable", "alone", "error", "remarks", "time")
 DIMENSIONS = ("body", "row", *COMPONENTS)
 
 
@@ -56,8 +56,9 @@ class EnsembleResult(ReadOnly):
     alone         by member: why it was simulated by itself and not in a lane
     remarks       by member: warnings, and what its summary says of what is kept
     accuracy      (n,) estimated relative errors, those of their verdicts; NaN in members that failed
-    unstable      (n,) by how much errors of steps grow where motion is unstable or chaotic, 1 where it is
-                  regular; NaN in members of which that is not known, see `follow_errors`
+    unstable      (n,) by how much errors of steps grow where motion is unstable or chaotic, 1 where that is
+                  not much more than in regular motion; NaN in members of which it is not known, as their
+                  errors were not followed (`follow_errors`), or not to the end, see Verdict.growth
     t             (k,) times of the frames [s] of the member that has most; empty where outputs were asked for
     trajectories  without outputs "q" (n, k, bodies, 7), "v" and "vdot" (n, k, bodies, 6), "lambda"
                   (n, k, rows), "energy" (n, k) [J]: NaN in members that failed, and after the end of one that
@@ -100,7 +101,8 @@ class EnsembleResult(ReadOnly):
         why = Counter(text.split(" (at t = ")[0] for text in self.alone.values()).most_common(LISTED)
         alone = [f"  {count} by itself: {text}" for text, count in why]
         told = [*lines(self.errors, self.remarks, self.notes, counted(len(self), "member"))]
-        if others := of_the_others(self.unstable, self.status, "members"):
+        every = bool(self.manifest.get("follow_errors", True))
+        if others := summary(self.unstable, self.status, "members", every=every):
             told.append(f"  {others}")
         return "\n".join([f"<EnsembleResult: {len(self)} members: {', '.join(parts)}>", *alone, *told])
 
@@ -154,6 +156,7 @@ class EnsembleResult(ReadOnly):
             self._trajectory("q")
         coordinates: dict[str, Any] = {"member": np.arange(len(self)), "status": ("member", self.status)}
         coordinates["accuracy"] = "member", self.accuracy
+        coordinates["unstable"] = "member", self.unstable
         coordinates |= {name: ("member", np.array(texts, dtype=object)) for name, texts in self._texts()}
         for name, values in self.parameters.items():
             coordinates[name] = self._variable(name, values)

@@ -86,6 +86,11 @@ class Runner:
 
     lanes: ClassVar[bool] = False  #: whether they run in those of ensembles
 
+    @property
+    def follows_all(self) -> bool:
+        """Errors of all cases as they grow."""
+        return True
+
     def __call__(self, cases: Sequence[Case]) -> Answer:
         return Answer(machine(), [self.run(case) for case in cases])
 

@@ -46,6 +46,11 @@ class LaneRunner(Runner):
     follow_errors: bool = False  #: of all cases
     last_followed: str = ALL  #: else of those with a key up to this one
 
+    @property
+    def follows_all(self) -> bool:
+        tolerances = (self.options.get(name) for name in ("rtol", "atol"))
+        return self.follow_errors or any(it is not None for it in tolerances)
+
     def follows(self, case: Case) -> bool:
         """Errors of this one as they grow."""
         return case.key <= self.last_followed

@@ -23,7 +23,7 @@ from linkwork.results.result import Result
 from linkwork.studies.cases import Runner
 from linkwork.studies.collected import Collected
 from linkwork.studies.datasets import dimensions, for_netcdf, without_groups
-from linkwork.studies.followed import of_the_others
+from linkwork.studies.followed import summary
 from linkwork.studies.sampling import Cases
 from linkwork.studies.told import lines
 
@@ -51,8 +51,9 @@ class Study(ReadOnly):
                 case was lost
     verdict     (n,) "good", "coarse" or "wrong", see linkwork.Verdict; empty where there is none
     accuracy    (n,) the estimated relative error of the run, Verdict.error; NaN where there is none
-    unstable    (n,) by how much errors of steps grow where motion is unstable or chaotic, 1 where it is
-                regular; NaN in cases of which that is not known, see `follow_errors`
+    unstable    (n,) by how much errors of steps grow where motion is unstable or chaotic, 1 where that is not
+                much more than in regular motion; NaN in cases of which it is not known, as their errors were
+                not followed (`follow_errors`), or not to the end, see Verdict.growth
     seconds     (n,) wall time
     remarks     by case: warnings of the run, and what its summary says of what the outputs are
     units       of parameters and outputs that are known
@@ -90,7 +91,8 @@ class Study(ReadOnly):
         parts += [f"{doubtful[name]} of them {name}" for name in ("coarse", "wrong") if doubtful[name]]
         head = f"<Study: {len(self)} cases of {', '.join(self.parameters)}: {', '.join(parts)}>"
         told = [*lines(self.errors, self.remarks, self.notes, counted(len(self), "case"))]
-        if others := of_the_others(self.unstable, self.status, "cases"):
+        every = self.runner is None or self.runner.follows_all
+        if others := summary(self.unstable, self.status, "cases", every=every):
             told.append(f"  {others}")
         return "\n".join([head, *told])
 
@@ -104,7 +106,8 @@ class Study(ReadOnly):
         k = self._number(number)
         found = {name: values[k] for name, values in (*self.parameters.items(), *self.outputs.items())}
         return {**found, "status": str(self.status[k]), "verdict": str(self.verdict[k]),
-                "accuracy": float(self.accuracy[k]), "seconds": float(self.seconds[k]),
+                "accuracy": float(self.accuracy[k]), "unstable": float(self.unstable[k]),
+                "seconds": float(self.seconds[k]),
                 "error": dict(self.errors.get(k, {})), "remarks": self.remarks.get(k, "")}  # fmt: skip
 
     def simulate(self, number: int) -> Result:
@@ -206,12 +209,13 @@ class Study(ReadOnly):
 
     def to_table(self) -> NDArray[Any]:
         """
-        A structured array (n,): parameters, outputs, "status", "verdict", "accuracy", "seconds".
+        A structured array (n,): parameters, outputs, "status", "verdict", "accuracy", "unstable",
+        "seconds".
 
             study.to_table()["status"]
         """
         columns = {**self.parameters, **self.outputs, "status": self.status, "verdict": self.verdict,
-                   "accuracy": self.accuracy, "seconds": self.seconds}  # fmt: skip
+                   "accuracy": self.accuracy, "unstable": self.unstable, "seconds": self.seconds}  # fmt: skip
         kinds = [(name, values.dtype, values.shape[1:]) for name, values in columns.items()]
         table = np.empty(len(self), dtype=kinds)
         for name, values in columns.items():
@@ -283,8 +287,8 @@ class Study(ReadOnly):
         coordinates: dict[str, Any] = {"case": np.arange(len(self))}
         for name, values in self.parameters.items():
             coordinates[name] = self._variable(name, values, "parameter")
-        for name in ("status", "verdict", "accuracy", "seconds"):
-            unit = {"seconds": "s", "accuracy": "1"}.get(name)
+        for name in ("status", "verdict", "accuracy", "unstable", "seconds"):
+            unit = {"seconds": "s", "accuracy": "1", "unstable": "1"}.get(name)
             coordinates[name] = ("case", getattr(self, name), {"units": unit} if unit else {})
         coordinates |= {name: ("case", np.array(texts, dtype=object)) for name, texts in self._texts()}
         if self.over_time:

@@ -63,7 +63,7 @@ OTHERS = {
 }
 
 #: Columns of every study.
-OWN = ("case", "status", "verdict", "accuracy", "seconds", "error", "remarks", "time")
+OWN = ("case", "status", "verdict", "accuracy", "unstable", "seconds", "error", "remarks", "time")
 
 #: Names that no parameter or output can have.
 _OWN = dict.fromkeys(OWN, "a column that every study has")
@@ -128,8 +128,9 @@ def sweep(
     case_seconds  wall time that one case may take by itself [s], of local processes: what takes longer is
                 failed, however the cases are shared out, and tried again when the study is run again. None:
                 any time
-    follow_errors  whether the verdicts of all cases in lanes, and not of one in 64, know how errors grow in
-                motion that is unstable or chaotic: that takes as long as some to 30 cases
+    follow_errors  whether the verdicts of all cases know how errors grow in motion that is unstable or
+                chaotic: in lanes at a fixed step, where that takes as long as some to 30 cases, those of one
+                in 64 do, at least of 16; else all do
     progress    None: a line on a terminal or in a notebook; False: nothing
     options     of linkwork.simulate: step, rtol, integrator, events, ... Without record_every all steps are
                 recorded, with rtol also about 1000 even times, as steps may be long, or of last values with a
@@ -157,25 +158,22 @@ def sweep(
     drawn = drawn if isinstance(source, Built) else drawn.as_floats()
     asked = wanted.outputs_of(outputs)
     check_names(_OWN, list(drawn.columns), [it.label for it in asked])
-    digests_here = {} if executor is None else contents(source, asked, options)  # as yet nothing was called
+    contents_here = {} if executor is None else contents(source, asked, options)  # nothing was called yet
     number, example = _example(model, source, drawn)
-    here = Here(digests_here, [] if executor is None else joined(example, options))
+    here = Here(contents_here, [] if executor is None else joined(example, options))
     wanted_times, run_options = check_times(times, float(t_end), options, asked, example)
     checks.warn_of_opposed_axes(example, example.compiled().q0)
-    first = example if number == 0 else None
-    _check_run(source, drawn, first, float(t_end), run_options)
+    _check_run(source, drawn, first := example if number == 0 else None, float(t_end), run_options)
     checked = checked_outputs(asked, probe(example, run_options), wanted_times)
     _check_times(checked, wanted_times, run_options)
     runner = Runner(source, float(t_end), run_options, checked, wanted_times)
-    base = model if isinstance(model, Model) else example
-    runner = _chosen(runner, with_lanes(runner, options, follow_errors), base, drawn, directory)
+    lanes = with_lanes(runner, options, follow_errors)
+    runner = _chosen(runner, lanes, model if isinstance(model, Model) else example, drawn, directory)
     check_executor(executor, processes, runner)
     case_seconds = _checked_case_seconds(case_seconds, executor)
     identity = _identity(runner, drawn)
     head = digest(identity, _version())
-    keys = digests(head, drawn.columns)
-    if isinstance(runner, LaneRunner) and not runner.follow_errors:
-        runner = replace(runner, last_followed=last_followed(keys))
+    runner = _following(runner, keys := digests(head, drawn.columns))
     about = _about(runner, drawn, keys[0], first, seed)
     store = None if directory is None else _store(directory, drawn, identity, about, gather)
     _check_example(source, store, drawn, keys, head)
@@ -184,12 +182,10 @@ def sweep(
     if retry:
         known.forget_failed(shard)
     todo: Sequence[Case] = [] if gather else Todo.of(drawn, keys, known, shard)
-    found = _Found(known, machines, store)
     workers = _Workers(executor, processes, case_seconds, len(drawn), here)
-    lost = _carried_out(runner, todo, found, progress, workers)
+    lost = _carried_out(runner, todo, _Found(known, machines, store), progress, workers)
     study = assembled(drawn, keys, known, lost, runner, {**about, "identity": identity, "machines": machines})
-    _tell(machines, known, study, options)
-    return study
+    return _told(study, known, options)
 
 
 # --- before the first case ---
@@ -376,6 +372,13 @@ def _chosen(alone: Runner, lanes: Runner | None, base: Model, cases: Cases, dire
     return lanes if fits(lanes, base) else alone
 
 
+def _following(runner: Runner, keys: Sequence[str]) -> Runner:
+    """Errors of these cases, or of some, as they grow."""
+    if not isinstance(runner, LaneRunner) or runner.follows_all:
+        return runner
+    return replace(runner, last_followed=last_followed(keys))
+
+
 def _version() -> str:
     return str(platform_facts()["versions"]["linkwork"])
 
@@ -526,17 +529,17 @@ def _line(done: int, total: int, elapsed: float, failed: int) -> str:
     return f"{done} of {total} cases{rate}" + (f", {failed} failed" if failed else "")
 
 
-def _tell(
-    machines: Sequence[Mapping[str, Any]], found: Collected, study: Study, options: Mapping[str, Any]
-) -> None:
-    """LinkworkWarning, once for all cases, but for what `options` say is nothing to be told."""
+def _told(study: Study, found: Collected, options: Mapping[str, Any]) -> Study:
+    """As it is. LinkworkWarning, once for all cases, but for what `options` say is nothing to be told."""
     if options.get("on_inaccurate") != "pass":
         found.warn_of_memory()
-        if others := of_the_others(study.unstable, study.status, "cases"):
+        every = study.runner is None or study.runner.follows_all
+        if others := of_the_others(study.unstable, study.status, "cases", every=every):
             warn(f"study: {others}")
-    sets = sorted({str(it.get("instruction_set")) for it in machines})
+    sets = sorted({str(it.get("instruction_set")) for it in study.manifest["machines"]})
     if len(sets) > 1:
         warn(
             f"study: processors of several instruction sets took part ({', '.join(sets)}): their last bits "
             "may differ"
         )
+    return study

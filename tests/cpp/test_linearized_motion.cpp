@@ -1,0 +1,98 @@
+#include "linkwork/integration/linearized_motion.hpp"
+
+#include "support.hpp"
+
+using namespace linkwork;
+
+namespace {
+
+constexpr double g = 9.81, arm = 0.5, inertia = 0.1, mass = 2.0;                // m/s^2, m, kg m^2, kg
+constexpr double pace_squared = mass * g * arm / (inertia + mass * arm * arm);  // of small swings [1/s^2]
+const VectorXd one = VectorXd::Ones(1), none;
+
+/// A rod on a hinge in the origin, along y.
+Model pendulum() {
+  Model model(-g * Vec3<double>::UnitZ());
+  Body body;
+  body.mass = mass;
+  body.inertia = inertia * Mat3<double>::Identity();
+  body.position = {0.0, 0.0, -arm};
+  model.add_body("rod", body);
+  Attachment<double> at;
+  at.s_i.setZero();
+  at.s_j = {0.0, 0.0, arm};
+  at.C_i = at.C_j = Eigen::AngleAxisd(-M_PI / 2.0, Vec3<double>::UnitX()).toRotationMatrix();  // z along y
+  model.add_joint("revolute", "pin", ground, 0, at, {});
+  return model;
+}
+
+/// Its state at an angle from below and a rate.
+VectorXd state(double angle, double rate) {
+  VectorXd y = VectorXd::Zero(14);
+  y.segment<3>(0) = Eigen::AngleAxisd(angle, Vec3<double>::UnitY()) * Vec3<double>(0.0, 0.0, -arm);
+  y.segment<4>(3) << std::cos(angle / 2.0), 0.0, std::sin(angle / 2.0), 0.0;
+  y.segment<3>(7) = (rate * Vec3<double>::UnitY()).cross(Vec3<double>(y.segment<3>(0)));
+  y[11] = rate;
+  return y;
+}
+
+}  // namespace
+
+TEST_CASE("what an error makes of accelerations is the derivative of the equation of the pendulum") {
+  for (const double angle : {0.0, 0.7, 2.0, M_PI}) {
+    Dynamics dynamics(pendulum(), Options());
+    LinearizedMotion motion(dynamics, one, one);
+    motion.afford(100);
+    REQUIRE(motion.go_to(0.0, state(angle, 1.5), none));
+    auto error = motion.error({0.0, state(angle + 1e-6, 1.5), state(angle, 1.5)});
+    REQUIRE(error);
+    CHECK(error->way[4] == doctest::Approx(1e-6).epsilon(1e-6));
+    CHECK(error->acceleration[4] == doctest::Approx(-1e-6 * pace_squared * std::cos(angle)).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("of an error it keeps what the joints allow") {
+  Dynamics dynamics(pendulum(), Options());
+  LinearizedMotion motion(dynamics, one, one);
+  motion.afford(100);
+  REQUIRE(motion.go_to(0.0, state(0.3, 0.0), none));
+  VectorXd off = state(0.3, 0.0);
+  off[1] += 1e-6;  // along the hinge
+  off[8] += 1e-5;
+  off += state(0.3 + 1e-6, 0.0) - state(0.3, 0.0);
+  const auto error = motion.error({0.0, off, state(0.3, 0.0)});
+  REQUIRE(error);
+  CHECK(std::abs(error->way[1]) < 1e-12);
+  CHECK(std::abs(error->velocity[1]) < 1e-11);
+  CHECK(error->way[4] == doctest::Approx(1e-6).epsilon(1e-4));
+  CHECK(error->first[0] == doctest::Approx(1e-5 / 4).epsilon(0.02));
+}
+
+TEST_CASE("what steps leave of energy and of the joints is taken back") {
+  Dynamics dynamics(pendulum(), Options());
+  LinearizedMotion motion(dynamics, one, one);
+  motion.afford(100);
+  REQUIRE(motion.go_to(0.0, state(0.3, 2.0), none));
+  auto error = motion.error({0.0, state(0.3 + 1e-6, 2.0), state(0.3, 2.0)});
+  REQUIRE(error);
+  const Perturbation before = *error;
+  error->velocity += 1e-7 * state(0.3, 2.0).segment<6>(7);  // along the motion: of energy
+  error->way[1] += 1e-8;
+  REQUIRE(motion.find_acceleration(*error));
+  motion.take_back(*error);
+  CHECK(std::abs(error->way[1]) < 1e-13);
+  CHECK((error->velocity - before.velocity).norm() < 1e-11);
+}
+
+TEST_CASE("it ends where evaluations do, and goes back without any") {
+  Dynamics dynamics(pendulum(), Options());
+  LinearizedMotion motion(dynamics, one, one);
+  motion.afford(2);
+  CHECK(motion.go_to(0.0, state(0.3, 0.0), none));
+  const LinearizedMotion::Place place = motion.place();
+  CHECK(motion.go_to(0.1, state(0.4, 0.0), none));
+  CHECK(!motion.go_to(0.2, state(0.5, 0.0), none));
+  motion.go_back_to(place);
+  CHECK(motion.here().t == 0.0);
+  CHECK(motion.here().y == state(0.3, 0.0));
+}
