@@ -270,8 +270,6 @@ void bind_runs(py::module_& module) {
       .def("record_reactions", exclusive(+[](Run& run) { run.record_reactions(); }),
            "Frames have reaction_force and reaction_torque (k, joints, 3), too: as Dynamics.reactions finds them, for "
            "less. Before the first frame.")
-      .def("follow_errors", &Run::follow_errors, py::arg("wanted"),
-           "Whether the verdict knows how errors grow, as it does if nobody says so. Before the first step.")
       .def(
           "expect_breaks", &Run::expect_breaks, py::arg("times"),
           "Times [s], ascending, at which something is not smooth and no step ends: of the steps that contain one some "

@@ -1202,10 +1202,6 @@ class Run:
         """
         Times [s], ascending, at which something is not smooth and no step ends: of the steps that contain one some are taken again, too.
         """
-    def follow_errors(self, wanted: bool) -> None:
-        """
-        Whether the verdict knows how errors grow, as it does if nobody says so. Before the first step.
-        """
     def judge(
         self,
         dynamics: Dynamics,

@@ -1,40 +1,13 @@
 #include "linkwork/integration/linearized_motion.hpp"
 
-#include "support.hpp"
+#include "swinging_rod.hpp"
 
 using namespace linkwork;
+using namespace support::swinging_rod;
 
 namespace {
 
-constexpr double g = 9.81, arm = 0.5, inertia = 0.1, mass = 2.0;                // m/s^2, m, kg m^2, kg
-constexpr double pace_squared = mass * g * arm / (inertia + mass * arm * arm);  // of small swings [1/s^2]
 const VectorXd one = VectorXd::Ones(1), none;
-
-/// A rod on a hinge in the origin, along y.
-Model pendulum() {
-  Model model(-g * Vec3<double>::UnitZ());
-  Body body;
-  body.mass = mass;
-  body.inertia = inertia * Mat3<double>::Identity();
-  body.position = {0.0, 0.0, -arm};
-  model.add_body("rod", body);
-  Attachment<double> at;
-  at.s_i.setZero();
-  at.s_j = {0.0, 0.0, arm};
-  at.C_i = at.C_j = Eigen::AngleAxisd(-M_PI / 2.0, Vec3<double>::UnitX()).toRotationMatrix();  // z along y
-  model.add_joint("revolute", "pin", ground, 0, at, {});
-  return model;
-}
-
-/// Its state at an angle from below and a rate.
-VectorXd state(double angle, double rate) {
-  VectorXd y = VectorXd::Zero(14);
-  y.segment<3>(0) = Eigen::AngleAxisd(angle, Vec3<double>::UnitY()) * Vec3<double>(0.0, 0.0, -arm);
-  y.segment<4>(3) << std::cos(angle / 2.0), 0.0, std::sin(angle / 2.0), 0.0;
-  y.segment<3>(7) = (rate * Vec3<double>::UnitY()).cross(Vec3<double>(y.segment<3>(0)));
-  y[11] = rate;
-  return y;
-}
 
 }  // namespace
 
@@ -47,7 +20,7 @@ TEST_CASE("what an error makes of accelerations is the derivative of the equatio
     auto error = motion.error({0.0, state(angle + 1e-6, 1.5), state(angle, 1.5)});
     REQUIRE(error);
     CHECK(error->way[4] == doctest::Approx(1e-6).epsilon(1e-6));
-    CHECK(error->acceleration[4] == doctest::Approx(-1e-6 * pace_squared * std::cos(angle)).epsilon(1e-5));
+    CHECK(error->acceleration[4] == doctest::Approx(-1e-6 * pace * pace * std::cos(angle)).epsilon(1e-5));
   }
 }
 
@@ -95,4 +68,19 @@ TEST_CASE("it ends where evaluations do, and goes back without any") {
   motion.go_back_to(place);
   CHECK(motion.here().t == 0.0);
   CHECK(motion.here().y == state(0.3, 0.0));
+}
+
+TEST_CASE("Euler parameters of either sign are the same error") {
+  for (const double sign : {1.0, -1.0}) {
+    Dynamics dynamics(pendulum(), Options());
+    LinearizedMotion motion(dynamics, one, one);
+    motion.afford(100);
+    REQUIRE(motion.go_to(0.0, state(0.3, 0.0), none));
+    VectorXd off = state(0.3 + 1e-6, 0.0);
+    off.segment<4>(3) *= sign;
+    const auto error = motion.error({0.0, off, state(0.3, 0.0)});
+    REQUIRE(error);
+    CHECK(error->way[4] == doctest::Approx(1e-6).epsilon(1e-4));
+    CHECK(error->way[0] == doctest::Approx(-arm * std::cos(0.3) * 1e-6).epsilon(1e-4));
+  }
 }

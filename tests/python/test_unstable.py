@@ -196,7 +196,7 @@ def test_from_next_to_rest_errors_grow_as_small_motions_do(how: Any) -> None:
     """By e^(w t): differences of energies are rounding where speeds are."""
     verdict = run(rods(1e-10), 10.0, **how).verdict
     assert verdict is not None and verdict.growth is not None
-    assert 1e6 < verdict.growth < 10 * np.exp(10 * np.sqrt(1.5 * 9.81))
+    assert 1e4 < verdict.growth < 10 * np.exp(10 * np.sqrt(1.5 * 9.81))
 
 
 @pytest.mark.parametrize("t_end", [60.0, 100.0])
@@ -263,7 +263,7 @@ def test_where_errors_of_all_are_followed_each_has_the_verdict_of_its_run_by_its
     for k in range(3):
         member = found.member(k).verdict
         single = ensemble.single(k, 10.0, **how, on_inaccurate="pass", progress=False).verdict
-        assert member is not None and single is not None and member.unstable
+        assert member is not None and single is not None and member.unstable > 1e3
         assert member.numbers() == single.numbers()
     assert "follow" not in repr(found)
 
@@ -271,7 +271,7 @@ def test_where_errors_of_all_are_followed_each_has_the_verdict_of_its_run_by_its
 def test_of_regular_motion_it_is_said_in_how_many_errors_were_followed() -> None:
     found = many(3.0, MASSES[:70], step=5e-3)
     assert np.nanmax(found.unstable) == 1.0 and known(found).sum() == 16
-    assert "was looked at in 16 of the 70 members, where they do not" in repr(found)
+    assert "is known of 16 of the 70 members, where they do not" in repr(found)
 
 
 def test_nobody_is_told_to_follow_errors_that_are_followed() -> None:
@@ -304,14 +304,75 @@ def test_a_study_is_told_by_some_of_its_cases_also_when_it_is_read_again(tmp_pat
     again = study(directory=some, on_inaccurate="pass")
     np.testing.assert_array_equal(found.unstable, again.unstable)
     assert repr(again) == repr(found)
-    fewer = study(20, directory=some, on_inaccurate="pass")
-    assert re.search("errors grow|looked at in", repr(fewer))
     with pytest.raises(lw.FileError, match="holds a study with other follow_errors"):
         study(directory=some, follow_errors=True)
     every = study(follow_errors=True)
     assert known(every).all() and "follow" not in repr(every)
     assert (every.accuracy >= found.accuracy).all()
     np.testing.assert_array_equal(every.accuracy[known(found)], found.accuracy[known(found)])
+
+
+def test_a_study_that_has_more_cases_now_follows_as_many_as_it_has(tmp_path: Path) -> None:
+    """Of those that are there already nothing more is known than when they ran."""
+
+    def followed(count: int) -> int:
+        found = lw.sweep(
+            rods(1e-3, 1e-3),
+            {"rod 1.mass": MASSES[:count]},
+            "final",
+            t_end=3.0,
+            step=5e-3,
+            on_inaccurate="pass",
+            progress=False,
+            processes=1,
+            directory=tmp_path / "grows",
+        )
+        assert ("follow_errors" in repr(found)) == (count > 16)
+        return int(known(found).sum())
+
+    assert followed(10) == 10
+    assert 16 <= followed(130) <= 26
+    assert followed(10) == 10
+
+
+def test_what_is_unstable_beside_other_parts_is_told_by_its_own_number() -> None:
+    model = rods(1e-6)
+    model.body("top", mass=1.0, inertia=(0.1, 0.2, 0.25), position=(5, 0, 0), omega=(0.1, 20.0, 0.1))
+    found = lw.simulate_many([model], None, 4.0, 1e-2, outputs="final", progress=False, on_inaccurate="pass")
+    assert 1e4 < found.unstable[0] < 1e7
+
+
+@pytest.mark.parametrize("height", [0.5, 1e4])
+def test_nobody_is_told_to_follow_errors_where_that_is_done(height: float) -> None:
+    """Also where contacts end it, and at a fixed step, of few members."""
+    model = lw.Model(gravity=(0, 0, -9.81))
+    model.body("ball", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0, 0, height))
+    model.sphere_plane_contact("ground", "ball", at=((0, 0, 0), (0, 0, height)), normal=(0, 0, 1), radius=0.1,
+                               stiffness=1e4)  # fmt: skip
+    found = lw.simulate_many([model] * 3, None, 2.0, 1e-3, outputs="final", progress=False)
+    assert np.isnan(found.unstable).all() == (height < 1) and "errors grow" not in repr(found)
+
+
+def test_members_out_of_lanes_are_all_followed() -> None:
+    found = lw.simulate_many(rods(1e-3), {"rod 0.mass": MASSES[:20]}, 2.0, 1e-2, integrator="ab4",
+                             outputs="final", progress=False, on_inaccurate="pass")  # fmt: skip
+    assert known(found).all() and found.manifest["follow_errors"] is True
+
+
+def test_with_tolerances_a_study_goes_on_whatever_is_said_of_errors(tmp_path: Path) -> None:
+    for follow in (False, True, False):
+        found = lw.sweep(
+            rods(1e-3),
+            {"rod 0.mass": MASSES[:3]},
+            "final",
+            t_end=1.0,
+            rtol=1e-6,
+            progress=False,
+            processes=1,
+            directory=tmp_path / "same",
+            follow_errors=follow,
+        )
+        assert len(found) == 3
 
 
 def test_cases_that_run_by_themselves_are_all_followed() -> None:

@@ -36,7 +36,7 @@ LaneRun::LaneRun(Dynamics& mechanism, const FixedSteps& steps, bool keeps_balanc
       touches(mechanism),
       y(mechanism.initial_y()) {
   sampling.expect(steps.count());
-  sampling.log_states(follows_errors);
+  if (follows_errors) sampling.log_states();
 }
 
 Lane::Lane(Dynamics& dynamics, const FixedSteps& steps, LaneRun* run)

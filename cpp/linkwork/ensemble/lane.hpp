@@ -65,7 +65,8 @@ struct EnergyFrames {
 
 /// What the verdict of a lane is made of, as that of a Run.
 struct LaneRun {
-  /// `steps`: records are those at which energies are kept; `balanced`: whether they are. `follows_errors`: as of Run.
+  /// `steps`: records are those at which energies are kept; `balanced`: whether they are. `follows_errors`:
+  /// as a Run does.
   LaneRun(Dynamics& mechanism, const FixedSteps& steps, bool balanced, bool follows_errors);
 
   Dynamics& dynamics;

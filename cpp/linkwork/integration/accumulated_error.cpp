@@ -335,8 +335,8 @@ class Accumulation {
     return std::max(factor(it) * std::clamp(factor(it) / regular_factor(it), of_regular, 1.0), 1.0);
   }
 
-  /// Of errors that arise in a part of the run: the larger one of those followed before and after it; where one of its
-  /// own was, the mean with that, on a scale of powers, as others of the part have other directions.
+  /// Of errors that arise in a part of the run: the larger one of those followed before and after it. Where one of its
+  /// own was, its growth if that is more, else the mean of both on a scale of powers: others of the part may grow more.
   double growth_from(const RunPart& part) const {
     const std::vector<ErrorGrowth>& all = errors_.growth;
     const auto after = [&](double t) {

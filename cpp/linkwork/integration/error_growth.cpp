@@ -215,8 +215,9 @@ class GrowthSearch {
     if (!motion_.go_to(t, y, history) || !accelerate_stages()) return false;
     add(1.0 / 6.0, 0.0);
     for (std::size_t n = 0; n < sum.size(); ++n) carried_[n].now = std::move(sum[n]);
+    if (!settle()) return false;
     reached_ = t;
-    return settle();
+    return true;
   }
 
   /// Where a step ends.

@@ -9,8 +9,8 @@
 
 namespace linkwork {
 
-/// Largest relative to what it was at t that the error of a step becomes, of each of ConnectedParts, by the larger of
-/// those of poses and of velocities; as much of it as the joints allow grows.
+/// Largest that the error of a step becomes, of each of ConnectedParts, by the larger of those of poses and of
+/// velocities, relative to what of it the joints allow at t, at least a fourth of it.
 struct ErrorGrowth {
   double t = 0.0, until = 0.0;  ///< up to where it was followed [s]
   VectorXd of_part;

@@ -18,7 +18,7 @@ struct StepDifference {
 struct Perturbation {
   VectorXd way, velocity;  ///< (6n,) each
   VectorXd acceleration;   ///< what it makes of v_dot
-  VectorXd first;          ///< size of each part at the beginning; at least a fourth of what the joints made less
+  VectorXd first;          ///< of each part: size of what the joints allow at the beginning, at least a fourth of all
   VectorXd energy;         ///< at the beginning, of each part [J]
   double rate = 0.0;       ///< [1/s]
 };

@@ -66,9 +66,6 @@ class Run {
     return take_frames(false);
   }
 
-  /// Whether the verdict knows how errors grow, as it does if nobody says so. Before the first step.
-  void follow_errors(bool wanted) { sampling_.log_states(wanted); }
-
   /// Frames have reactions. Before the first of them.
   void record_reactions() { recorder_.record_reactions(); }
   /// How far joints turned between frames, where steps are between them; nothing else.

@@ -349,7 +349,7 @@ std::vector<StepDifference> RunJudge::errors_to_follow(std::size_t count, double
   const std::size_t groups = count < few_errors ? count + 2 : count;
   const auto begin_of = [&](std::size_t group) {
     const double share = std::pow(static_cast<double>(group) / static_cast<double>(groups), 1.5);
-    return order.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(order.size()));
+    return order.begin() + static_cast<std::ptrdiff_t>(std::ceil(share * static_cast<double>(order.size())));
   };
   std::vector<StepDifference> out;
   for (std::size_t group = 0; group < count; ++group) {

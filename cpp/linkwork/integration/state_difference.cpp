@@ -8,7 +8,8 @@
 namespace linkwork {
 
 Vec3<double> StateDifference::turn(const Vec4<double>& a, const Vec4<double>& b) {
-  return 2.0 * quaternion_product<double>({b[0], -b[1], -b[2], -b[3]}, a - b).tail<3>();
+  const Vec4<double> difference = a.dot(b) < 0.0 ? Vec4<double>(-a - b) : Vec4<double>(a - b);  // of the same sign
+  return 2.0 * quaternion_product<double>({b[0], -b[1], -b[2], -b[3]}, difference).tail<3>();
 }
 
 StateDifference StateDifference::of_body(const System& system, int body, const VectorXd& a, const VectorXd& b) {

@@ -4,6 +4,7 @@
 
 namespace linkwork {
 
+/// A state of a run and its accelerations.
 struct MovingState {
   double t = 0.0;     ///< [s]
   VectorXd y, v_dot;  ///< y = (q, v, work), and what v changes by

@@ -123,9 +123,9 @@ void StepSampling::expect_breaks(std::vector<double> times) {
   broken_ = StepGroups(groups_of(group_of_break_), most_parts_);
 }
 
-void StepSampling::log_states(bool wanted) {
-  logs_ = wanted;
-  log_ = wanted ? StateLog(body_count_, system_->history_size()) : StateLog();
+void StepSampling::log_states() {
+  logs_ = true;
+  log_ = StateLog(body_count_, system_->history_size());
 }
 
 void StepSampling::begin_anew(const Dynamics& dynamics, const VectorXd& y, double start) {

@@ -54,9 +54,9 @@ class StepSampling {
   /// many.
   void expect_breaks(std::vector<double> times);
   const std::vector<double>& breaks() const { return breaks_; }
-  /// States are logged, too, up to where a contact or a stop begins or ends, or a characteristic has a kink.
-  /// Whether there is a log of states, for errors that are followed.
-  void log_states(bool wanted = true);
+  /// States are logged, too, for errors that are followed: up to where a contact or a stop begins or ends, or a
+  /// characteristic has a kink.
+  void log_states();
   const StateLog& log() const { return log_; }
   /// See Integrator::memory.
   void remember(int steps) { memory_ = steps; }

@@ -119,7 +119,8 @@ class Verdict:
     growth       of errors of steps until the end of the run, the largest factor: in proportion to time in
                  regular motion, exponential where it is unstable or chaotic. None: not known, as of most
                  members of ensembles, long runs, large models, and from the first contact on
-    unstable     whether that is much more than in regular motion
+    unstable     the same of motion that is unstable or chaotic, of whichever part: where it is much more than
+                 in regular motion, else 1
     """
 
     level: Literal["good", "coarse", "wrong"]
@@ -144,7 +145,7 @@ class Verdict:
     rounding: float = 0.0
     body: str = ""
     growth: float | None = field(default=None, compare=False)  # most lanes do not look at it
-    unstable: bool = field(default=False, compare=False)
+    unstable: float = field(default=1.0, compare=False)
 
     def numbers(self) -> dict[str, Any]:
         """
@@ -304,7 +305,8 @@ def estimate(
     name: Callable[[int], str] = lambda body: "",
 ) -> Verdict:
     """From what `_core.Run.judge` found; `name`: of a body, by its index."""
-    if not (taken := found["taken"]):
+    taken = found["taken"]
+    if not taken:
         why = "no step could be taken again" if found["failed"] else "no step was one of the method's own"
         return without_steps(why, energies, statistics, found["violation"], before)
     (energy, delay, late), violation = _made(found, energies), found["violation"]
@@ -316,8 +318,7 @@ def estimate(
     reactions = None if accumulated is None else accumulated + yielding
     error, steps = max(state, energy, yielding), tuple(itertools.starmap(StepEstimate, found["steps"]))
     method = replace(method, growth=found["growth"] if found["grows"] and by_steps >= error else 1.0)
-    late = late if max(before + delay, energy) >= error else -1
-    body = name(found["body"] if by_steps >= error else late)
+    body = name(found["body"] if by_steps >= error else late if max(before + delay, energy) >= error else -1)
     verdict = Verdict(
         level=_level(error),
         sentence=_sentence(error, violation, state, method, before, steps, body) + _but(error, reactions),
@@ -339,7 +340,8 @@ def estimate(
 
 
 def _as_found(found: Mapping[str, Any]) -> dict[str, Any]:
-    return {"rounding": found["rounding"], "growth": found["growth"], "unstable": found["unstable"] > 1.0}
+    """What a Verdict has as it is."""
+    return {name: found[name] for name in ("rounding", "growth", "unstable")}
 
 
 def without_steps(

@@ -33,7 +33,7 @@ from linkwork.running.simulation import check_run, simulate
 from linkwork.studies import outputs as wanted
 from linkwork.studies.cases import Run, check_times, in_one, kept
 from linkwork.studies.collected import Collected
-from linkwork.studies.followed import apart, last_followed, of_the_others
+from linkwork.studies.followed import LEAST, apart, last_followed, of_the_others
 from linkwork.studies.lanes import PACK
 from linkwork.studies.notes import MULTIPLIERS, noted, warn_of_notes
 from linkwork.studies.sampling import Cases, cases_of
@@ -161,8 +161,8 @@ class Ensemble:
         record_every  steps between frames; None: about 1000 frames, with outputs every step, with rtol both
         threads       of this process; None: one a processor
         follow_errors whether the verdicts of all members know how errors grow in motion that is unstable or
-                      chaotic: with rtol they do; at a fixed step, where that takes as long as some to 30
-                      members, those of one in 64, at least of 16
+                      chaotic: with rtol they do; in lanes at a fixed step, where that takes as long as some
+                      to 30 members, those of one in 64, at least of 16
         progress      None: a line on a terminal or in a notebook; False: nothing
         options       of `simulate`. `deterministic` is always on
 
@@ -206,7 +206,7 @@ class Ensemble:
             _check_memory(len(self), method, example)
             told = [noted(MULTIPLIERS, at_start)]
         members = _Kept(len(self), asked, wanted_times, told)
-        every = follow_errors or method.adaptive
+        every = follow_errors or method.adaptive or bool(method.alone) or len(self) <= LEAST
         about = {**platform_facts(), "t_end": float(t_end), "step": step, "threads": count,
                  "follow_errors": every}  # fmt: skip
         try:

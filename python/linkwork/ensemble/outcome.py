@@ -101,7 +101,7 @@ class EnsembleResult(ReadOnly):
         why = Counter(text.split(" (at t = ")[0] for text in self.alone.values()).most_common(LISTED)
         alone = [f"  {count} by itself: {text}" for text, count in why]
         told = [*lines(self.errors, self.remarks, self.notes, counted(len(self), "member"))]
-        every = bool(self.manifest.get("follow_errors", True))
+        every = bool(self.manifest["follow_errors"])
         if others := summary(self.unstable, self.status, "members", every=every):
             told.append(f"  {others}")
         return "\n".join([f"<EnsembleResult: {len(self)} members: {', '.join(parts)}>", *alone, *told])

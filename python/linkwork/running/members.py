@@ -207,7 +207,7 @@ def run_members(
     models: Sequence[Model | Exception], method: Method, follows: Sequence[bool]
 ) -> Iterator[Member]:
     """In the order of the models; an exception in place of a model is why there is none. `follows`: whether
-    errors of each are followed as they grow, for its verdict, also in a lane.
+    errors of each are followed as they grow, for its verdict, also in a lane at a fixed step.
 
     Each begins with what functions of the user's remember now, and what its own run leaves there stays until
     the next is asked for. Those that run side by side would share it: who remembers runs alone.
@@ -242,8 +242,7 @@ def _of_lanes(
     remember = dict.fromkeys(models, _Left("its functions remember, which lanes would share"))
     if method.adaptive and not memory.is_empty and _changes_by_itself(models, method, memory):
         return dict[int, Member | _Left](remember)
-    run = _side_by_side if method.adaptive else _at_fixed_steps
-    found = run(models, method, follows)
+    found = _side_by_side(models, method) if method.adaptive else _at_fixed_steps(models, method, follows)
     if memory.is_changed(logs=method.looked_at) or memory.makes_a_difference():
         warn_of_lasting(memory.give_back(logs=method.looked_at))
         return dict[int, Member | _Left](remember)
@@ -285,9 +284,7 @@ def _at_fixed_steps(
     return found
 
 
-def _side_by_side(
-    models: Mapping[int, Model], method: Method, follows: Sequence[bool]
-) -> dict[int, Member | _Left]:
+def _side_by_side(models: Mapping[int, Model], method: Method) -> dict[int, Member | _Left]:
     """With steps that follow tolerances: each is the run that it is alone, but lanes take stages of it."""
     found: dict[int, Member | _Left] = {}
     runs: dict[int, tuple[Prepared, estimation.ErrorEstimator, list[str]]] = {}
@@ -299,7 +296,6 @@ def _side_by_side(
                     given = {"on_inaccurate": "pass", **method.given}
                     it = prepared(model, method.plan, given, method.options)
                     it = replace(it, facts={**it.facts, "lane": True})
-                    it.run.follow_errors(follows[place])
                     runs[place] = it, estimator_of(it), remarks  # it sees the run from the first step on
             except Exception as error:
                 found[place] = Member(None, error=facts_of(error))

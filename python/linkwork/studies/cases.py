@@ -154,8 +154,8 @@ def _verdict(result: Result | LastState) -> dict[str, Any]:
     if verdict is None:
         return {}
     found = {"level": verdict.level, "error": float(verdict.error), "sentence": verdict.sentence}
-    if verdict.growth is not None:
-        found["unstable"] = verdict.growth if verdict.unstable else 1.0
+    if verdict.growth is not None or verdict.unstable > 1.0:
+        found["unstable"] = verdict.unstable
     return {**found, "memory": list(verdict.memory)} if verdict.memory else found
 
 

@@ -12,7 +12,7 @@ cases: 64
 seed: 1
 outputs: ["final", "reaction('motor pin').force.max"]   # or {label: name}
 directory: variants               # without it that of this file's name
-follow_errors: true               # as they grow, in all cases and not in some
+follow_errors: true               # as they grow, of all cases; else of some, see sweep
 """
 
 from __future__ import annotations

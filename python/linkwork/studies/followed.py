@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from linkwork.arrays import Floats
 from linkwork.fingerprints import digest
 
-__all__ = ["ALL", "apart", "last_followed", "of_the_others", "summary"]
+__all__ = ["ALL", "LEAST", "apart", "last_followed", "of_the_others", "summary"]
 
 #: Of all keys, as a hexadecimal number, and at least so many.
 SHARE, LEAST = "04", 16
@@ -27,8 +27,8 @@ ALL = "~"
 
 def last_followed(keys: Sequence[str]) -> str:
     """Cases with a key up to this one: one in 64, at least 16."""
-    least = heapq.nsmallest(LEAST, set(keys))
-    return max(SHARE, least[-1])
+    there = set(keys)
+    return ALL if len(there) <= LEAST else max(SHARE, heapq.nsmallest(LEAST, there)[-1])
 
 
 def apart(keys: Sequence[str]) -> list[str]:
@@ -63,7 +63,8 @@ def summary(unstable: Floats, status: NDArray[np.str_], what: str, *, every: boo
     unknown = int(np.count_nonzero(np.isnan(finished)))
     if every or not unknown:
         return of_the_others(unstable, status, what, every=every)
+    known = len(finished) - unknown
     return of_the_others(unstable, status, what, every=every) or (
-        f"whether errors grow, as in unstable motion, was looked at in {len(finished) - unknown} of the "
-        f"{len(finished)} {what}, where they do not (follow_errors=True looks at all)"
+        f"whether errors grow, as in unstable motion, is known of {known} of the {len(finished)} {what}"
+        f"{', where they do not' if known else ''} (follow_errors=True looks at all)"
     )

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from linkwork.errors import LinkworkError
@@ -24,7 +24,7 @@ from linkwork.running.members import (
 )
 from linkwork.running.remarks import facts_of, remarked
 from linkwork.studies.cases import Answer, Case, Run, Runner, machine
-from linkwork.studies.followed import ALL
+from linkwork.studies.followed import ALL, last_followed
 
 __all__ = ["PACK", "fits", "with_lanes"]
 
@@ -48,8 +48,12 @@ class LaneRunner(Runner):
 
     @property
     def follows_all(self) -> bool:
-        tolerances = (self.options.get(name) for name in ("rtol", "atol"))
-        return self.follow_errors or any(it is not None for it in tolerances)
+        return self.last_followed == ALL
+
+    def following(self, keys: Sequence[str]) -> LaneRunner:
+        """Errors of some of the cases with these keys, of all with tolerances."""
+        every = self.follow_errors or _has_tolerances(self.options)
+        return self if every else replace(self, last_followed=last_followed(keys))
 
     def follows(self, case: Case) -> bool:
         """Errors of this one as they grow."""
@@ -67,9 +71,14 @@ def with_lanes(runner: Runner, given: Mapping[str, Any], follow_errors: bool) ->
     if any(given.get(name) for name in ALONE):
         return None
     options = {**runner.options, "deterministic": True}
+    follow_errors = follow_errors and not _has_tolerances(options)
     return LaneRunner(
         runner.source, runner.t_end, options, runner.outputs, runner.times, follow_errors=follow_errors
     )
+
+
+def _has_tolerances(options: Mapping[str, Any]) -> bool:
+    return any(options.get(name) is not None for name in ("rtol", "atol"))
 
 
 def fits(runner: Runner, example: Model) -> bool:

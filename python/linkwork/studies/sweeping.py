@@ -13,7 +13,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import closing, contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -42,7 +42,7 @@ from linkwork.studies.cases import Answer, Case, Runner, check_times, machine
 from linkwork.studies.chunks import run_cases
 from linkwork.studies.collected import Collected, Todo
 from linkwork.studies.executors import check_executor
-from linkwork.studies.followed import last_followed, of_the_others
+from linkwork.studies.followed import of_the_others
 from linkwork.studies.lanes import LaneRunner, fits, with_lanes
 from linkwork.studies.notes import noted
 from linkwork.studies.sampling import Cases, cases_of
@@ -163,7 +163,8 @@ def sweep(
     here = Here(contents_here, [] if executor is None else joined(example, options))
     wanted_times, run_options = check_times(times, float(t_end), options, asked, example)
     checks.warn_of_opposed_axes(example, example.compiled().q0)
-    _check_run(source, drawn, first := example if number == 0 else None, float(t_end), run_options)
+    first = example if number == 0 else None
+    _check_run(source, drawn, first, float(t_end), run_options)
     checked = checked_outputs(asked, probe(example, run_options), wanted_times)
     _check_times(checked, wanted_times, run_options)
     runner = Runner(source, float(t_end), run_options, checked, wanted_times)
@@ -173,14 +174,12 @@ def sweep(
     case_seconds = _checked_case_seconds(case_seconds, executor)
     identity = _identity(runner, drawn)
     head = digest(identity, _version())
-    runner = _following(runner, keys := digests(head, drawn.columns))
+    keys = digests(head, drawn.columns)
+    runner = runner.following(keys) if isinstance(runner, LaneRunner) else runner
     about = _about(runner, drawn, keys[0], first, seed)
     store = None if directory is None else _store(directory, drawn, identity, about, gather)
     _check_example(source, store, drawn, keys, head)
-    known = Collected(keys)
-    machines = [] if store is None else store.find(known)
-    if retry:
-        known.forget_failed(shard)
+    known, machines = _known(keys, store, shard if retry else ())
     todo: Sequence[Case] = [] if gather else Todo.of(drawn, keys, known, shard)
     workers = _Workers(executor, processes, case_seconds, len(drawn), here)
     lost = _carried_out(runner, todo, _Found(known, machines, store), progress, workers)
@@ -372,13 +371,6 @@ def _chosen(alone: Runner, lanes: Runner | None, base: Model, cases: Cases, dire
     return lanes if fits(lanes, base) else alone
 
 
-def _following(runner: Runner, keys: Sequence[str]) -> Runner:
-    """Errors of these cases, or of some, as they grow."""
-    if not isinstance(runner, LaneRunner) or runner.follows_all:
-        return runner
-    return replace(runner, last_followed=last_followed(keys))
-
-
 def _version() -> str:
     return str(platform_facts()["versions"]["linkwork"])
 
@@ -448,6 +440,17 @@ def _about(runner: Runner, cases: Cases, key: str, first: Model | None, seed: in
         **facts, "versions": {**facts["versions"], "scipy": scipy.__version__}, "machine": machine(),
         "started": datetime.datetime.now(datetime.UTC).isoformat(timespec="seconds"),
     }  # fmt: skip
+
+
+def _known(
+    keys: Sequence[str], store: Store | None, forgotten: Any
+) -> tuple[Collected, list[Mapping[str, Any]]]:
+    """What is kept of the cases, and the machines. Failures of a shard, or of all, are forgotten."""
+    known = Collected(keys)
+    machines = [] if store is None else store.find(known)
+    if forgotten != ():
+        known.forget_failed(forgotten)
+    return known, machines
 
 
 # --- the cases ---
