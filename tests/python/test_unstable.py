@@ -342,15 +342,18 @@ def test_what_is_unstable_beside_other_parts_is_told_by_its_own_number() -> None
     assert 1e4 < found.unstable[0] < 1e7
 
 
+@pytest.mark.parametrize("count", [3, 20])
 @pytest.mark.parametrize("height", [0.5, 1e4])
-def test_nobody_is_told_to_follow_errors_where_that_is_done(height: float) -> None:
-    """Also where contacts end it, and at a fixed step, of few members."""
+def test_nobody_is_told_to_follow_errors_where_that_does_not_help(height: float, count: int) -> None:
+    """Where contacts end it, and of few members, which all are."""
     model = lw.Model(gravity=(0, 0, -9.81))
     model.body("ball", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0, 0, height))
     model.sphere_plane_contact("ground", "ball", at=((0, 0, 0), (0, 0, height)), normal=(0, 0, 1), radius=0.1,
                                stiffness=1e4)  # fmt: skip
-    found = lw.simulate_many([model] * 3, None, 2.0, 1e-3, outputs="final", progress=False)
-    assert np.isnan(found.unstable).all() == (height < 1) and "errors grow" not in repr(found)
+    found = lw.simulate_many([model] * count, None, 2.0, 1e-3, outputs="final", progress=False)
+    assert np.isnan(found.unstable).all() == (height < 1)
+    assert ("follow_errors" in repr(found)) == (height > 1 and count > 16)
+    assert ("verify=True" in repr(found)) == (height < 1 and count > 16)
 
 
 def test_members_out_of_lanes_are_all_followed() -> None:

@@ -177,8 +177,8 @@ class Ensemble:
 
         OptionError: an option or output that does not exist or cannot be, before the first member.
         LinkworkWarning: members are more than 1 % off, errors of those that were followed grow as those of
-        the others may, or functions remember calls. Ctrl-C ends it: the
-        `result` of the KeyboardInterrupt has the members that are done, others have the status "skipped".
+        the others may, or functions remember calls. Ctrl-C ends it: the `result` of the KeyboardInterrupt has
+        the members that are done, others have the status "skipped".
         """  # Long: its arguments are fifteen lines.
         started = time.perf_counter()
         check_number("t_end", t_end, positive=True, unit="s")

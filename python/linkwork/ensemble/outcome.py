@@ -66,7 +66,8 @@ class EnsembleResult(ReadOnly):
     outputs       by label: (n, ...); NaN in members that failed
     units         of parameters and outputs that are known
     times         (j,) [s] of outputs that are arrays over time
-    manifest      what was run; "lanes": how many members in lanes
+    manifest      what was run; "lanes": how many members in lanes; "follow_errors": whether those of all were
+                  followed
     notes         by output, without outputs of "lambda": what it is in all members but those whose remarks
                   say otherwise, such as a reaction that redundant equations leave open
 

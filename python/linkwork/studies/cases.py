@@ -88,7 +88,7 @@ class Runner:
 
     @property
     def follows_all(self) -> bool:
-        """Errors of all cases as they grow."""
+        """Whether errors of all cases are followed as they grow, as far as they can be."""
         return True
 
     def __call__(self, cases: Sequence[Case]) -> Answer:

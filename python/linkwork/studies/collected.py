@@ -34,7 +34,7 @@ class Collected:
         self._state = np.full(len(keys), NOTHING, dtype=np.int8)
         self._seconds, self._accuracy = (np.full(len(keys), np.nan) for _ in range(2))
         self._level = np.zeros(len(keys), dtype="<U6")
-        self._unstable: dict[int, float] = {}  # where errors were followed
+        self._unstable: dict[int, float] = {}  # where that is known
         self._memory: list[str] = []
         self._errors: dict[int, Mapping[str, Any]] = {}
         self._remarks: dict[int, str] = {}
@@ -184,7 +184,7 @@ class Collected:
 
     @property
     def unstable(self) -> Floats:
-        """NaN where errors were not followed."""
+        """NaN where that is not known."""
         found = np.full(len(self._state), np.nan)
         for k, growth in self._unstable.items():
             found[k] = growth

@@ -63,8 +63,10 @@ def summary(unstable: Floats, status: NDArray[np.str_], what: str, *, every: boo
     unknown = int(np.count_nonzero(np.isnan(finished)))
     if every or not unknown:
         return of_the_others(unstable, status, what, every=every)
-    known = len(finished) - unknown
+    about = "whether errors grow, as in unstable motion, is known of"
+    if unknown == len(finished):
+        return f"{about} none of the {unknown} {what}, though it was looked at in some: verify=True of one tells"
     return of_the_others(unstable, status, what, every=every) or (
-        f"whether errors grow, as in unstable motion, is known of {known} of the {len(finished)} {what}"
-        f"{', where they do not' if known else ''} (follow_errors=True looks at all)"
+        f"{about} {len(finished) - unknown} of the {len(finished)} {what}, where they do not "
+        "(follow_errors=True looks at all)"
     )

@@ -56,7 +56,7 @@ class LaneRunner(Runner):
         return self if every else replace(self, last_followed=last_followed(keys))
 
     def follows(self, case: Case) -> bool:
-        """Errors of this one as they grow."""
+        """Whether errors of this one are, as they grow."""
         return case.key <= self.last_followed
 
     def __call__(self, cases: Sequence[Case]) -> Answer:

@@ -158,9 +158,9 @@ def sweep(
     drawn = drawn if isinstance(source, Built) else drawn.as_floats()
     asked = wanted.outputs_of(outputs)
     check_names(_OWN, list(drawn.columns), [it.label for it in asked])
-    contents_here = {} if executor is None else contents(source, asked, options)  # nothing was called yet
+    digests_here = {} if executor is None else contents(source, asked, options)  # as yet nothing was called
     number, example = _example(model, source, drawn)
-    here = Here(contents_here, [] if executor is None else joined(example, options))
+    here = Here(digests_here, [] if executor is None else joined(example, options))
     wanted_times, run_options = check_times(times, float(t_end), options, asked, example)
     checks.warn_of_opposed_axes(example, example.compiled().q0)
     first = example if number == 0 else None
@@ -179,7 +179,7 @@ def sweep(
     about = _about(runner, drawn, keys[0], first, seed)
     store = None if directory is None else _store(directory, drawn, identity, about, gather)
     _check_example(source, store, drawn, keys, head)
-    known, machines = _known(keys, store, shard if retry else ())
+    known, machines = _known(keys, store, shard, retry=retry)
     todo: Sequence[Case] = [] if gather else Todo.of(drawn, keys, known, shard)
     workers = _Workers(executor, processes, case_seconds, len(drawn), here)
     lost = _carried_out(runner, todo, _Found(known, machines, store), progress, workers)
@@ -443,13 +443,13 @@ def _about(runner: Runner, cases: Cases, key: str, first: Model | None, seed: in
 
 
 def _known(
-    keys: Sequence[str], store: Store | None, forgotten: Any
+    keys: Sequence[str], store: Store | None, shard: tuple[int, int] | None, *, retry: bool
 ) -> tuple[Collected, list[Mapping[str, Any]]]:
-    """What is kept of the cases, and the machines. Failures of a shard, or of all, are forgotten."""
+    """What is kept of the cases, and the machines that ran them; `retry`: but for failures of the shard."""
     known = Collected(keys)
     machines = [] if store is None else store.find(known)
-    if forgotten != ():
-        known.forget_failed(forgotten)
+    if retry:
+        known.forget_failed(shard)
     return known, machines
 
 
