@@ -105,6 +105,28 @@ TEST_CASE("what is late where the motion is slow is farther off where it is fast
     CHECK(state(run(apart, {}, slow * speed)) == doctest::Approx(100 * 1e-6 / size / slow));
 }
 
+TEST_CASE("errors of a part of the run grow as one of its own, and those before and after it, do") {
+  StateDifference apart;
+  apart.position = 1e-9;
+  const double of_part = 100 * 1e-9 / size;
+  RunErrors errors = run(apart, apart);
+  const auto follow = [&](double t, double factor) {
+    errors.growth.push_back({t, 2.0, VectorXd::Constant(1, factor)});
+  };
+  follow(0.5, 1e6);
+  CHECK(state(errors) == doctest::Approx(of_part * (1e6 + 1e6)));
+  follow(1.5, 1e4);
+  CHECK(state(errors) == doctest::Approx(of_part * (1e6 + 1e5)));
+  CHECK(accumulate(errors).growth == 1e6);
+  CHECK(accumulate(errors).unstable == 1e6);
+  CHECK(accumulate(errors).grows);
+  errors.growth[1].of_part[0] = 1e8;
+  CHECK(state(errors) == doctest::Approx(of_part * (1e7 + 1e8)));
+  for (ErrorGrowth& it : errors.growth) it.of_part[0] = 1.0;
+  CHECK(state(errors) == doctest::Approx(state(run(apart, apart))));
+  CHECK(accumulate(errors).unstable == 1.0);
+}
+
 TEST_CASE("a state inside of a step is off by what the interpolant is, once") {
   StateDifference apart;
   RunErrors errors = run(apart, apart);

@@ -13,7 +13,7 @@ namespace linkwork {
 namespace {
 
 constexpr double least = 1e-250;   // error that is one at all
-constexpr double of_whole = 0.25;  // that the joints allow of an error, as others like it may have more of that
+constexpr double of_whole = 0.25;  // of an error: at least so much counts as what the joints allow of it
 constexpr double small = 1e-7;     // of lengths and speeds: perturbations that stand for a derivative
 constexpr double forgotten = 0.7;  // of the rate of an error, from one step to the next
 constexpr double fast = 0.02;      // share of the largest kinetic energy so far
