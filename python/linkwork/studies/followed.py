@@ -65,7 +65,7 @@ def summary(unstable: Floats, status: NDArray[np.str_], what: str, *, every: boo
         return of_the_others(unstable, status, what, every=every)
     about = "whether errors grow, as in unstable motion, is known of"
     if unknown == len(finished):
-        return f"{about} none of the {unknown} {what}, though it was looked at in some: verify=True of one tells"
+        return f"{about} none of the {unknown} {what}, though some were looked at: verify=True of one tells"
     return of_the_others(unstable, status, what, every=every) or (
         f"{about} {len(finished) - unknown} of the {len(finished)} {what}, where they do not "
         "(follow_errors=True looks at all)"
