@@ -343,10 +343,12 @@ class Accumulation {
       return std::find_if(all.begin(), all.end(), [t](const ErrorGrowth& it) { return it.t > t; });
     };
     const auto own = after(part.t), next = after((1.0 + same_time) * (part.t + part.seconds));
+    const bool alone = part.peaks.size() == 0;
+    const auto counted = [&](const ErrorGrowth& it) { return alone ? factor(it) : counted_factor(it); };
     double around = 1.0, within = 1.0;
-    for (auto it = own; it != next; ++it) within = std::max(within, counted_factor(*it));
-    if (own != all.begin()) around = counted_factor(*(own - 1));
-    if (next != all.end()) around = std::max(around, counted_factor(*next));
+    for (auto it = own; it != next; ++it) within = std::max(within, counted(*it));
+    if (own != all.begin()) around = counted(*(own - 1));
+    if (next != all.end()) around = std::max(around, counted(*next));
     return own == next || within > around ? std::max(within, around) : std::sqrt(within * around);
   }
 

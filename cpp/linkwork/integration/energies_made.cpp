@@ -17,9 +17,9 @@ constexpr double made_at_start = 2.0;                  // of an integral over ti
 constexpr double stays = 1e-10, hardly_falls = 1e-12;  // of the size of a part in a run: it is at rest
 
 /// Whether all its functions are of a coordinate, and tell what is stored.
-bool may_conserve(const Model& model, const Element& force) {
+bool may_conserve(const Model& model, const Element& force, bool touching) {
   const ForceKind& kind = force_kinds()[force.kind];
-  if (kind.switches > 0) return false;
+  if (kind.switches > 0 && !touching) return false;
   for (std::size_t p = 0; p < kind.info.parameters.size(); ++p) {
     const int signal = model.force_parameters()[force.first_parameter + p].signal;
     if (signal < 0) continue;
@@ -152,7 +152,7 @@ class EnergySearch {
 
 }  // namespace
 
-std::vector<bool> may_conserve(const System& system) {
+std::vector<bool> may_conserve(const System& system, bool touching) {
   const ConnectedParts& connected = ConnectedParts::of(system);
   const Model& model = system.model();
   std::vector<bool> out(static_cast<std::size_t>(connected.count()),
@@ -162,7 +162,7 @@ std::vector<bool> may_conserve(const System& system) {
   };
   for (const int row : system.driven_rows()) out[connected.of_row(row)] = false;
   for (const Element& force : model.forces())
-    if (!may_conserve(model, force)) leave_out(force.i, force.j);
+    if (!may_conserve(model, force, touching)) leave_out(force.i, force.j);
   for (const JointForce& force : model.joint_forces()) leave_out(force.i, force.j);
   return out;
 }

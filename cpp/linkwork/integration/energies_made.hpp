@@ -26,8 +26,8 @@ std::vector<std::optional<EnergyMade>> find_energies_made(Dynamics& dynamics, co
                                                           const VectorXd& lengths);
 
 /// Of each connected part whether energy may be a constant there: no driver, function of time, law of the user's own,
-/// contact or stop acts. Dampers and events are not looked at.
-std::vector<bool> may_conserve(const System& system);
+/// contact or stop acts. Dampers and events are not looked at; where `touching`, not what contacts and stops take either.
+std::vector<bool> may_conserve(const System& system, bool touching = false);
 
 /// Kinetic energy of the inerters of each connected part [J], of velocities v at the state that was evaluated.
 VectorXd energies_in_inerters(const System& system, const Evaluation& at, const VectorXd& v);

@@ -5,6 +5,7 @@
 #include <exception>
 #include <utility>
 
+#include "linkwork/integration/log_smoothness.hpp"
 #include "linkwork/math/interruption.hpp"
 
 namespace linkwork {
@@ -13,8 +14,6 @@ namespace {
 constexpr double fewest_errors = 1.0, most_errors = 6.0;
 // From one state to the next, at most: of lengths, speeds and angles; rate of an error times the time between.
 constexpr double near = 0.25, resolved = 0.6;
-// Of its velocity, by how much that of a cubic may be another one; of the largest of all, which is none.
-constexpr double smooth = 0.03, none = 1e-12;
 // By how much two stages of a step may differ, relative to the error; far beyond the step is taken again in parts.
 constexpr double usual_difference = 2e-3, fine_difference = 4e-5, too_far = 10.0;
 constexpr double most_parts = 64.0, least_way = 0.1, least_density = 0.5;
@@ -43,6 +42,7 @@ class GrowthSearch {
         lengths_(lengths),
         speeds_(speeds),
         most_difference_(difference),
+        smoothness_(system_, log, axes, lengths, speeds),
         motion_(dynamics, lengths, speeds) {}
 
   struct Plan {
@@ -126,31 +126,13 @@ class GrowthSearch {
   /// The last one of the log, or up to a time, that is near enough.
   std::size_t next_state(std::size_t k, double until) const {
     std::size_t out = k + 1;
-    while (out + 1 < log_.size() && log_.t(out) < until && distance(k, out + 1) <= 1.0 && is_smooth(k, out + 1)) ++out;
+    const auto goes_on = [&] {
+      return out + 1 < log_.size() && log_.t(out) < until && !log_.touches_about(k) && !log_.touches_about(out + 1) &&
+             distance(k, out + 1) <= 1.0 && smoothness_.halfway(k, out + 1);
+    };
+    while (goes_on()) ++out;
+    while (!smoothness_.everywhere(k, out)) out = k + (out - k + 1) / 2;
     return out;
-  }
-
-  /// Whether the cubic from state k to another goes as the run did halfway: what is small beside what
-  /// comes later counts by its own size.
-  bool is_smooth(std::size_t k, std::size_t end) const {
-    const std::size_t middle = k + (end - k) / 2;
-    if (middle == k) return true;
-    const double h = log_.t(end) - log_.t(k);
-    const VectorXd first = log_.y(k), last = log_.y(end), there = log_.y(middle);
-    const VectorXd cubic = cubic_between(system_, first, last, h, (log_.t(middle) - log_.t(k)) / h);
-    for (int body = 0; body < system_.body_count(); ++body) {
-      const int part = connected_.of_body(body);
-      const Eigen::Index v = system_.q_size() + v_of(body);
-      const Vec3<double> whole = axes_.part.empty() ? Vec3<double>::Zero() : Vec3<double>(axes_.velocity.col(part));
-      const auto size = [&](const VectorXd& y) {
-        return std::max((y.segment<3>(v) - whole).norm(), lengths_[part] * y.segment<3>(v + 3).norm());
-      };
-      const double off = std::max((cubic.segment<3>(v) - there.segment<3>(v)).norm(),
-                                  lengths_[part] * (cubic.segment<3>(v + 3) - there.segment<3>(v + 3)).norm());
-      const double least_speed = none * (speeds_[part] + whole.norm());
-      if (off > smooth * std::max({size(first), size(there), size(last)}) + least_speed) return false;
-    }
-    return true;
   }
 
   /// All of them on to a state of the log, by some between where it is far, or where stages differ too much.
@@ -162,7 +144,7 @@ class GrowthSearch {
     motion_.go_back_to(first);
     double parts = std::max(std::ceil(density_ * way), 1.0), share = 0.0, worst = 0.0;
     while (share < 1.0) {
-      if (!(parts <= most_parts)) return false;
+      if (!(parts <= most_parts * std::max(way, 1.0))) return false;
       const double next = share + 1.5 / parts < 1.0 ? share + 1.0 / parts : 1.0;
       const auto at = [&](double s) { return s == 1.0 ? last.y : quintic_between(system_, first.state, last, s); };
       const LinearizedMotion::Place before = motion_.place();
@@ -186,8 +168,17 @@ class GrowthSearch {
   bool carry_to(double t, const VectorXd& y, const VectorXd& middle, std::size_t k) {
     const VectorXd history = log_.history(k);
     const double begin = motion_.here().t, h = t - begin;
+    const LinearizedMotion::Place first = motion_.place();
+    if (!motion_.go_to(begin + 0.5 * h, middle, history)) return false;
+    const LinearizedMotion::Place halfway = motion_.place();
+    const bool other_side = motion_.change_sides();
+    motion_.go_back_to(first);
     std::vector<Perturbation> start;
     for (const Followed& it : carried_) start.push_back(it.now);
+    const auto accelerate = [this](std::vector<Perturbation>& all) {
+      return std::all_of(all.begin(), all.end(), [this](Perturbation& it) { return motion_.find_acceleration(it); });
+    };
+    if (other_side && !accelerate(start)) return false;
     std::vector<Perturbation> sum = start, stage = start;
     const auto add = [&](double of_sum, double of_stage) {
       for (std::size_t n = 0; n < start.size(); ++n) {
@@ -199,20 +190,17 @@ class GrowthSearch {
         stage[n].velocity = start[n].velocity + of_stage * h * stage[n].acceleration;
       }
     };
-    const auto accelerate_stages = [&] {
-      return std::all_of(stage.begin(), stage.end(),
-                         [this](Perturbation& it) { return motion_.find_acceleration(it); });
-    };
     add(1.0 / 6.0, 0.5);
-    if (!motion_.go_to(begin + 0.5 * h, middle, history) || !accelerate_stages()) return false;
+    motion_.go_back_to(halfway);
+    if (!accelerate(stage)) return false;
     const std::vector<Perturbation> second = stage;
     add(1.0 / 3.0, 0.5);
-    if (!accelerate_stages()) return false;
+    if (!accelerate(stage)) return false;
     stages_apart_ = 0.0;
     for (std::size_t n = 0; n < stage.size(); ++n)
       stages_apart_ = std::max(stages_apart_, difference(second[n], stage[n], h));
     add(1.0 / 3.0, 1.0);
-    if (!motion_.go_to(t, y, history) || !accelerate_stages()) return false;
+    if (!motion_.go_to(t, y, history) || !accelerate(stage)) return false;
     add(1.0 / 6.0, 0.0);
     for (std::size_t n = 0; n < sum.size(); ++n) carried_[n].now = std::move(sum[n]);
     if (!settle()) return false;
@@ -250,6 +238,7 @@ class GrowthSearch {
   const MovingAxes& axes_;
   const VectorXd &lengths_, &speeds_;
   double most_difference_;
+  LogSmoothness smoothness_;
   LinearizedMotion motion_;    ///< about a state of the log, or on the way to the next
   double reached_ = 0.0;       ///< up to where errors were carried [s]
   double density_ = 1.0;       ///< of states on the way, by what `distance` takes for far

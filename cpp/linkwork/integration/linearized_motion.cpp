@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "linkwork/integration/energies_made.hpp"
 #include "linkwork/integration/state_difference.hpp"
@@ -29,7 +30,7 @@ bool all_holonomic(const Model& model) {
 }
 
 bool all_may_conserve(const System& system) {
-  const std::vector<bool> parts = may_conserve(system);
+  const std::vector<bool> parts = may_conserve(system, true);
   return system.inerters().empty() && std::all_of(parts.begin(), parts.end(), [](bool it) { return it; });
 }
 
@@ -62,6 +63,7 @@ bool LinearizedMotion::go_to(double t, const VectorXd& y, const VectorXd& histor
   here_.violations = dynamics_.evaluation().Phi;
   here_.rates = dynamics_.evaluation().Phi_dot;
   here_.forces = dynamics_.evaluation().g.head(system_.v_size());
+  here_.switches = dynamics_.evaluation().switches;
   conservative_ = conservative_ && dynamics_.evaluation().power == 0.0;
   return true;
 }
@@ -69,16 +71,21 @@ bool LinearizedMotion::go_to(double t, const VectorXd& y, const VectorXd& histor
 bool LinearizedMotion::accelerate(const VectorXd& y, VectorXd& v_dot) {
   evaluations_ += 1;
   dynamics_.evaluate(here_.state.t, y);
-  if (!on_the_same_sides(dynamics_.evaluation().switches)) return false;
   dynamics_.accelerations(v_dot, lambda_);
   return evaluations_ <= most_ && v_dot.allFinite();
 }
 
-/// As at the start: a contact or a stop may begin between two states that know of none.
-bool LinearizedMotion::on_the_same_sides(const VectorXd& switches) {
-  if (sides_.size() != switches.size()) sides_ = switches;
-  for (Eigen::Index k = 0; k < switches.size(); ++k)
-    if ((switches[k] > 0.0) != (sides_[k] > 0.0)) return false;
+bool LinearizedMotion::change_sides() {
+  const std::vector<bool> before = std::exchange(sides_, std::vector<bool>());
+  for (const double it : here_.switches) sides_.push_back(it > 0.0);
+  return sides_ != before;
+}
+
+/// Whether the state that was evaluated is.
+bool LinearizedMotion::on_its_side() const {
+  const VectorXd& switches = dynamics_.evaluation().switches;
+  for (std::size_t k = 0; k < sides_.size(); ++k)
+    if ((switches[static_cast<Eigen::Index>(k)] > 0.0) != sides_[k]) return false;
   return true;
 }
 
@@ -163,9 +170,13 @@ void LinearizedMotion::take_violations_back(Perturbation& it) {
 }
 
 bool LinearizedMotion::find_acceleration(Perturbation& it) {
-  const double by = small / size(it.way, it.velocity).maxCoeff();
-  if (!accelerate(moved(it.way, it.velocity, by), other_v_dot_)) return false;
-  it.acceleration = (other_v_dot_ - here_.state.v_dot) / by;
+  by_ = small / size(it.way, it.velocity).maxCoeff();
+  if (!accelerate(moved(it.way, it.velocity, by_), other_v_dot_)) return false;
+  if (!on_its_side()) {
+    by_ = -by_;
+    if (!accelerate(moved(it.way, it.velocity, by_), other_v_dot_)) return false;
+  }
+  it.acceleration = (other_v_dot_ - here_.state.v_dot) / by_;
   const double a = weighed(it.acceleration), v = weighed(it.velocity), x = weighed(it.way);
   const double rate = a > 0.0 ? a / std::sqrt(v * v + a * x) : 0.0;
   it.rate = std::max(rate, forgotten * it.rate);
@@ -179,9 +190,8 @@ void LinearizedMotion::take_back(Perturbation& it) {
 
 /// What steps of this length leave of the equations of the joints, which else grows with the square of time.
 void LinearizedMotion::go_back_to_constraints(Perturbation& it) {
-  const double by = small / size(it.way, it.velocity).maxCoeff();
-  const VectorXd violations = (here_.violations - dynamics_.evaluation().Phi) / by;
-  const VectorXd rates = (here_.rates - dynamics_.evaluation().Phi_dot) / by;
+  const VectorXd violations = (here_.violations - dynamics_.evaluation().Phi) / by_;
+  const VectorXd rates = (here_.rates - dynamics_.evaluation().Phi_dot) / by_;
   const VectorXd none = VectorXd::Zero(system_.v_size());
   VectorXd x(system_.v_size());
   dynamics_.solve(none, violations, x, lambda_);

@@ -33,8 +33,7 @@ class LinearizedMotion {
   /// Evaluations in all; what follows is false once there have been more.
   void afford(std::int64_t evaluations) { most_ = evaluations; }
 
-  /// To another state, with its accelerations; false also where there are none, or a switch has another side than in the
-  /// first one, as where a contact or a stop begins.
+  /// To another state, with its accelerations; false also where there are none.
   bool go_to(double t, const VectorXd& y, const VectorXd& history);
   const MovingState& here() const { return here_.state; }
 
@@ -43,9 +42,14 @@ class LinearizedMotion {
     MovingState state;
     VectorXd violations, rates;  ///< of the rows
     VectorXd forces;
+    VectorXd switches;
   };
   const Place& place() const { return here_; }
   void go_back_to(const Place& place) { here_ = place; }
+
+  /// From here on derivatives are those on the side of each switch where this state is; whether any is another one: where
+  /// contacts and stops begin and end they are others on both sides.
+  bool change_sides();
 
   /// Of a step, as if it were one of the state where this is; none where it is none, or nothing is known of it.
   std::optional<Perturbation> error(const StepDifference& step);
@@ -62,7 +66,7 @@ class LinearizedMotion {
 
  private:
   bool accelerate(const VectorXd& y, VectorXd& v_dot);
-  bool on_the_same_sides(const VectorXd& switches);
+  bool on_its_side() const;
   VectorXd moved(const VectorXd& way, const VectorXd& velocity, double by) const;
   VectorXd allowed(const VectorXd& twist, const VectorXd& b);
   void take_violations_back(Perturbation& it);
@@ -79,8 +83,9 @@ class LinearizedMotion {
   bool conservative_, holonomic_;
   Place here_;
   VectorXd other_v_dot_, lambda_;
-  VectorXd sides_;        ///< switches at the start
-  VectorXd most_change_;  ///< of each part: twice the largest kinetic energy [J]
+  double by_ = 0.0;          ///< share of an error by which the state was moved to see what it does
+  std::vector<bool> sides_;  ///< of switches: which are positive
+  VectorXd most_change_;     ///< of each part: twice the largest kinetic energy [J]
   std::int64_t evaluations_ = 0, most_ = 0;
 };
 

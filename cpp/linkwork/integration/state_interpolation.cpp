@@ -15,27 +15,16 @@ Vec4<double> second_rates(const Vec4<double>& p, const Vec4<double>& p_dot, cons
 
 }  // namespace
 
-VectorXd cubic_between(const System& system, const VectorXd& begin, const VectorXd& end, double h, double share) {
-  const double left = 1.0 - share;
-  VectorXd out = left * begin + share * end;
+CubicVelocities::CubicVelocities(const System& system, const ConstVector& begin, const ConstVector& end, double h)
+    : first_(begin.segment(system.q_size(), system.v_size())),
+      change_(end.segment(system.q_size(), system.v_size()) - first_),
+      bend_(system.v_size()) {
   for (int body = 0; body < system.body_count(); ++body) {
-    const Eigen::Index r = position_size * body, v = system.q_size() + velocity_size * body;
-    const auto bend = [&](auto place, const auto& rate_at_begin, const auto& rate_at_end, const auto& way) {
-      place += share * left * (left * (h * rate_at_begin - way) - share * (h * rate_at_end - way));
-    };
-    const Vec3<double> way = end.segment<3>(r) - begin.segment<3>(r);
-    const Vec4<double> turned = end.segment<4>(r + 3) - begin.segment<4>(r + 3);
-    bend(out.segment<3>(r), begin.segment<3>(v), end.segment<3>(v), way);
-    bend(out.segment<4>(r + 3), euler_parameter_rates<double>(begin.segment<4>(r + 3), begin.segment<3>(v + 3)),
-         euler_parameter_rates<double>(end.segment<4>(r + 3), end.segment<3>(v + 3)), turned);
-    const Vec3<double> mean = 0.5 * (begin.segment<3>(v) + end.segment<3>(v));
-    out.segment<3>(v) += 6.0 * share * left * (way / h - mean);
-    const Vec3<double> rotation = StateDifference::turn(end.segment<4>(r + 3), begin.segment<4>(r + 3));
-    const Vec3<double> mean_spin = 0.5 * (begin.segment<3>(v + 3) + end.segment<3>(v + 3));
-    out.segment<3>(v + 3) += 6.0 * share * left * (rotation / h - mean_spin);
+    const Eigen::Index r = position_size * body, v = velocity_size * body;
+    bend_.segment<3>(v) = (end.segment<3>(r) - begin.segment<3>(r)) / h;
+    bend_.segment<3>(v + 3) = StateDifference::turn(end.segment<4>(r + 3), begin.segment<4>(r + 3)) / h;
   }
-  system.normalize(out.head(system.q_size()));
-  return out;
+  bend_ = 6.0 * (bend_ - first_ - 0.5 * change_);
 }
 
 VectorXd quintic_between(const System& system, const MovingState& begin, const MovingState& end, double s) {

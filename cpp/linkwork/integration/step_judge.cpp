@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "linkwork/assembly/force_elements.hpp"
 #include "linkwork/formulation/watched_formulation.hpp"
 #include "linkwork/integration/damped_error.hpp"
 #include "linkwork/integration/energies_made.hpp"
@@ -435,7 +436,7 @@ void StepJudge::compare_inside(const KeptStep& step, StepError& out) {
   }
 }
 
-/// The speed at which a contact begins scales its damping as long as it lasts: an error of it is one of the velocity.
+/// The speed at which a contact begins scales its damping as long as it lasts.
 /// Steps that follow tolerances end where a contact begins: whether it has begun there is a matter of roundoff.
 void StepJudge::compare_history(const KeptStep& step, StepError& out) {
   const double end = span_.at(1.0);
@@ -452,27 +453,31 @@ void StepJudge::compare_history(const KeptStep& step, StepError& out) {
     dynamics_.advance_history();
   }
   const VectorXd found = dynamics_.history();
-  const bool counts = !has_the_same_forces(end, step.history_new);
   for (Eigen::Index k = 0; k < found.size(); ++k) {
     if (step.history_new[k] == 0.0) continue;  // it begins in the next step
     PartError& of_part = out.of_part[connected_.of_history(dynamics_.system(), k)];
     of_part.contact_begins = true;
-    if (!counts) continue;
-    of_part.onset = std::max(of_part.onset, std::abs(found[k] - step.history_new[k]));
+    of_part.onset = std::max(of_part.onset, by_onset(end, k, found, step.history_new));
     of_part.end.velocity = std::max(of_part.end.velocity, of_part.onset);
   }
 }
 
-/// Without hysteresis the speed at which contacts begin is nothing to them.
-bool StepJudge::has_the_same_forces(double t, const VectorXd& history) {
-  const VectorXd own = dynamics_.history();
-  dynamics_.evaluate(t, y_);
-  const VectorXd forces = dynamics_.evaluation().g;
-  dynamics_.set_history(history);
-  dynamics_.evaluate(t, y_);
-  const bool same = dynamics_.evaluation().g == forces;
-  dynamics_.set_history(own);
-  return same;
+/// What another speed at which a contact begins makes of that with which it ends: by the share of the force that damps,
+/// none of it without hysteresis.
+double StepJudge::by_onset(double t, Eigen::Index variable, const VectorXd& history, const VectorXd& other) const {
+  const System& system = dynamics_.system();
+  const auto place = static_cast<int>(variable);
+  ForceElement contact(system, system.history_owners()[static_cast<std::size_t>(place)].element, place);
+  const auto forces = [&](const VectorXd& of) {
+    return contact.forces(t, y_.head(system.q_size()), y_.segment(system.q_size(), system.v_size()), of);
+  };
+  const auto own = forces(history), others = forces(other);
+  double apart = 0.0, whole = 0.0;
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    apart += (own[k] - others[k]) * (own[k] - others[k]);
+    whole += own[k] * own[k];
+  }
+  return whole > 0.0 ? std::min(std::sqrt(apart / whole), 1.0) * history[variable] : 0.0;
 }
 
 void StepJudge::compare_reactions(const KeptStep& step, StepError& out) {

@@ -66,7 +66,7 @@ struct PartError {
   double energy = 0.0;   ///< made, where that is looked at, see energies_apart [J]
   double in_inerters = 0.0;  ///< kinetic energy, likewise [J]
   bool contact_begins = false;
-  double onset = 0.0;  ///< of the speed at which it does, where that counts [m/s], also in that of the velocity
+  double onset = 0.0;  ///< by that of the speed at which it does [m/s], also in that of the velocity
   double rounding = 0.0, displacement = 0.0;  ///< of positions in space, where it is the same in many steps [m]
   double noise = 0.0;                         ///< of velocities, which rounding of positions may be in a step [m/s]
 };
@@ -144,7 +144,7 @@ class StepJudge {
   void compare_inside(const KeptStep& step, StepError& out);
   void compare_energies(const KeptStep& step, StepError& out);
   void compare_history(const KeptStep& step, StepError& out);
-  bool has_the_same_forces(double t, const VectorXd& history);
+  double by_onset(double t, Eigen::Index variable, const VectorXd& history, const VectorXd& other) const;
   void compare_reactions(const KeptStep& step, StepError& out);
   struct Reactions {
     Eigen::Matrix3Xd force, torque;

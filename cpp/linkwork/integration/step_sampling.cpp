@@ -159,6 +159,7 @@ void StepSampling::before(const Dynamics& dynamics, const VectorXd& y, double ki
                           const VectorXd& switches) {
   const VectorXd& history = dynamics.history();
   if (!kinks_) kinks_.emplace(*system_);
+  touches_ = (switches.array() > 0.0).any();
   if (switches.size() > 0 || !kinks_->empty()) look_for_switches(history, switches, y);
   balance(y, kinetic, potential);
   if (history.size() > 0) history_ = history;
@@ -175,7 +176,6 @@ void StepSampling::look_for_switches(const VectorXd& history, const VectorXd& sw
     depends = depends || std::min(since_switch_[group], since_kink_[group]) <= memory_;
     if (since_switch_[group] <= memory_ || since_kink_[group] == 0) groups_of_step_.push_back(static_cast<int>(group));
   }
-  if (depends) log_.end();
   if (!last_.kept() || !depends) return;
   for (KeptStep* step : {&parts_.back().any, &parts_.back().steepest})
     if (step->kept() && step->t == last_.t) step->switched = true;
@@ -295,7 +295,7 @@ void StepSampling::follow(double t, double h, const VectorXd& y, const VectorXd&
   part.peaks = part.peaks.cwiseMax(largest_);
   part.velocity_paths += h * largest_;
   steps_ += 1;
-  log_.add(t, y, history_);
+  log_.add(t, y, history_, touches_);
 }
 
 void StepSampling::choose(RunPart& part, double change, const VectorXd& y_new) {

@@ -166,6 +166,7 @@ class StepSampling {
   double work_before_ = 0.0;
   DifferencesOfParts corrections_;
   bool struck_ = false;
+  bool touches_ = false;  ///< where the step begins
   double sum_of_jumps_ = 0.0;
   KeptStep last_;  ///< without y_new, which `before` will see; h = 0: none
   Largest by_jump_, by_energy_;
