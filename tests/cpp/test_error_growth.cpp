@@ -1,5 +1,7 @@
 #include "linkwork/integration/error_growth.hpp"
 
+#include "linkwork/assembly/connected_components.hpp"
+#include "mechanisms.hpp"
 #include "swinging_rod.hpp"
 
 using namespace linkwork;
@@ -86,4 +88,66 @@ TEST_CASE("of one state, and where there is no error, nothing grows") {
   const auto below = [](double) { return state(0.0, 0.0); };
   CHECK(growth(pendulum(), log_of(0.0, 0, below), state(1e-6, 0.0), below(0.0), pace).empty());
   CHECK(growth(pendulum(), log_of(1.0, 9, below), below(0.0), below(0.0), pace).empty());
+}
+
+namespace {
+
+constexpr double speed = 1.0, gap = 0.1, ball = 0.01, stiffness = 1e6;  // of support::two_balls, of 1 kg
+
+double push(double distance) { return stiffness * std::pow(std::max(2.0 * ball - distance, 0.0), 1.5); }
+
+/// Two balls meet head on: what lies between them, its rate, and by how much one that passes beside is off, with its
+/// rate, relative to that at the start. F acts on both, so that twice the acceleration of each counts.
+struct Meeting {
+  double t = 0.0, between = gap, rate = -speed, aside = 1.0, aside_rate = 0.0;
+
+  void go_on(double h, int steps) {
+    for (int k = 0; k < steps; ++k) {
+      const double half = between + 0.5 * h / steps * rate, force = 2.0 * push(half);
+      rate += h / steps * force;
+      const double aside_half = aside + 0.5 * h / steps * aside_rate;
+      aside_rate += h / steps * force / half * aside_half;
+      between = half + 0.5 * h / steps * rate;
+      aside = aside_half + 0.5 * h / steps * aside_rate;
+    }
+    t += h;
+  }
+  /// In the order of a state; the middle of both moves at half of the speed.
+  VectorXd y() const {
+    VectorXd out = VectorXd::Zero(27);
+    const double middle = 0.5 * (gap + speed * t);
+    out[0] = middle - 0.5 * between, out[7] = middle + 0.5 * between;
+    out[3] = out[10] = 1.0;
+    out[14] = 0.5 * (speed - rate), out[20] = 0.5 * (speed + rate);
+    return out;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("balls that meet head on part at more than twice the angle by which they touch beside it") {
+  const Model model = support::two_balls(speed, {gap, 0, 0});
+  Dynamics dynamics(model, Options());
+  const Eigen::Index contacts = dynamics.system().history_size();
+  for (const double h : {2e-4, 1e-3}) {
+    Meeting motion;
+    StateLog log(2, contacts);
+    double largest = 1.0;
+    while (motion.t < 0.2) {
+      const bool touches = motion.between < 2.0 * ball;
+      log.add(motion.t, motion.y(), VectorXd::Constant(contacts, touches ? speed : 0.0), touches);
+      motion.go_on(touches || motion.between + h * motion.rate < 2.0 * ball ? h / 10.0 : h, 1000);
+      largest = std::max({largest, 0.5 * (1.0 + motion.aside), 0.5 * motion.aside_rate / speed});
+    }
+    VectorXd off = Meeting().y();
+    off[1] += 1e-9;
+    const auto errors = [&](std::size_t, double) { return std::vector<StepDifference>{{0.0, off, Meeting().y()}}; };
+    const auto parts = ConnectedParts::of(dynamics.system()).count();
+    const auto found = find_error_growth(dynamics, log, errors, MovingAxes(), VectorXd::Ones(parts),
+                                         VectorXd::Constant(parts, speed), 100'000);
+    REQUIRE(found.size() == 1);
+    CHECK(motion.aside_rate > 2.0 * speed / (2.0 * ball));  // as much of hard ones
+    CHECK(found[0].until > 0.19);
+    CHECK(found[0].of_part.maxCoeff() == doctest::Approx(largest).epsilon(0.03));
+  }
 }

@@ -58,16 +58,21 @@ TEST_CASE("of the fifth degree is exact for such a polynomial, and of the sixth 
   CHECK(half_pose < 1e-7);
 }
 
-TEST_CASE("cubic is of the fourth order in poses and, for turns, of the second in velocities") {
+TEST_CASE(
+    "velocities of the cubic are exact where those are of the second degree, of the third order else, of turns of the "
+    "second") {
   const Model model = free_body();
   const System system(model);
-  const auto cubic = [&](const MovingState& a, const MovingState& b) {
-    return cubic_between(system, a.y, b.y, b.t - a.t, 0.5);
+  const auto off = [&](double h) {
+    const MovingState a = state(0.4), b = state(0.4 + h), between = state(0.4 + 0.3 * h);
+    return VectorXd(CubicVelocities(system, a.y, b.y, h).at(0.3) - between.y.segment<6>(7));
   };
-  const auto [pose, velocity] = errors(0.02, cubic);
-  const auto [half_pose, half_velocity] = errors(0.01, cubic);
-  CHECK(pose / half_pose > 12.0);
-  CHECK(velocity / half_velocity > 3.5);
+  CHECK(off(0.02).head<3>().norm() / off(0.01).head<3>().norm() > 7.0);
+  CHECK(off(0.02).tail<3>().norm() / off(0.01).tail<3>().norm() > 3.5);
+  VectorXd begin = state(0.0).y, end = begin;
+  begin[7] = 3.0, end[0] += 3.0 * 2.0 - 2.0 + 8.0 / 3.0, end[7] = 3.0 - 2.0 + 4.0;  // v = 3 - t + t^2, 2 s later
+  begin.segment<3>(10).setZero(), end.segment<3>(10).setZero();
+  CHECK(CubicVelocities(system, begin, end, 2.0).at(0.25)[0] == doctest::Approx(3.0 - 0.5 + 0.25).epsilon(1e-14));
 }
 
 TEST_CASE("at the ends they are the states there, with unit Euler parameters on the way") {
@@ -77,7 +82,7 @@ TEST_CASE("at the ends they are the states there, with unit Euler parameters on 
   for (const double share : {0.0, 1.0}) {
     const VectorXd& end = share == 0.0 ? a.y : b.y;
     CHECK((quintic_between(system, a, b, share) - end).norm() < 1e-14);
-    CHECK((cubic_between(system, a.y, b.y, b.t - a.t, share) - end).norm() < 1e-14);
+    CHECK((CubicVelocities(system, a.y, b.y, b.t - a.t).at(share) - end.segment<6>(7)).norm() < 1e-14);
   }
   CHECK(quintic_between(system, a, b, 0.3).segment<4>(3).norm() == doctest::Approx(1.0).epsilon(1e-14));
 }

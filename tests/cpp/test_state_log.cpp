@@ -26,6 +26,20 @@ StateLog log_of(std::size_t states, double angle) {
   return log;
 }
 
+/// The most steps from one state to the next.
+double longest(const StateLog& log) {
+  double out = 0.0;
+  for (std::size_t k = 1; k < log.size(); ++k) out = std::max(out, log.t(k) - log.t(k - 1));
+  return out;
+}
+
+/// Whether there is one at that time, number k.
+bool has(const StateLog& log, double t) {
+  for (std::size_t k = 0; k < log.size(); ++k)
+    if (log.t(k) == t) return true;
+  return false;
+}
+
 }  // namespace
 
 TEST_CASE("a log of few states has all of them") {
@@ -41,13 +55,52 @@ TEST_CASE("of many that are near each other it has every so many, to the end") {
   const StateLog log = log_of(states, 1e-4);
   CHECK(log.size() <= most);
   CHECK(log.size() > most / 2);
-  const double every = log.t(1) - log.t(0);
+  CHECK(longest(log) <= 16.0);
   for (std::size_t k = 0; k < log.size(); ++k) {
-    CHECK(log.t(k) == every * static_cast<double>(k));
-    CHECK(log.y(k) == turned(1e-4 * log.t(k)));
-    CHECK(log.history(k)[1] == log.t(k));
+    REQUIRE(log.y(k) == turned(1e-4 * log.t(k)));
+    REQUIRE(log.history(k)[1] == log.t(k));
   }
-  CHECK(log.t(log.size() - 1) > static_cast<double>(states) - 1.5 * every);
+  CHECK(log.t(log.size() - 1) >= static_cast<double>(states) - 16.0);
+}
+
+TEST_CASE("of many it has all in which something touches, and those before and after") {
+  const std::size_t states = 10 * most;
+  StateLog log(1, 0);
+  const auto touching = [](std::size_t k) { return k % 997 < 10; };
+  for (std::size_t k = 0; k < states; ++k)
+    log.add(static_cast<double>(k), turned(1e-4 * static_cast<double>(k)), VectorXd(), touching(k));
+  CHECK(longest(log) <= 16.0);
+  std::size_t found = 0, about = 0;
+  for (std::size_t k = 0; k < log.size(); ++k) {
+    found += touching(static_cast<std::size_t>(log.t(k))) ? 1 : 0;
+    about += log.touches_about(k) ? 1 : 0;
+  }
+  CHECK(found == 10 * (states / 997) + std::min<std::size_t>(states % 997, 10));
+  CHECK(about > found);
+  CHECK(about < 13 * (states / 997 + 1));
+}
+
+TEST_CASE("where something touches all the time, as where it rests, it has every so many likewise") {
+  StateLog log(1, 0);
+  for (std::size_t k = 0; k < 10 * most; ++k)
+    log.add(static_cast<double>(k), turned(1e-4 * static_cast<double>(k)), VectorXd(), true);
+  CHECK(log.size() > most / 4);
+  CHECK(log.t(log.size() - 1) >= static_cast<double>(10 * most) - 1.0);
+}
+
+TEST_CASE("of many it has those where a velocity changes by much, however soon it comes back") {
+  const std::size_t states = 10 * most;
+  StateLog log(1, 0);
+  for (std::size_t k = 0; k < states; ++k) {
+    VectorXd y = turned(0.0);
+    y[7] = std::sin(1e-3 * static_cast<double>(k)) + (k % 997 == 500 ? 1.0 : 0.0);
+    log.add(static_cast<double>(k), y, VectorXd());
+  }
+  for (std::size_t k = 500; k < states; k += 997) {
+    CHECK(has(log, static_cast<double>(k)));
+    CHECK(has(log, static_cast<double>(k + 1)));
+  }
+  CHECK(log.t(log.size() - 1) >= static_cast<double>(states) - 32.0);
 }
 
 TEST_CASE("of many that are far from each other it has the first ones, as those left would be too far") {

@@ -21,7 +21,7 @@ constexpr double most_parts = 64.0, least_way = 0.1, least_density = 0.5;
 constexpr double usual_density = 2.0, of_motion = 2.0, of_error = 2.4;
 // Growth, relative to that of regular motion, from which it is followed farther, and from which it is found again in
 // finer steps; by so many times the evaluations.
-constexpr double suspicious = 4.0, doubtful = 20.0;
+constexpr double suspicious = 2.0, doubtful = 20.0;
 constexpr std::int64_t more = 5, most_of_bodies = 1'500'000;  // evaluations of one
 
 /// One of the errors.

@@ -10,7 +10,7 @@ namespace {
 
 // By how much the cubic may be off: of velocities; of accelerations, relative to the mean of all between; of the largest
 // velocity of all, which is none.
-constexpr double of_velocity = 0.03, of_acceleration = 0.1, none = 1e-12;
+constexpr double of_velocity = 0.03, of_acceleration = 0.3, none = 1e-12;
 constexpr std::size_t most_pieces = 16;  // in which accelerations are looked at
 
 /// What the next term of velocities would be, which the fifth degree has.

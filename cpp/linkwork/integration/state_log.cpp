@@ -100,7 +100,8 @@ void StateLog::leave_out_some() {
 bool StateLog::is_between(std::size_t before, std::size_t k, bool touching) const {
   if (!touching && (touches_[before] || touches_[k] || touches_[k + 1])) return false;
   if (touches_[before] != touches_[k] || touches_[k] != touches_[k + 1]) return false;
-  return velocities_apart(y(before), y(k + 1)) <= far && angles_apart(y(before), y(k + 1)) <= far;
+  return velocities_apart(y(before), y(k)) <= far && velocities_apart(y(before), y(k + 1)) <= far &&
+         angles_apart(y(before), y(k + 1)) <= far;
 }
 
 /// Never two that follow each other.
