@@ -127,6 +127,18 @@ TEST_CASE("errors of a part of the run grow as one of its own, and those before 
   CHECK(accumulate(errors).unstable == 1.0);
 }
 
+TEST_CASE("as regular motion grows, errors of steps alone grow, as where a contact begins; others come and go") {
+  StateDifference apart;
+  apart.position = 1e-9;
+  const double of_part = 100 * 1e-9 / size, factor = 50.0;
+  RunErrors errors = run(apart, apart);
+  errors.growth.push_back({0.0, 2.0, VectorXd::Constant(1, factor)});
+  CHECK(state(errors) == doctest::Approx(2.0 * of_part * factor));
+  for (RunPart& part : errors.parts) part.peaks = VectorXd::Zero(1);
+  CHECK(state(errors) < 0.5 * of_part * factor);
+  CHECK(accumulate(errors).unstable == 1.0);
+}
+
 TEST_CASE("a state inside of a step is off by what the interpolant is, once") {
   StateDifference apart;
   RunErrors errors = run(apart, apart);

@@ -180,13 +180,60 @@ def test_a_law_of_the_users_own_that_drives_away_is_seen() -> None:
     assert said_by_true(model, result) > 0.5
 
 
-def test_what_contacts_do_is_not_followed() -> None:
+TOUCHES: tuple[dict[str, Any], ...] = ({"rtol": 1e-5}, {"rtol": 1e-7}, {"step": 5e-4, "integrator": "rk4"})
+
+
+def touching(kind: str, number: int) -> lw.Model:
+    """Two or three rods, the last of which bounces on the floor, or which bounce on stops at their hinges."""
+    angles = np.random.default_rng(number).uniform(1.0, 2.2, 2 if kind == "floor" else 3)
+    model = rods(*angles)
+    for k in range(1, len(angles) if kind != "floor" else 0):
+        at = tuple(np.sum([[np.sin(a), 0, np.cos(a)] for a in angles[:k]], axis=0))
+        model.rotational_stop(
+            f"rod {k - 1}", f"rod {k}", at=at, axis=(0, 1, 0), x_axis=(1, 0, 0), lower=-1.2, upper=1.2,
+            stiffness=2000.0, damping=0.0 if kind == "stops" else 50.0,
+        )  # fmt: skip
+    if kind == "floor":
+        tip = tuple(np.sum([[np.sin(a), 0, np.cos(a)] for a in angles], axis=0))
+        model.sphere_plane_contact("ground", "rod 1", at=((0, 0, -1.2), tip), normal=(0, 0, 1), radius=0.1,
+                                   stiffness=1e5, hysteresis=0.2 * (number % 2), friction=0.1)  # fmt: skip
+    return model
+
+
+@pytest.mark.parametrize("how", TOUCHES, ids=str)
+@pytest.mark.parametrize("number", range(4))
+@pytest.mark.parametrize("kind", ["floor", "stops", "soft stops"])
+def test_what_bounces_is_as_far_off_as_it_is_said_to_be(kind: str, number: int, how: Any) -> None:
+    model = touching(kind, number)
+    assert 0.5 < said_by_true(model, run(model, 4.0, **how)) < 5000
+
+
+@pytest.mark.parametrize("how", TOUCHES, ids=str)
+def test_what_bounces_on_a_plane_is_not_unstable(how: Any) -> None:
     model = lw.Model(gravity=(0, 0, -9.81))
     model.body("ball", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0, 0, 1.0))
     model.sphere_plane_contact("ground", "ball", at=((0, 0, 0), (0, 0, 1.0)), normal=(0, 0, 1), radius=0.1,
-                               stiffness=1e6)  # fmt: skip
-    verdict = run(model, 3.0, rtol=1e-8).verdict
-    assert verdict is not None and verdict.growth is None
+                               stiffness=1e5)  # fmt: skip
+    verdict = run(model, 20.0, **how).verdict
+    assert verdict is not None and verdict.growth is not None and verdict.unstable == 1.0
+
+
+def test_two_balls_that_meet_again_and_again_part_on_and_on() -> None:
+    """In a box, of which the one is kept out of the middle: as two discs of a billiard."""
+    model = lw.Model(gravity=(0, 0, 0))
+    for k, (x, z, along, across) in enumerate([(-0.5, 0.13, 1.0, 0.3), (0.4, -0.2, -0.7, 0.8)]):
+        model.body(
+            f"ball {k}", mass=1.0, inertia=(4e-3,) * 3, position=(x, 0, z), velocity=(along, 0, across)
+        )
+        for n in (1, 0, 0), (-1, 0, 0), (0, 0, 1), (0, 0, -1):
+            wall = (tuple(-1.0 * c for c in n), (x, 0, z))
+            model.sphere_plane_contact("ground", f"ball {k}", at=wall, normal=n, radius=0.1, stiffness=1e6)
+    model.sphere_sphere_contact("ball 0", "ball 1", at=((-0.5, 0, 0.13), (0.4, 0, -0.2)), radius_a=0.3,
+                                radius_b=0.3, stiffness=1e6)  # fmt: skip
+    for how in TOUCHES:
+        result = run(model, 10.0, **how)
+        assert result.verdict is not None and result.verdict.unstable > 1e3
+        assert 0.5 < said_by_true(model, result) < 5000
 
 
 @pytest.mark.parametrize(
@@ -274,21 +321,26 @@ def test_of_regular_motion_it_is_said_in_how_many_errors_were_followed() -> None
     assert "is known of 16 of the 70 members, where they do not" in repr(found)
 
 
+def vibrating(stiffness: float, *, model: lw.Model | None = None) -> lw.Model:
+    """A mass on a spring beside it: on a stiff one it comes and goes too often to be followed to the end."""
+    model = lw.Model() if model is None else model
+    model.body("mass", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(5, 0, 0), velocity=(1, 0, 0))
+    along: Any = {"at": (5, 0, 0), "axis": (1, 0, 0)}
+    model.translational("ground", "mass", **along)
+    model.translational_spring_damper("ground", "mass", **along, stiffness=stiffness)
+    return model
+
+
 def test_nobody_is_told_to_follow_errors_that_are_followed() -> None:
-    """What falls on the plane is known up to there."""
+    def mixed(stiffness: float) -> lw.Model:
+        return vibrating(stiffness, model=rods(1e-3, 1e-3))
 
-    def mixed(height: float) -> lw.Model:
-        model = rods(1e-3, 1e-3)
-        model.body("ball", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(5, 0, height))
-        model.sphere_plane_contact("ground", "ball", at=((5, 0, 0), (5, 0, height)), normal=(0, 0, 1),
-                                   radius=0.1, stiffness=1e4)  # fmt: skip
-        return model
-
-    with pytest.warns(lw.LinkworkWarning, match="errors grow") as said:
-        found = lw.simulate_many(mixed, {"height": [0.5, 1.0, 1000.0, 2000.0]}, 10.0, rtol=1e-6,
+    off = pytest.warns(lw.LinkworkWarning, match="members are more than 1 % off")
+    with off, pytest.warns(lw.LinkworkWarning, match="the other 2 may be") as said:
+        found = lw.simulate_many(mixed, {"stiffness": [2e6, 3e6, 100.0, 200.0]}, 10.0, rtol=1e-6,
                                  outputs="final", progress=False)  # fmt: skip
     assert known(found).tolist() == [False, False, True, True]
-    assert "the other 2 may be" in str(said[0].message) and "follow_errors" not in str(said[0].message)
+    assert all("follow_errors" not in str(it.message) for it in said)
 
 
 def test_a_study_is_told_by_some_of_its_cases_also_when_it_is_read_again(tmp_path: Path) -> None:
@@ -343,17 +395,15 @@ def test_what_is_unstable_beside_other_parts_is_told_by_its_own_number() -> None
 
 
 @pytest.mark.parametrize("count", [3, 20])
-@pytest.mark.parametrize("height", [0.5, 1e4])
-def test_nobody_is_told_to_follow_errors_where_that_does_not_help(height: float, count: int) -> None:
-    """Where contacts end it, and of few members, which all are."""
-    model = lw.Model(gravity=(0, 0, -9.81))
-    model.body("ball", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0, 0, height))
-    model.sphere_plane_contact("ground", "ball", at=((0, 0, 0), (0, 0, height)), normal=(0, 0, 1), radius=0.1,
-                               stiffness=1e4)  # fmt: skip
-    found = lw.simulate_many([model] * count, None, 2.0, 1e-3, outputs="final", progress=False)
-    assert np.isnan(found.unstable).all() == (height < 1)
-    assert ("follow_errors" in repr(found)) == (height > 1 and count > 16)
-    assert ("verify=True" in repr(found)) == (height < 1 and count > 16)
+@pytest.mark.parametrize("stiff", [True, False])
+def test_nobody_is_told_to_follow_errors_where_that_does_not_help(stiff: bool, count: int) -> None:
+    """Where evaluations end it, and of few members, which all are."""
+    model = vibrating(2.5e5 if stiff else 100.0)
+    found = lw.simulate_many([model] * count, None, 2.0, 1e-3, outputs="final", progress=False,
+                             on_inaccurate="pass")  # fmt: skip
+    assert np.isnan(found.unstable).all() == stiff
+    assert ("follow_errors" in repr(found)) == (not stiff and count > 16)
+    assert ("verify=True" in repr(found)) == (stiff and count > 16)
 
 
 def test_members_out_of_lanes_are_all_followed() -> None:

@@ -949,6 +949,19 @@ def test_without_hysteresis_the_speed_at_which_contact_begins_is_no_error() -> N
     assert error < run.verdict.error < 100 * error
 
 
+@pytest.mark.parametrize("hysteresis", [0.01, 0.05, 0.5])
+@pytest.mark.parametrize("step", [1e-4, 1.3e-4])
+def test_with_little_hysteresis_the_speed_at_which_contact_begins_is_little_error(
+    hysteresis: float, step: float
+) -> None:
+    """One bounce, by steps in which gravity changes the speed by more than the method is off."""
+    model = bouncing(friction=0.0, hysteresis=hysteresis)
+    run = lw.simulate(model, 0.3, step, on_inaccurate="pass")
+    exact = lw.simulate(model, 0.3, times=run.t, rtol=1e-11, atol=1e-13, integrator="dop853")
+    error = np.abs(run.velocity - exact.velocity).max() / np.abs(exact.velocity).max()
+    assert error < run.verdict.error < 100 * error
+
+
 def test_a_hard_hit_of_a_light_part_is_seen_beside_one_that_often_touches_soft_stops() -> None:
     model, speed = lw.Model(gravity=(0, 0, 0)), 0.31
     for name, mass, v, y in (("heavy", 10.0, 2.0, 0), ("light", 1e-3, speed, 2)):

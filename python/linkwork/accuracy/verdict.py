@@ -118,7 +118,7 @@ class Verdict:
     body         of the connected part that the error is of; "": all bodies are one part, or it is of no one
     growth       of errors of steps until the end of the run, the largest factor: in proportion to time in
                  regular motion, exponential where it is unstable or chaotic. None: not known, as of most
-                 members of ensembles, long runs, large models, and from the first contact on
+                 members of ensembles, long runs, large models, and from the first event on
     unstable     the same of motion that is unstable or chaotic, of whichever part: where it is much more than
                  in regular motion, else 1
     """
