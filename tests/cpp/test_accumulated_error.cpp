@@ -139,6 +139,37 @@ TEST_CASE("as regular motion grows, errors of steps alone grow, as where a conta
   CHECK(accumulate(errors).unstable == 1.0);
 }
 
+TEST_CASE("where growth is known to the end the state is off by all errors as they have grown at most") {
+  StateDifference apart;
+  apart.position = 1e-9;
+  RunErrors errors = run(apart, apart);
+  const double of_part = 100 * 1e-9 / size;
+  const auto at_most = [&] { return accumulate(errors).at_most; };
+  CHECK(std::isnan(at_most()));
+  errors.growth.push_back({0.2, 2.0, VectorXd::Constant(1, 7.0)});
+  CHECK(std::isnan(at_most()));  // one error is of a kind
+  errors.growth.push_back({1.4, 2.0, VectorXd::Constant(1, 3.0)});
+  CHECK(at_most() == doctest::Approx(of_part * (7.0 + 7.0)));
+  errors.growth[0].t = 1.2;
+  errors.growth.insert(errors.growth.begin(), {0.9, 2.0, VectorXd::Constant(1, 2.0)});
+  CHECK(at_most() == doctest::Approx(of_part * (7.0 + 7.0)));  // the next one counts, too
+  errors.growth[2].until = 1.9;
+  CHECK(std::isnan(at_most()));  // not to the end
+  errors.growth[2].until = 2.0;
+  errors.growth[0].of_part[0] = 1e6;
+  CHECK(std::isnan(at_most()));  // unstable
+  errors.growth[0].of_part[0] = 2.0;
+  EnergyMade made;
+  made.largest = 1e-3;
+  made.exchanged = 1.0;
+  errors.connected_parts[0].energy = made;
+  CHECK(std::isnan(at_most()));  // more than the steps have made
+  errors.connected_parts[0].energy->largest = 1e-8;
+  CHECK(at_most() == doctest::Approx(of_part * (7.0 + 7.0)));
+  errors.connected_parts[0].has_laws = true;
+  CHECK(std::isnan(at_most()));
+}
+
 TEST_CASE("a state inside of a step is off by what the interpolant is, once") {
   StateDifference apart;
   RunErrors errors = run(apart, apart);

@@ -190,4 +190,4 @@ def test_a_law_that_rests_is_driven_or_moves_rotors_is_judged_as_the_spring_that
         verdict = lw.simulate(model(law), t_end=t_end, rtol=1e-6, on_inaccurate="pass").verdict
         assert verdict is not None
         errors.append(verdict.error)
-    assert errors[0] < 10 * errors[1] + 1e-6
+    assert errors[0] < 20 * errors[1] + 1e-6

@@ -168,7 +168,7 @@ def test_energy_that_a_small_part_loses_counts_as_if_it_were_alone(
 
     single, both = judged(part), judged(part, swinging("arm", 1000, 20))
     assert both.energy == pytest.approx(single.energy, rel=0.2)
-    assert both.error == pytest.approx(single.error, rel=0.2)
+    assert both.error == pytest.approx(single.error, rel=0.5), "by other errors that are followed"
 
 
 @pytest.mark.parametrize("law", ["joint", "body"])

@@ -26,7 +26,7 @@ _NUMBERS: dict[str, Any] = {
     "taken": 1, "failed": 0, "kinetic_share": 1.0, "rest_energy": 1.0, "violation": 0.0, "seconds": 1.0,
     "rate": 1.0, "slowness": 1.0, "suddenness": 0.0, "state": 1e-3,
     "local_error": 1e-3, "rounding": 0.0, "yielding": 0.0, "steps": [(0.0, 1e-3, 1e-6, None)], "energies": [],
-    "body": -1, "growth": 2.0, "unstable": 1.0, "grows": False,
+    "body": -1, "growth": 2.0, "at_most": float("nan"), "unstable": 1.0, "grows": False,
 }  # fmt: skip
 
 
@@ -133,18 +133,19 @@ def test_a_motion_that_has_settled_is_not_late(integrator: str, step: float, dam
     assert true < result.verdict.error < 300 * true
 
 
-def test_a_body_that_rests_until_it_is_pushed_is_late_from_there_on() -> None:
-    def judged(rest: float) -> lw.Verdict:
-        model = lw.Model(gravity=(0, 0, 0))
-        model.body("rotor", mass=1, inertia=(0.1,) * 3)
-        model.revolute("ground", "rotor", at=(0, 0, 0), axis=(0, 0, 1))
-        model.rotational_spring_damper("ground", "rotor", axis=(0, 0, 1), stiffness=10.0,
-                                       torque=lambda t: 2.0 if t >= rest else 0.0, breaks=[rest])  # fmt: skip
-        found = quick(model, rest + 20.0, step=0.02, integrator="rk3").verdict
-        assert found is not None
-        return found
-
-    assert judged(5.0).error == pytest.approx(judged(1.0).error, rel=0.5)
+@pytest.mark.parametrize("rest", [0.3, 1.0, 5.0, 20.0])
+def test_a_body_that_rests_until_it_is_pushed_is_late_from_there_on(rest: float) -> None:
+    """It swings by 0.2 (1 - cos 10 t)."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("rotor", mass=1, inertia=(0.1,) * 3)
+    model.revolute("ground", "rotor", at=(0, 0, 0), axis=(0, 0, 1))
+    model.rotational_spring_damper("ground", "rotor", axis=(0, 0, 1), stiffness=10.0,
+                                   torque=lambda t: 2.0 if t >= rest else 0.0, breaks=[rest])  # fmt: skip
+    found = quick(model, rest + 20.0, step=0.02, integrator="rk3", on_inaccurate="pass")
+    swings = np.where(found.t > rest, 2.0 * np.sin(10.0 * (found.t - rest)), 0.0)
+    off = float(np.abs(found.v[:, 0, 5] - swings).max()) / 2.0
+    assert found.verdict is not None
+    assert off < found.verdict.error < 60 * off
 
 
 def test_energy_that_comes_and_goes_lasts_less_than_a_drift() -> None:

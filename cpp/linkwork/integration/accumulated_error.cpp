@@ -7,18 +7,21 @@
 namespace linkwork {
 namespace {
 
-constexpr double growth = 5.0;         // characteristic times L / V in which an error of a velocity moves positions
-constexpr double followed = 0.9;       // share of a run: beyond, its end is known
-constexpr double same_time = 1e-9;     // relative
-constexpr double of_regular = 0.05;    // growth that counts
-constexpr double irregular = 20.0;     // growth of errors, relative to t V / L: beyond, motion is unstable
-constexpr double steep = 10.0;         // times the mean of its part: a change of accelerations out of the ordinary
-constexpr double sudden = 2.0;         // mean turning, up to which peaks of accelerations are those of bursts alone
-constexpr double burst = 0.5;          // of the largest acceleration: one, as of a bounce
-constexpr double slowest = 0.1;        // pace from which errors along the path grow
-constexpr double unloaded = 1e-9;      // of forces, or of those of the motion: reactions below are rounding
-constexpr double least_energy = 1e-9;  // of a mechanism, relative to its amount
-constexpr std::size_t rare = 10;       // one of so many
+constexpr double growth = 5.0;            // characteristic times L / V in which an error of a velocity moves positions
+constexpr double followed = 0.9;          // share of a run: beyond, its end is known
+constexpr double followed_to_end = 0.99;  // the same, where nothing may be left out
+constexpr std::size_t few_followed = 2;   // errors at least that say how others grow
+constexpr double of_energy = 4.0;         // times errors of steps: what they make of the energy, at most
+constexpr double same_time = 1e-9;        // relative
+constexpr double of_regular = 0.05;       // growth that counts
+constexpr double irregular = 20.0;        // growth of errors, relative to t V / L: beyond, motion is unstable
+constexpr double steep = 10.0;            // times the mean of its part: a change of accelerations out of the ordinary
+constexpr double sudden = 2.0;            // mean turning, up to which peaks of accelerations are those of bursts alone
+constexpr double burst = 0.5;             // of the largest acceleration: one, as of a bounce
+constexpr double slowest = 0.1;           // pace from which errors along the path grow
+constexpr double unloaded = 1e-9;         // of forces, or of those of the motion: reactions below are rounding
+constexpr double least_energy = 1e-9;     // of a mechanism, relative to its amount
+constexpr std::size_t rare = 10;          // one of so many
 constexpr double still = 1e-6;  // relative to L, or to L / duration: below nothing moves, what is left is rounding
 
 /// A part of a run with the steps that are known of it: one, or two, the second the steepest.
@@ -91,6 +94,12 @@ void find_what_remains(std::vector<KnownPart>& parts) {
   }
 }
 
+/// As errors of energies are weighed over the whole run.
+double relative(const EnergyMade& it, double kinetic) {
+  const double scale = std::max({kinetic + it.in_inerters, it.exchanged, it.rest, least_energy * it.amount});
+  return it.largest > 0.0 ? it.largest / scale : 0.0;
+}
+
 /// In one connected part.
 class Accumulation {
  public:
@@ -127,6 +136,7 @@ class Accumulation {
     const StateDifference corrections = errors_.corrections.empty() ? StateDifference() : errors_.corrections[part_];
     const double once = std::max(at_once(), error(corrections));
     out_.state = once + (judged_.rest ? away_from_rest() : judged_.resolved * accumulated());
+    out_.at_most = judged_.rest ? out_.state : once + judged_.resolved * at_most();
     out_.local_error = sum([this](const StepError& it) { return error(of(it).end); }) / out_.seconds;
     out_.contacts_begin = std::any_of(errors_.steps.begin(), errors_.steps.end(),
                                       [this](const StepError& it) { return of(it).contact_begins; });
@@ -362,6 +372,38 @@ class Accumulation {
     return missed_ * sum;
   }
 
+  /// NaN where growth is not known to the end, or is that of unstable motion, of which few errors say little; and where
+  /// the balance of energy shows what steps do not.
+  double at_most() const {
+    const double end = all_parts().front()->t + followed_to_end * out_.seconds;
+    const auto known = [&](const ErrorGrowth& it) { return it.until >= end && factor(it) <= regular_factor(it); };
+    const std::vector<ErrorGrowth>& all = errors_.growth;
+    if (all.size() < few_followed || !std::all_of(all.begin(), all.end(), known) || judged_.has_laws) return NAN;
+    double sum = 0.0, local = 0.0;
+    for (const KnownPart& it : parts_) {
+      const double own = it.steps() * it.mean([this](const StepError& step) { return error(of(step).end); });
+      sum += own * largest_growth_about(*it.part);
+      local += missed_ * own;
+    }
+    if (judged_.energy && !(relative(*judged_.energy, judged_.kinetic) <= of_energy * local)) return NAN;
+    return missed_ * sum;
+  }
+
+  /// Of those followed in a part of the run, before and after it.
+  double largest_growth_about(const RunPart& part) const {
+    double largest = 1.0;
+    const ErrorGrowth* before = nullptr;
+    for (const ErrorGrowth& it : errors_.growth) {
+      if (it.t <= part.t) {
+        before = &it;
+        continue;
+      }
+      largest = std::max(largest, factor(it));
+      if (it.t > (1.0 + same_time) * (part.t + part.seconds)) break;
+    }
+    return before ? std::max(largest, factor(*before)) : largest;
+  }
+
   /// Of a part that rests: errors die out, or the run would have moved it.
   double away_from_rest() const {
     double largest = 0.0;
@@ -395,6 +437,7 @@ class Accumulation {
 /// Takes over what counts of all parts, whichever is worst.
 AccumulatedError worse(AccumulatedError a, AccumulatedError b) {
   const double reactions = std::fmax(a.reactions_by_state * a.state, b.reactions_by_state * b.state);
+  const double at_most = a.at_most + b.at_most == a.at_most + b.at_most ? std::max(a.at_most, b.at_most) : NAN;
   const double onset = std::max(a.onset, b.onset), yielding = std::fmax(a.yielding, b.yielding);
   const double rounding = std::max(a.rounding, b.rounding), unstable = std::max(a.unstable, b.unstable);
   const bool contacts_begin = a.contacts_begin || b.contacts_begin;
@@ -402,16 +445,11 @@ AccumulatedError worse(AccumulatedError a, AccumulatedError b) {
   out.reactions_by_state = reactions / out.state;
   out.contacts_begin = contacts_begin;
   out.unstable = unstable;
+  out.at_most = at_most;
   out.onset = onset;
   out.yielding = yielding;
   out.rounding = rounding;
   return out;
-}
-
-/// As errors of energies are weighed over the whole run.
-double relative(const EnergyMade& it, double kinetic) {
-  const double scale = std::max({kinetic + it.in_inerters, it.exchanged, it.rest, least_energy * it.amount});
-  return it.largest > 0.0 ? it.largest / scale : 0.0;
 }
 
 /// Whose the energy is, most of all.

@@ -45,7 +45,10 @@ struct AccumulatedError {
   double growth = std::numeric_limits<double>::quiet_NaN();  ///< see ErrorGrowth, the largest; NaN: not known
   double unstable = 1.0;                                     ///< the largest that is more than that of regular motion
   bool grows = false;                                        ///< that is most of the state's
-  double local_error = 0.0;                                  ///< of the state, the mean over the run [1/s]
+  /// Of the state: all errors of steps added up as they have grown, which is more than they come to where it is known
+  /// of all of the run, and of all parts, how they grow; NaN: not known.
+  double at_most = std::numeric_limits<double>::quiet_NaN();
+  double local_error = 0.0;         ///< of the state, the mean over the run [1/s]
   double reactions_by_state = 0.0;  ///< largest of those of any part, by the state of this; NaN: not known
   double yielding = 0.0;        ///< largest of what reactions lose as constraints yield, of any part; NaN: not known
   bool contacts_begin = false;  ///< of any part

@@ -15,8 +15,10 @@ constexpr double fewest_errors = 1.0, most_errors = 6.0;
 // From one state to the next, at most: of lengths, speeds and angles; rate of an error times the time between.
 constexpr double near = 0.25, resolved = 0.6;
 // By how much two stages of a step may differ, relative to the error; far beyond the step is taken again in parts.
-constexpr double usual_difference = 2e-3, fine_difference = 4e-5, too_far = 10.0;
+constexpr double usual_difference = 5e-3, fine_difference = 4e-5, too_far = 10.0;
 constexpr double most_parts = 64.0, least_way = 0.1, least_density = 0.5;
+// Of what evaluations were enough for once, what they are for fewer errors.
+constexpr double sure = 0.9;
 // Steps for each that the motion alone would ask for; evaluations in one, of each error as errors begin later.
 constexpr double usual_density = 2.0, of_motion = 2.0, of_error = 2.4;
 // Growth, relative to that of regular motion, from which it is followed farther, and from which it is found again in
@@ -261,23 +263,30 @@ std::vector<ErrorGrowth> find_error_growth(Dynamics& dynamics, const StateLog& l
                                            const MovingAxes& axes, const VectorXd& lengths, const VectorXd& speeds,
                                            std::int64_t most_evaluations) {
   if (log.size() < 2) return {};
-  std::vector<StepDifference> followed;
-  const auto find = [&](double difference, std::int64_t most) {
-    GrowthSearch search(dynamics, log, axes, lengths, speeds, difference);
-    if (difference == usual_difference) {
-      const auto [count, until] = search.plan(most);
-      followed = errors(count, until);
-    }
-    return search.find(followed, most);
+  const auto search = [&](double difference) { return GrowthSearch(dynamics, log, axes, lengths, speeds, difference); };
+  const auto planned = [&](std::int64_t most) {
+    const auto [count, until] = search(usual_difference).plan(most);
+    return errors(count, until);
   };
-  std::vector<ErrorGrowth> found = find(usual_difference, most_evaluations);
+  std::vector<StepDifference> followed = planned(most_evaluations);
+  std::vector<ErrorGrowth> found = search(usual_difference).find(followed, most_evaluations);
   if (found.empty()) return found;
-  const double end = log.t(log.size() - 1);
-  if (found.front().until < end && irregularity(found, lengths, speeds) > suspicious)
-    found = find(usual_difference, more * most_evaluations);
+  const double begin = log.t(0), end = log.t(log.size() - 1), until = found.front().until;
+  if (until < end && irregularity(found, lengths, speeds) > suspicious) {
+    followed = planned(more * most_evaluations);
+    found = search(usual_difference).find(followed, more * most_evaluations);
+  } else if (until < end) {
+    const double of_step = of_motion + of_error * static_cast<double>(followed.size());
+    const double fewer = (of_step * sure * (until - begin) / (end - begin) - of_motion) / of_error;
+    if (fewer >= fewest_errors) {
+      followed = errors(static_cast<std::size_t>(fewer), end);
+      found = search(usual_difference).find(followed, most_evaluations);
+    }
+  }
   if (!(irregularity(found, lengths, speeds) > doubtful)) return found;
   const std::int64_t affordable = most_of_bodies / dynamics.system().body_count();
-  std::vector<ErrorGrowth> again = find(fine_difference, std::min(more * more * most_evaluations, affordable));
+  std::vector<ErrorGrowth> again =
+      search(fine_difference).find(followed, std::min(more * more * most_evaluations, affordable));
   return again.size() == found.size() && again.front().until >= found.front().until ? again : found;
 }
 

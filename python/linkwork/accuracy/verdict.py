@@ -58,6 +58,10 @@ BLIND, MOST = 1e4, 0.2
 #: On the estimate: too large is better than too small.
 SAFETY = 2.0
 
+#: By how much more errors of all steps may come to than they add up to, as some were seen to grow; and
+#: what they make of the energy, relative to them, where steps tell all of it.
+FOLLOWED, BY_STEPS = 4.0, 4.0
+
 #: By how much more than constraints are violated poses may be off, along motions that they hold weakly.
 VIOLATED = 10.0
 
@@ -311,7 +315,8 @@ def estimate(
         return without_steps(why, energies, statistics, found["violation"], before)
     (energy, delay, late), violation = _made(found, energies), found["violation"]
     before *= found["unstable"] if found["body"] < 0 else 1.0  # else of which part it is, nobody knows
-    by_steps = before + SAFETY * _known(found["state"])
+    at_most = _at_most(found, energy)
+    by_steps, delay = before + min(SAFETY * _known(found["state"]), at_most), min(delay, at_most)
     state = max(by_steps, before + max(delay, VIOLATED * violation))
     ratio, failed, yielding = found["reactions_by_state"], found["failed"], found["yielding"]
     accumulated = state * ratio if math.isfinite(ratio) else 0.0 if yielding > 0 else None
@@ -495,6 +500,14 @@ def _made(found: Mapping[str, Any], energies: Energies) -> _Made:
     ]
     worst = max(made, key=lambda it: max(it.error, it.delay))
     return _Made(max(it.error for it in made), max(it.delay for it in made), worst.body)
+
+
+def _at_most(found: Mapping[str, Any], energy: float) -> float:
+    """Of the state, where it is known how all errors of steps grow, and the energy says nothing else."""
+    local = found["local_error"] * found["seconds"]
+    if math.isnan(found["at_most"]) or not energy <= BY_STEPS * local:
+        return math.inf
+    return FOLLOWED * float(found["at_most"])
 
 
 def _delay(
