@@ -210,6 +210,13 @@ def test_text_that_is_no_formula_is_refused(text: str) -> None:
         functions.expression(text)
 
 
+def test_a_formula_that_keeps_its_last_time_is_right_at_any_order_of_times() -> None:
+    formula = functions.expression("sqrt(t)").compiled()
+    for t in (1.0, 4.0, 4.0, -1.0, 1.0, -1.0, 4.0):
+        exact = (np.sqrt(t), 0.5 * t**-0.5, -0.25 * t**-1.5) if t > 0 else (np.nan,) * 3
+        assert formula.evaluate(t) == pytest.approx(exact, rel=1e-15, nan_ok=True)
+
+
 def test_an_error_at_the_start_says_what_the_function_was_called_for() -> None:
     with pytest.raises(ZeroDivisionError) as caught:
         as_time_function(lambda t: 1 / t, "coil: stiffness")

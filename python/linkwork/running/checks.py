@@ -106,10 +106,11 @@ def _check_limits(model: Model, t_end: float) -> None:
     limited = model.compiled().limited()
     functions, times = model._functions, np.linspace(0.0, t_end, SAMPLES).tolist() if limited else []
     for what, signal, constant, least_signal, least, than in limited:
-        given = [functions[place] for place in (signal, least_signal) if place >= 0]
-        for t in times[:1] if any(isinstance(it, Callback) for it in given) else times:
-            value = functions[signal].evaluate(t)[0] if signal >= 0 else constant
-            bound = functions[least_signal].evaluate(t)[0] if least_signal >= 0 else least
+        given = {place: functions[place] for place in (signal, least_signal) if place >= 0}
+        compiled = {place: it.compiled() for place, it in given.items()}  # once: a formula is read each time
+        for t in times[:1] if any(isinstance(it, Callback) for it in given.values()) else times:
+            value = compiled[signal].evaluate(t)[0] if signal >= 0 else constant
+            bound = compiled[least_signal].evaluate(t)[0] if least_signal >= 0 else least
             if value < bound:
                 named = f", which is {than}" if than else ""
                 raise OptionError(

@@ -92,7 +92,8 @@ def _harmless(function: TimeFunction) -> bool:
 def _far(function: TimeFunction, times: Floats, seconds: float) -> tuple[list[float], bool]:
     """Where it is far from the straight line between its neighbors, those first where it is farthest; and
     whether it was looked at everywhere."""
-    value: Callable[[float], float] = lambda t: function.evaluate(t)[0]  # noqa: E731
+    compiled = function.compiled()  # once: a formula is read each time
+    value: Callable[[float], float] = lambda t: compiled.evaluate(t)[0]  # noqa: E731
     if isinstance(function, Callback):
         value = function.value
     values, ends = [], time.thread_time() + seconds
