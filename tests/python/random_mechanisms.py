@@ -9,13 +9,14 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import pairwise
 from typing import Any
 
 import linkwork as lw
 import numpy as np
 from hypothesis import HealthCheck, Phase, assume, settings
+from hypothesis import seed as seeded
 from hypothesis import strategies as st
 from linkwork import _core
 from linkwork.arrays import Floats
@@ -34,14 +35,17 @@ RANK = 1e-3
 ZERO = 1e-9
 
 
-def examples(count: int) -> Callable[[Any], Any]:
+def examples(count: int, shared: int | None = None) -> Callable[[Any], Any]:
     """Settings of a property test: the same examples in every run.
+
+    shared  a seed: the parameters of the test, such as solvers, have the same examples, which are made once
+            for all of them; None: each has examples of its own
 
     The environment variable LINKWORK_EXAMPLES multiplies their number, draws them at random, and makes those
     that fail smaller, which takes minutes.
     """
     factor = float(os.environ.get("LINKWORK_EXAMPLES", "0"))
-    return settings(
+    chosen = settings(
         max_examples=int(count * factor) if factor else count,
         derandomize=not factor,
         deadline=None,
@@ -49,6 +53,7 @@ def examples(count: int) -> Callable[[Any], Any]:
         phases=list(Phase) if factor else [Phase.explicit, Phase.generate],
         suppress_health_check=list(HealthCheck),
     )
+    return chosen if factor or shared is None else lambda test: chosen(seeded(shared)(test))
 
 
 @dataclass(frozen=True)
@@ -117,6 +122,11 @@ class Mechanism:
             )
         return model
 
+    @cached_property
+    def equations(self) -> Equations:
+        """At the initial state."""
+        return Equations.at(self, 0.0, self.q, self.v)
+
     def dynamics(self, **options: Any) -> _core.Dynamics:
         chosen = _core.Options()
         for name, value in options.items():
@@ -174,7 +184,7 @@ class Equations:
 
     @classmethod
     def of(cls, mechanism: Mechanism) -> Equations:
-        return cls.at(mechanism, 0.0, mechanism.q, mechanism.v)
+        return mechanism.equations
 
     @classmethod
     def at(cls, mechanism: Mechanism, t: float, q: Floats, v: Floats) -> Equations:
@@ -206,6 +216,7 @@ class Equations:
             return 1.0
         return float(np.linalg.svd(self.scaled_D, compute_uv=False)[-1]) if rows <= columns else 0.0
 
+    @cached_property
     def solution(self) -> tuple[Floats, Floats]:
         """(v_dot, lambda) by dense LU of the KKT matrix, refined with residuals in extended precision."""
         n, m = len(self.M), len(self.D)
@@ -376,16 +387,22 @@ def mechanisms(
     """
     joint_kinds = st.sampled_from(sorted(kinds))
     count = draw(st.integers(2, most))
-    mechanism = make(
+    mechanism = _made(
         seed=draw(st.integers(0, 2**32 - 1)),
-        joints=draw(st.lists(joint_kinds, min_size=count, max_size=count)),
-        loops=draw(st.lists(joint_kinds, max_size=1 + count // 3)),
-        forces=draw(st.lists(st.sampled_from(sorted(forces)), max_size=4)) if forces else [],
+        joints=tuple(draw(st.lists(joint_kinds, min_size=count, max_size=count))),
+        loops=tuple(draw(st.lists(joint_kinds, max_size=1 + count // 3))),
+        forces=tuple(draw(st.lists(st.sampled_from(sorted(forces)), max_size=4))) if forces else (),
         floating=draw(st.booleans()) if floating is None else floating,
         **choices,
     )
     assume(Equations.of(mechanism).smallest_singular_value > RANK)
     return mechanism
+
+
+@lru_cache(maxsize=256)
+def _made(**given: Any) -> Mechanism:
+    """For parameters of a test that share their examples."""
+    return make(**given)
 
 
 def make(

@@ -53,7 +53,7 @@ def test_every_body_and_joint_is_exact_beside_much_lighter_and_heavier_ones(
     )
     at, dynamics = Equations.of(mechanism), mechanism.dynamics(**options(form, solver))
     assume(at.smallest_singular_value > RANK)
-    exact_v_dot, exact_multipliers = at.solution()
+    exact_v_dot, exact_multipliers = at.solution
     v_dot, multipliers = dynamics.accelerations(0.0, mechanism.q, mechanism.v)
     size = np.abs(exact_v_dot) + np.abs(at.free_v_dot)
     error = largest_of_each((v_dot - exact_v_dot).reshape(-1, 6)) / largest_of_each(size.reshape(-1, 6))

@@ -42,14 +42,14 @@ def solve(mechanism: Mechanism, **options: object) -> tuple[Floats, Floats]:
 
 
 @pytest.mark.parametrize(("form", "solver"), CHOICES)
-@examples(20)
+@examples(60, shared=1)
 @given(mechanism=mechanisms())
 def test_every_solver_finds_the_accelerations_and_joint_forces(
     mechanism: Mechanism, form: str, solver: str
 ) -> None:
     at = Equations.of(mechanism)
     v_dot, multipliers = solve(mechanism, **options(form, solver))
-    exact_v_dot, exact_multipliers = at.solution()
+    exact_v_dot, exact_multipliers = at.solution
     force, exact_force = at.D.T @ multipliers, at.D.T @ exact_multipliers
     error = largest(v_dot - exact_v_dot) / (largest(exact_v_dot) + largest(at.free_v_dot))
     force_error = largest(force - exact_force) / (largest(exact_force) or 1.0)
@@ -58,7 +58,7 @@ def test_every_solver_finds_the_accelerations_and_joint_forces(
 
 
 @pytest.mark.parametrize(("form", "solver"), CHOICES)
-@examples(20)
+@examples(60, shared=2)
 @given(mechanism=mechanisms())
 def test_every_solution_satisfies_its_equations(mechanism: Mechanism, form: str, solver: str) -> None:
     at = Equations.of(mechanism)
@@ -77,13 +77,13 @@ def test_every_solution_satisfies_its_equations(mechanism: Mechanism, form: str,
 #   ||v_dot_penalty - v_dot||_M <= ||M^-1 D^T lambda||_M / (1 + sigma_min)
 @pytest.mark.parametrize("solver", [solver for form, solver in CHOICES if form == "normal"])
 @pytest.mark.parametrize("penalty", ({"penalty": 1e5}, {"penalty_scale": 1e4}), ids=("uniform", "scaled"))
-@examples(12)
+@examples(30, shared=3)
 @given(mechanism=mechanisms())
 def test_penalty_is_off_by_what_its_smallest_eigenvalue_predicts(
     mechanism: Mechanism, solver: str, penalty: dict[str, float]
 ) -> None:
     at = Equations.of(mechanism)
-    exact_v_dot, multipliers = at.solution()
+    exact_v_dot, multipliers = at.solution
     S = at.D @ np.linalg.solve(at.M, at.D.T)
     scaled = penalty.get("penalty_scale", 1.0) / mean_delassus_diagonal(mechanism, at)
     a = np.full(len(S), penalty["penalty"]) if "penalty" in penalty else scaled
@@ -115,7 +115,7 @@ def test_slow_convergence_of_the_augmented_lagrangian_is_not_taken_for_its_end()
     )  # fmt: skip
     at = Equations.of(mechanism)
     v_dot, multipliers = solve(mechanism, formulation="augmented_lagrangian")
-    exact_v_dot, exact_multipliers = at.solution()
+    exact_v_dot, exact_multipliers = at.solution
     force, exact_force = at.D.T @ multipliers, at.D.T @ exact_multipliers
     error = largest(v_dot - exact_v_dot) / largest(exact_v_dot)
     force_error = largest(force - exact_force) / largest(exact_force)
@@ -142,7 +142,7 @@ def test_every_solver_of_standard_takes_masses_that_are_far_apart(
     uneven = with_masses_apart(mechanism, decades, seed)
     at = Equations.of(uneven)
     v_dot, _ = solve(uneven, **options(form, solver))
-    exact_v_dot, _ = at.solution()
+    exact_v_dot, _ = at.solution
     error = largest(v_dot - exact_v_dot) / (largest(exact_v_dot) + largest(at.free_v_dot))
     assert error <= 1e-9
 
