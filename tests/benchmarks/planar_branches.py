@@ -83,6 +83,10 @@ class Link:
     across: float = 0.0
 
 
+def _speed(_t: float, y: Floats) -> float:
+    return float(y[1])
+
+
 Pose = Callable[[Jet], Sequence[tuple[Jet, Jet, Jet]]]
 
 
@@ -118,7 +122,8 @@ class Branch:
 
     @cached_property
     def _series(self) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
-        """Fourier coefficients (k, 3) of m, V and I (about y, without the turntable) and their i k."""
+        """Fourier coefficients (k, 6) of m, V, I (about y, without the turntable) and of their derivatives by
+        s, and their i k; without those that are roundoff, which the derivatives would multiply by k."""
         count = 512
         values = np.zeros((count, 3))
         for n in range(count):
@@ -132,30 +137,38 @@ class Branch:
                 )
         c = np.fft.rfft(values, axis=0) / count
         c[1:] *= 2.0
-        used = int(np.flatnonzero(np.abs(c).max(axis=1) > 1e-17 * np.abs(c).max())[-1]) + 1
-        return c[:used], 1j * np.arange(used)
+        used = int(np.flatnonzero(np.abs(c).max(axis=1) > 1e-15 * np.abs(c).max())[-1]) + 1
+        ik = 1j * np.arange(used)
+        return np.hstack([c[:used], ik[:, None] * c[:used]]), ik
 
-    def _terms(self, s: float) -> tuple[Floats, Floats]:
+    def _terms(self, s: float) -> list[float]:
         """m, V, I, and their derivatives by s."""
         c, ik = self._series
-        e = np.exp(ik * s)
-        return (e @ c).real, ((ik * e) @ c).real
+        terms: list[float] = (np.exp(ik * s) @ c).real.tolist()
+        return terms
 
     def rates(self, _t: float, y: Floats) -> Floats:
         """Of (s, s_dot), and (psi, psi_dot) of the turntable."""
-        (m, _, inertia), (dm, dV, d_inertia) = self._terms(y[0])
+        s, s_dot, *turning = y.tolist()
+        m, _, inertia, dm, dV, d_inertia = self._terms(s)
         if self.turntable is None:
-            return np.array([y[1], -(dV + 0.5 * dm * y[1] ** 2) / m])
-        whole = inertia + self.turntable
-        s_ddot = (-dV - 0.5 * dm * y[1] ** 2 + 0.5 * d_inertia * y[3] ** 2) / m
-        return np.array([y[1], s_ddot, y[3], -d_inertia * y[1] * y[3] / whole])
+            return np.array([s_dot, -(dV + 0.5 * dm * s_dot**2) / m])
+        psi_dot, whole = turning[1], inertia + self.turntable
+        s_ddot = (-dV - 0.5 * dm * s_dot**2 + 0.5 * d_inertia * psi_dot**2) / m
+        return np.array([s_dot, s_ddot, psi_dot, -d_inertia * s_dot * psi_dot / whole])
 
     def flow(self, start: Floats, times: Floats) -> Floats:
         """States (k, 2 or 4) at these times [s], from `start` at 0; negative times go back."""
+        return self.flow_and_turns(start, times)[0]
+
+    def flow_and_turns(self, start: Floats, times: Floats) -> tuple[Floats, Floats]:
+        """States (k, 2 or 4) at these times, and the values of s at which it turns back on the way."""
         if times[-1] == 0.0:
-            return np.tile(start, (len(times), 1))
-        solution = solve_ivp(self.rates, (0.0, times[-1]), start, "DOP853", times, rtol=3e-14, atol=1e-14)
-        return np.asarray(solution.y.T)
+            return np.tile(start, (len(times), 1)), np.empty(0)
+        solution = solve_ivp(
+            self.rates, (0.0, times[-1]), start, "DOP853", times, events=_speed, rtol=3e-14, atol=1e-14
+        )
+        return np.asarray(solution.y.T), solution.y_events[0].reshape(-1, len(start))[:, 0]
 
     def positions(self, states: Floats) -> Floats:
         """Centers of mass (k, bodies, 3)."""
@@ -168,7 +181,7 @@ class Branch:
 
     def energy(self, state: Floats) -> tuple[float, float]:
         """Kinetic and potential [J]."""
-        m, V, inertia = self._terms(state[0])[0]
+        m, V, inertia = self._terms(state[0])[:3]
         kinetic = 0.5 * m * state[1] ** 2
         if self.turntable is not None:
             kinetic += 0.5 * (inertia + self.turntable) * state[3] ** 2

@@ -131,7 +131,7 @@ def run(case: Case) -> Found:
             result = lw.simulate(branch.model(start), case.t_end, progress=False, **options)
     except lw.LinkworkError as error:
         return Found(case, failure=f"{type(error).__name__}: {error}")
-    exact = branch.flow(start, result.t)
+    exact, turns = branch.flow_and_turns(start, result.t)
     energies = np.array([branch.energy(state) for state in exact])
     first = 1 if branch.turntable is not None else 0
     off = result.position[:, first:] - branch.positions(exact)
@@ -147,7 +147,7 @@ def run(case: Case) -> Found:
         sensitivity(branch, case, start, result.t, exact) if unstable else 0.0,
         float(result.violation[:, :2].max()),
         int(result.statistics["singular_poses"]),
-        crossings(branch, start, case.t_end),
+        crossings(branch, np.array([start[0], *turns, exact[-1, 0]])),
         int(result.statistics["steps"] + result.statistics.get("rejected_steps", 0)),
     )
 
@@ -190,14 +190,8 @@ def runge_kutta(branch: Branch, start: Array, h: float, steps: NDArray[np.int_])
     return np.array(out)
 
 
-def crossings(branch: Branch, start: Array, t_end: float) -> int:
-    """How often s passes a singular value: from one turning point to the next it grows, or falls."""
-
-    def turns(_t: float, y: np.ndarray) -> float:
-        return float(y[1])
-
-    motion = solve_ivp(branch.rates, (0, t_end), start, "DOP853", rtol=1e-12, atol=1e-12, events=turns)
-    s = np.concatenate([[start[0]], motion.y_events[0].reshape(-1, len(start))[:, 0], [motion.y[0, -1]]])
+def crossings(branch: Branch, s: Array) -> int:
+    """How often a motion passes a singular value, which grows or falls from each of these s to the next."""
     return int(np.abs(np.diff(np.floor((s - branch.singular) / branch.period))).sum())
 
 
