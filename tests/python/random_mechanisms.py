@@ -429,13 +429,14 @@ def make(
     origin = ", ".join(f"{name}={value!r}" for name, value in given.items())
     origin = f"make({seed}, {origin}, driven={driven}, isolated={isolated})"
     mechanism = Mechanism(gravity, tuple(maker.bodies), tuple(tree), tuple(elements), origin)
+    kept = Equations.of(mechanism)
     for kind in loops:
         loop = maker.element(JOINTS[kind], *_two_bodies(maker, 0 if floating else -1))
-        closed = replace(
-            mechanism, joints=(*mechanism.joints, replace(loop, name=f"joint {len(mechanism.joints)}"))
-        )
-        if Equations.of(closed).smallest_singular_value > RANK:
-            mechanism = closed
+        loop = replace(loop, name=f"joint {len(mechanism.joints)}")
+        rows = Equations.of(replace(mechanism, joints=(loop,), forces=())).D  # of this joint alone: soon made
+        closed = replace(kept, D=np.vstack([kept.D, rows]))
+        if closed.smallest_singular_value > RANK:
+            kept, mechanism = closed, replace(mechanism, joints=(*mechanism.joints, loop))
     if not driven:
         mechanism = replace(mechanism, joints=tuple(_at_rest(joint) for joint in mechanism.joints))
     return consistent(mechanism, maker)
@@ -471,15 +472,13 @@ def _at_rest(joint: Element) -> Element:
 
 def consistent(mechanism: Mechanism, maker: Maker) -> Mechanism:
     """With random velocities projected on D v + Phi_t = 0 in the metric M."""
-    moving = mechanism.with_velocity(
-        np.concatenate([maker.vector(1.0) for _ in range(2 * len(mechanism.bodies))])
-    )
-    at = Equations.of(moving)
+    v = np.concatenate([maker.vector(1.0) for _ in range(2 * len(mechanism.bodies))])
+    at = Equations.at(mechanism, 0.0, mechanism.q, v)
     if not len(at.D):
-        return moving
+        return mechanism.with_velocity(v)
     root = np.linalg.inv(np.linalg.cholesky(at.M))
     correction = root.T @ np.linalg.lstsq(at.D @ root.T, -at.Phi_dot, rcond=ZERO)[0]
-    return moving.with_velocity(moving.v + correction)
+    return mechanism.with_velocity(v + correction)
 
 
 # --- planted redundancy -------------------------------------------------------------------------------------
