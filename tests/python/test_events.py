@@ -183,7 +183,7 @@ def test_an_event_at_the_very_end_of_a_run_is_in_it_or_in_the_next(
 
     others = [at(0.002)] if on_the_way == "another event" else []
     how: dict[str, Any] = {"integrator": integrator, "rtol": rtol, "on_inaccurate": "pass"}
-    whole = run(model, 3.0, *others, at(0.0), **how)
+    whole = run(model, 2.0, *others, at(0.0), **how)
     crossing = whole.events[len(others)].t
 
     def cut(end: float, *events: lw.Event) -> tuple[list[float], lw.Result]:
@@ -193,7 +193,7 @@ def test_an_event_at_the_very_end_of_a_run_is_in_it_or_in_the_next(
         times = {"times": [end]} if on_the_way == "its end alone" else {}
         first = run(model, end, *events, **how, **start, **times)
         listed = [it.t for part in (begun, first) if part is not None for it in part.events]
-        return listed, run(model, 3.0, *events, **how, start=first.snapshot())
+        return listed, run(model, 2.0, *events, **how, start=first.snapshot())
 
     for ulps in (-3, 0, 3):
         end = crossing + ulps * np.spacing(crossing)
