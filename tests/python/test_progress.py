@@ -9,6 +9,7 @@ import pty
 import re
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 
 import linkwork as lw
 import pytest
@@ -80,6 +81,12 @@ def on_a_terminal(progress: str, seconds: float, text: str = TAKES_SECONDS) -> s
     return written.decode()
 
 
+def on_terminals(*programs: tuple[str, float, str]) -> list[str]:
+    """Each on one of its own, at the same time: they wait most of it."""
+    with ThreadPoolExecutor(len(programs)) as pool:
+        return list(pool.map(lambda it: on_a_terminal(*it), programs))
+
+
 def test_line_on_a_terminal_appears_after_two_seconds() -> None:
     written = on_a_terminal("None", 3.0)
     assert "of 10 s" in written and "steps/s" in written and "left" in written
@@ -113,9 +120,12 @@ print("done")
 
 def test_a_part_of_a_run_other_than_its_steps_says_what_it_is_and_how_long_it_takes() -> None:
     own, of_long_run = (SHARES.replace("{before}", before) for before in ("0.0", "10.0"))
-    assert re.search(r"the verdict, \d s left", on_a_terminal("None", 3.0, own))
-    assert "the verdict" in on_a_terminal("None", 0.0, of_long_run)
-    assert on_a_terminal("False", 2.5, of_long_run) == on_a_terminal("None", 0.5, own) == ""
+    told, at_once, *quiet = on_terminals(
+        ("None", 3.0, own), ("None", 0.0, of_long_run), ("False", 2.5, of_long_run), ("None", 0.5, own)
+    )
+    assert re.search(r"the verdict, \d s left", told)
+    assert "the verdict" in at_once
+    assert quiet == ["", ""]
 
 
 PREPARES = """
@@ -136,10 +146,10 @@ print("done")
 
 
 def test_what_says_nothing_of_itself_is_told_of_while_it_lasts() -> None:
-    written = on_a_terminal("None", 3.5, PREPARES)
+    written, *quiet = on_terminals(("None", 3.5, PREPARES), ("None", 0.5, PREPARES), ("False", 2.5, PREPARES))
     assert re.search(r"preparing the run, 2 s", written) and re.search(r"preparing the run, 3 s", written)
     assert "%" not in written  # nobody knows its share
-    assert on_a_terminal("None", 0.5, PREPARES) == on_a_terminal("False", 2.5, PREPARES) == ""
+    assert quiet == ["", ""]
 
 
 def test_what_fails_while_it_is_told_of_fails_as_ever() -> None:
@@ -204,10 +214,10 @@ def test_short_runs_and_quiet_ones_write_nothing(progress: str, seconds: float) 
 
 
 def test_tasks_in_a_series_say_which_one_runs_after_two_seconds() -> None:
-    written = on_a_terminal("None", 3.0, COUNTS_TASKS)
+    written, quiet = on_terminals(("None", 3.0, COUNTS_TASKS), ("False", 2.5, COUNTS_TASKS))
     shown = [int(task) for task in re.findall(r"task (\d+) of 100", written)]
     assert shown and min(shown) > 30
-    assert on_a_terminal("False", 2.5, COUNTS_TASKS) == ""
+    assert quiet == ""
 
 
 def test_no_text_is_made_where_nothing_is_shown(monkeypatch: pytest.MonkeyPatch) -> None:
