@@ -177,9 +177,6 @@ class GrowthSearch {
     motion_.go_back_to(first);
     std::vector<Perturbation> start;
     for (const Followed& it : carried_) start.push_back(it.now);
-    const auto accelerate = [this](std::vector<Perturbation>& all) {
-      return std::all_of(all.begin(), all.end(), [this](Perturbation& it) { return motion_.find_acceleration(it); });
-    };
     if (other_side && !accelerate(start)) return false;
     std::vector<Perturbation> sum = start, stage = start;
     const auto add = [&](double of_sum, double of_stage) {
@@ -208,6 +205,10 @@ class GrowthSearch {
     if (!settle()) return false;
     reached_ = t;
     return true;
+  }
+
+  bool accelerate(std::vector<Perturbation>& all) {
+    return std::all_of(all.begin(), all.end(), [this](Perturbation& it) { return motion_.find_acceleration(it); });
   }
 
   /// Where a step ends.

@@ -315,12 +315,11 @@ def estimate(
         return without_steps(why, energies, statistics, found["violation"], before)
     (energy, delay, late), violation = _made(found, energies), found["violation"]
     before *= found["unstable"] if found["body"] < 0 else 1.0  # else of which part it is, nobody knows
-    at_most = _at_most(found, energy)
-    by_steps, delay = before + min(SAFETY * _known(found["state"]), at_most), min(delay, at_most)
+    delay = min(delay, at_most := _at_most(found, energy))
+    by_steps = before + min(SAFETY * _known(found["state"]), at_most)
     state = max(by_steps, before + max(delay, VIOLATED * violation))
-    ratio, failed, yielding = found["reactions_by_state"], found["failed"], found["yielding"]
-    accumulated = state * ratio if math.isfinite(ratio) else 0.0 if yielding > 0 else None
-    reactions = None if accumulated is None else accumulated + yielding
+    failed, yielding = found["failed"], found["yielding"]
+    reactions = _reactions(found, state)
     error, steps = max(state, energy, yielding), tuple(itertools.starmap(StepEstimate, found["steps"]))
     method = replace(method, growth=found["growth"] if found["grows"] and by_steps >= error else 1.0)
     body = name(found["body"] if by_steps >= error else late if max(before + delay, energy) >= error else -1)
@@ -500,6 +499,14 @@ def _made(found: Mapping[str, Any], energies: Energies) -> _Made:
     ]
     worst = max(made, key=lambda it: max(it.error, it.delay))
     return _Made(max(it.error for it in made), max(it.delay for it in made), worst.body)
+
+
+def _reactions(found: Mapping[str, Any], state: float) -> float | None:
+    """By the state; None: not known."""
+    ratio, yielding = found["reactions_by_state"], found["yielding"]
+    if math.isfinite(ratio):
+        return float(state * ratio + yielding)
+    return float(yielding) if yielding > 0 else None
 
 
 def _at_most(found: Mapping[str, Any], energy: float) -> float:
