@@ -218,6 +218,27 @@ def test_what_bounces_on_a_plane_is_not_unstable(how: Any) -> None:
     assert verdict is not None and verdict.growth is not None and verdict.unstable == 1.0
 
 
+@pytest.mark.parametrize("how", [*TOUCHES, {"rtol": 1e-8, "integrator": "dop853"}], ids=str)
+@pytest.mark.parametrize(
+    ("stiffness", "damping"), [(1e5, 0.0), (1e5, 1e4), (1e7, 1e-9), (1e7, 1.0), (1e7, 1e6)]
+)
+def test_what_comes_and_goes_between_stops_is_not_unstable(
+    stiffness: float, damping: float, how: Any
+) -> None:
+    """Where they begin and end derivatives are those of either side; energy hides nothing where they damp."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("slider", mass=1.0, inertia=(1e-3,) * 3, velocity=(1.0, 0, 0))
+    along: Any = {"at": (0, 0, 0), "axis": (1, 0, 0)}
+    model.translational("ground", "slider", **along)
+    model.translational_stop(
+        "ground", "slider", lower=-0.1, upper=0.1, stiffness=stiffness, damping=damping, **along
+    )
+    steps = how if "rtol" in how else {**how, "step": 2e-5}
+    verdict = lw.simulate(model, 5.0, **steps, progress=False, on_inaccurate="pass").verdict
+    assert verdict is not None and verdict.unstable == 1.0
+    assert verdict.growth is None or verdict.growth < 1e5
+
+
 def test_two_balls_that_meet_again_and_again_part_on_and_on() -> None:
     """In a box, of which the one is kept out of the middle: as two discs of a billiard."""
     model = lw.Model(gravity=(0, 0, 0))

@@ -963,6 +963,20 @@ def test_with_little_hysteresis_the_speed_at_which_contact_begins_is_little_erro
     assert error < run.verdict.error < 100 * error
 
 
+@pytest.mark.parametrize("steps", [1000, 2000, 4000])
+@pytest.mark.parametrize("drop", [0.0, 1e-5])
+def test_where_contact_stays_all_of_the_speed_at_which_it_begins_counts(drop: float, steps: int) -> None:
+    """A ball that lies on a floor, or next to it: it goes up and down in contact."""
+    model, up = lw.Model(), (0, 0, 0.1 + drop)
+    model.body("ball", mass=1.0, inertia=(4e-3,) * 3, position=up)
+    model.sphere_plane_contact("ground", "ball", at=((0, 0, 0), up), normal=(0, 0, 1), radius=0.1,
+                               stiffness=1e6, hysteresis=0.1)  # fmt: skip
+    run = lw.simulate(model, 1.0, 1.0 / steps, on_inaccurate="pass")
+    exact = lw.simulate(model, 1.0, times=run.t, rtol=1e-11, atol=1e-13, integrator="dop853")
+    error = np.abs(run.velocity - exact.velocity).max() / np.abs(exact.velocity).max()
+    assert run.verdict.error > 0.5 * error
+
+
 def test_a_hard_hit_of_a_light_part_is_seen_beside_one_that_often_touches_soft_stops() -> None:
     model, speed = lw.Model(gravity=(0, 0, 0)), 0.31
     for name, mass, v, y in (("heavy", 10.0, 2.0, 0), ("light", 1e-3, speed, 2)):

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "linkwork/integration/log_smoothness.hpp"
+#include "linkwork/math/brent.hpp"
 #include "linkwork/math/interruption.hpp"
 
 namespace linkwork {
@@ -16,6 +17,8 @@ constexpr double fewest_errors = 1.0, most_errors = 6.0;
 constexpr double near = 0.25, resolved = 0.6;
 // By how much two stages of a step may differ, relative to the error; far beyond the step is taken again in parts.
 constexpr double usual_difference = 5e-3, fine_difference = 4e-5, too_far = 10.0;
+// Share of a way, or depth relative to what it is at the other end: there touches begin or end where the way does.
+constexpr double at_end = 1e-6;
 constexpr double most_parts = 64.0, least_way = 0.1, least_density = 0.5;
 // Of what evaluations were enough for once, what they are for fewer errors.
 constexpr double sure = 0.9;
@@ -143,11 +146,15 @@ class GrowthSearch {
     const LinearizedMotion::Place first = motion_.place();
     if (!motion_.go_to(log_.t(following), log_.y(following), log_.history(following))) return false;
     const MovingState last = motion_.here();
+    const VectorXd switches = motion_.place().switches;
+    const std::vector<double> touches = touches_between(first, last, switches, k);
     motion_.go_back_to(first);
     double parts = std::max(std::ceil(density_ * way), 1.0), share = 0.0, worst = 0.0;
     while (share < 1.0) {
       if (!(parts <= most_parts * std::max(way, 1.0))) return false;
-      const double next = share + 1.5 / parts < 1.0 ? share + 1.0 / parts : 1.0;
+      const double wanted = share + 1.5 / parts < 1.0 ? share + 1.0 / parts : 1.0;
+      const auto touch = std::upper_bound(touches.begin(), touches.end(), share);
+      const double next = touch == touches.end() ? wanted : std::min(wanted, *touch);
       const auto at = [&](double s) { return s == 1.0 ? last.y : quintic_between(system_, first.state, last, s); };
       const LinearizedMotion::Place before = motion_.place();
       std::vector<Followed> carried = carried_;
@@ -166,6 +173,25 @@ class GrowthSearch {
     return true;
   }
 
+  /// Shares of the way from a state of the log to another at which contacts and stops begin or end, ascending.
+  std::vector<double> touches_between(const LinearizedMotion::Place& first, const MovingState& last,
+                                      const VectorXd& switches, std::size_t k) {
+    std::vector<double> out;
+    for (Eigen::Index it = 0; it < switches.size(); ++it) {
+      const double before = first.switches[it], after = switches[it];
+      if ((before > 0.0) == (after > 0.0)) continue;
+      if (std::min(std::abs(before), std::abs(after)) < at_end * std::max(std::abs(before), std::abs(after))) continue;
+      const auto depth = [&](double share) {
+        const double t = first.state.t + share * (last.t - first.state.t);
+        motion_.go_to(t, quintic_between(system_, first.state, last, share), log_.history(k));
+        return motion_.place().switches[it];
+      };
+      out.push_back(brent(depth, 0.0, before, 1.0, after, at_end));
+    }
+    std::sort(out.begin(), out.end());
+    return out;
+  }
+
   /// By the classical Runge-Kutta method; `y` is the state there, `middle` that on the way.
   bool carry_to(double t, const VectorXd& y, const VectorXd& middle, std::size_t k) {
     const VectorXd history = log_.history(k);
@@ -173,8 +199,8 @@ class GrowthSearch {
     const LinearizedMotion::Place first = motion_.place();
     if (!motion_.go_to(begin + 0.5 * h, middle, history)) return false;
     const LinearizedMotion::Place halfway = motion_.place();
-    const bool other_side = motion_.change_sides();
     motion_.go_back_to(first);
+    const bool other_side = motion_.take_sides_of(halfway);
     std::vector<Perturbation> start;
     for (const Followed& it : carried_) start.push_back(it.now);
     if (other_side && !accelerate(start)) return false;
@@ -191,6 +217,7 @@ class GrowthSearch {
     };
     add(1.0 / 6.0, 0.5);
     motion_.go_back_to(halfway);
+    motion_.take_sides_of(halfway);
     if (!accelerate(stage)) return false;
     const std::vector<Perturbation> second = stage;
     add(1.0 / 3.0, 0.5);

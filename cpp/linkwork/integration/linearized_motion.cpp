@@ -75,17 +75,15 @@ bool LinearizedMotion::accelerate(const VectorXd& y, VectorXd& v_dot) {
   return evaluations_ <= most_ && v_dot.allFinite();
 }
 
-bool LinearizedMotion::change_sides() {
-  const std::vector<bool> before = std::exchange(sides_, std::vector<bool>());
-  for (const double it : here_.switches) sides_.push_back(it > 0.0);
-  return sides_ != before;
+bool LinearizedMotion::take_sides_of(const Place& place) {
+  const std::vector<bool> before = std::exchange(here_.sides, std::vector<bool>());
+  for (const double it : place.switches) here_.sides.push_back(it > 0.0);
+  return here_.sides != before;
 }
 
-/// Whether the state that was evaluated is.
-bool LinearizedMotion::on_its_side() const {
-  const VectorXd& switches = dynamics_.evaluation().switches;
-  for (std::size_t k = 0; k < sides_.size(); ++k)
-    if ((switches[static_cast<Eigen::Index>(k)] > 0.0) != sides_[k]) return false;
+bool LinearizedMotion::on_its_side(const VectorXd& switches) const {
+  for (std::size_t k = 0; k < here_.sides.size(); ++k)
+    if ((switches[static_cast<Eigen::Index>(k)] > 0.0) != here_.sides[k]) return false;
   return true;
 }
 
@@ -171,12 +169,19 @@ void LinearizedMotion::take_violations_back(Perturbation& it) {
 
 bool LinearizedMotion::find_acceleration(Perturbation& it) {
   by_ = small / size(it.way, it.velocity).maxCoeff();
-  if (!accelerate(moved(it.way, it.velocity, by_), other_v_dot_)) return false;
-  if (!on_its_side()) {
+  const auto look = [&] { return accelerate(moved(it.way, it.velocity, by_), other_v_dot_); };
+  if (!look()) return false;
+  if (!on_its_side(dynamics_.evaluation().switches)) {
     by_ = -by_;
-    if (!accelerate(moved(it.way, it.velocity, by_), other_v_dot_)) return false;
+    if (!look()) return false;
   }
   it.acceleration = (other_v_dot_ - here_.state.v_dot) / by_;
+  if (!on_its_side(here_.switches)) {  // where steps end at a touch they are next to it, on either side
+    const VectorXd nearer = other_v_dot_;
+    by_ *= 2.0;
+    if (!look()) return false;
+    it.acceleration = (other_v_dot_ - nearer) / (0.5 * by_);
+  }
   const double a = weighed(it.acceleration), v = weighed(it.velocity), x = weighed(it.way);
   const double rate = a > 0.0 ? a / std::sqrt(v * v + a * x) : 0.0;
   it.rate = std::max(rate, forgotten * it.rate);

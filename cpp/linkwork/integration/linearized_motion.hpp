@@ -43,13 +43,14 @@ class LinearizedMotion {
     VectorXd violations, rates;  ///< of the rows
     VectorXd forces;
     VectorXd switches;
+    std::vector<bool> sides;  ///< of switches, on which derivatives are those that are asked for: which are positive
   };
   const Place& place() const { return here_; }
   void go_back_to(const Place& place) { here_ = place; }
 
-  /// From here on derivatives are those on the side of each switch where this state is; whether any is another one: where
+  /// From here on derivatives are those on the side of each switch where that state is; whether any is another one: where
   /// contacts and stops begin and end they are others on both sides.
-  bool change_sides();
+  bool take_sides_of(const Place& place);
 
   /// Of a step, as if it were one of the state where this is; none where it is none, or nothing is known of it.
   std::optional<Perturbation> error(const StepDifference& step);
@@ -66,7 +67,7 @@ class LinearizedMotion {
 
  private:
   bool accelerate(const VectorXd& y, VectorXd& v_dot);
-  bool on_its_side() const;
+  bool on_its_side(const VectorXd& switches) const;
   VectorXd moved(const VectorXd& way, const VectorXd& velocity, double by) const;
   VectorXd allowed(const VectorXd& twist, const VectorXd& b);
   void take_violations_back(Perturbation& it);
@@ -83,9 +84,8 @@ class LinearizedMotion {
   bool conservative_, holonomic_;
   Place here_;
   VectorXd other_v_dot_, lambda_;
-  double by_ = 0.0;          ///< share of an error by which the state was moved to see what it does
-  std::vector<bool> sides_;  ///< of switches: which are positive
-  VectorXd most_change_;     ///< of each part: twice the largest kinetic energy [J]
+  double by_ = 0.0;       ///< share of an error by which the state was moved to see what it does
+  VectorXd most_change_;  ///< of each part: twice the largest kinetic energy [J]
   std::int64_t evaluations_ = 0, most_ = 0;
 };
 

@@ -90,6 +90,7 @@ RunJudge::RunJudge(const StepSampling& sampling, Dynamics& dynamics, SecondTake 
     }
   see_from_moving_axes();
   look_at_forces();
+  judge_.look_in(sampling.log());
   if (has_laws()) judge_.weigh_energies();
   judge_.choose_from(choices_of_rows(kept_, dynamics.dropped().rows()));
 }

@@ -28,7 +28,17 @@ void StateLog::add(double t, const VectorXd& y, const VectorXd& history, bool to
   if (most_ == 0 || ended_) return;
   find_ranges(y);
   waiting_ += 1;
-  if (!is_wanted(y, touches)) return;
+  if (!is_wanted(y, touches)) {
+    last_t_ = t;
+    last_y_ = y;
+    last_history_ = history;
+    return;
+  }
+  if (touches && waiting_ > 1) append(last_t_, last_y_, last_history_, false);
+  append(t, y, history, touches);
+}
+
+void StateLog::append(double t, const VectorXd& y, const VectorXd& history, bool touches) {
   if (size() == most_) leave_out_some();
   if (ended_) return;
   if (times_.empty()) {

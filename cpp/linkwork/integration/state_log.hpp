@@ -9,7 +9,7 @@
 namespace linkwork {
 
 /// States of a run where its steps begin: of each step of a short one, of every so many of a long one and beside those
-/// where velocities have changed by much, or contacts and stops begin, last or end; as many as memory allows, up to where that
+/// where velocities have changed by much, and beside and in contacts and stops; as many as memory allows, up to where that
 /// would be too few to tell how the motion goes between them. Of models so large that these would be few, none.
 class StateLog {
  public:
@@ -32,6 +32,7 @@ class StateLog {
 
  private:
   std::size_t row() const { return static_cast<std::size_t>(y_size_ + history_size_); }
+  void append(double t, const VectorXd& y, const VectorXd& history, bool touches);
   void take_nearer_signs();
   void find_ranges(const VectorXd& y);
   double velocities_apart(const ConstVector& y, const ConstVector& other) const;
@@ -49,6 +50,8 @@ class StateLog {
   Eigen::Matrix3Xd least_velocities_, most_velocities_;  ///< of each body, so far [m/s]
   std::vector<double> times_, numbers_;
   std::vector<bool> touches_;
+  double last_t_ = 0.0;  ///< of the last state that was not taken [s]
+  VectorXd last_y_, last_history_;
 };
 
 }  // namespace linkwork

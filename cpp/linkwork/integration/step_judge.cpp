@@ -17,9 +17,10 @@ namespace linkwork {
 namespace {
 
 constexpr int divisions_where_contacts_begin = 3;
-constexpr double well_chosen = 0.1;  // root of the smallest pivot, relative to the usual one
-constexpr double beside = 1e-9;      // of a step: times that are one
-constexpr double soon = 0.1;         // share that a step takes back: then errors off the constraints do not add up
+constexpr double long_contact = 0.1;  // share of the run: beyond, it is no bounce
+constexpr double well_chosen = 0.1;   // root of the smallest pivot, relative to the usual one
+constexpr double beside = 1e-9;       // of a step: times that are one
+constexpr double soon = 0.1;          // share that a step takes back: then errors off the constraints do not add up
 constexpr double roundoff = 8.0 * std::numeric_limits<double>::epsilon();
 
 /// One step of a one-step method in parts, with the correction that a multistep method adds, if asked for.
@@ -463,7 +464,7 @@ void StepJudge::compare_history(const KeptStep& step, StepError& out) {
 }
 
 /// What another speed at which a contact begins makes of that with which it ends: by the share of the force that damps,
-/// none of it without hysteresis.
+/// none of it without hysteresis. Where contact stays each oscillation ends with another speed: by all of it.
 double StepJudge::by_onset(double t, Eigen::Index variable, const VectorXd& history, const VectorXd& other) const {
   const System& system = dynamics_.system();
   const auto place = static_cast<int>(variable);
@@ -477,7 +478,18 @@ double StepJudge::by_onset(double t, Eigen::Index variable, const VectorXd& hist
     apart += (own[k] - others[k]) * (own[k] - others[k]);
     whole += own[k] * own[k];
   }
-  return whole > 0.0 ? std::min(std::sqrt(apart / whole), 1.0) * history[variable] : 0.0;
+  if (!(apart > 0.0)) return 0.0;
+  if (stays(t, variable)) return std::abs(history[variable] - other[variable]);
+  return std::min(std::sqrt(apart / whole), 1.0) * history[variable];
+}
+
+/// Whether a contact that begins at t lasts for long, by its history variable, or nobody knows.
+bool StepJudge::stays(double t, Eigen::Index variable) const {
+  if (!log_ || log_->size() < 2) return true;
+  const double begin = log_->t(0), end = log_->t(log_->size() - 1);
+  for (std::size_t k = 0; k < log_->size(); ++k)
+    if (log_->t(k) > t && log_->history(k)[variable] == 0.0) return log_->t(k) - t > long_contact * (end - begin);
+  return true;
 }
 
 void StepJudge::compare_reactions(const KeptStep& step, StepError& out) {

@@ -98,6 +98,9 @@ class StepJudge {
   /// may come too near, and another is taken.
   void choose_from(std::vector<std::vector<int>> choices) { choices_ = std::move(choices); }
 
+  /// States of the run, by which it is known how long contacts last.
+  void look_in(const StateLog& log) { log_ = &log; }
+
   /// The same mechanism, to be used up, by the equations of the run where `dynamics` has exact ones: what is recorded of
   /// reactions, be the state right or wrong, is what these give.
   void compare_with(Dynamics* recorded) { recorded_ = recorded; }
@@ -145,6 +148,7 @@ class StepJudge {
   void compare_energies(const KeptStep& step, StepError& out);
   void compare_history(const KeptStep& step, StepError& out);
   double by_onset(double t, Eigen::Index variable, const VectorXd& history, const VectorXd& other) const;
+  bool stays(double t, Eigen::Index variable) const;
   void compare_reactions(const KeptStep& step, StepError& out);
   struct Reactions {
     Eigen::Matrix3Xd force, torque;
@@ -156,6 +160,7 @@ class StepJudge {
 
   Dynamics& dynamics_;
   Dynamics* recorded_ = nullptr;
+  const StateLog* log_ = nullptr;
   const ConnectedParts& connected_;
   SecondTake take_;
   StepParts parts_;

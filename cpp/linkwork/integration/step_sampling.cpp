@@ -175,6 +175,7 @@ void StepSampling::look_for_switches(const VectorXd& history, const VectorXd& sw
   for (std::size_t group = 0; group < since_switch_.size(); ++group) {
     depends = depends || std::min(since_switch_[group], since_kink_[group]) <= memory_;
     if (since_switch_[group] <= memory_ || since_kink_[group] == 0) groups_of_step_.push_back(static_cast<int>(group));
+    if (since_kink_[group] == 0) log_.end();  // steps go over them: what errors become there is not known
   }
   if (!last_.kept() || !depends) return;
   for (KeptStep* step : {&parts_.back().any, &parts_.back().steepest})

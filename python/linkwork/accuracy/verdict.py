@@ -95,7 +95,7 @@ class Verdict:
     level        "good": up to 1 % off, "coarse", or "wrong": beyond 10 %
     sentence     "accurate to about 3e-7", or what is the matter and what would help
     error        the largest of `state`, `energy`, `violation`, `yielding` and `rounding`; of motion that is
-                 unstable behind events, or late in a long run, it may be too small by any factor
+                 unstable behind an event or a kink of a table, or late in a long run, it may be too small by any factor
     state        of poses, relative to the smaller of the path and the size of the motion, and of velocities,
                  relative to the largest: local errors accumulated over the run; None: no step was taken
                  again. Parts that neither joints nor forces connect are judged as if alone: the worst counts
@@ -122,7 +122,7 @@ class Verdict:
     body         of the connected part that the error is of; "": all bodies are one part, or it is of no one
     growth       of errors of steps until the end of the run, the largest factor: in proportion to time in
                  regular motion, exponential where it is unstable or chaotic. None: not known, as of most
-                 members of ensembles, long runs, large models, and from the first event on
+                 members of ensembles, long runs, large models, and from the first event or kink on
     unstable     the same of motion that is unstable or chaotic, of whichever part: where it is much more than
                  in regular motion, else 1
     """
