@@ -95,7 +95,7 @@ class Verdict:
     level        "good": up to 1 % off, "coarse", or "wrong": beyond 10 %
     sentence     "accurate to about 3e-7", or what is the matter and what would help
     error        the largest of `state`, `energy`, `violation`, `yielding` and `rounding`; of motion that is
-                 unstable behind an event or a kink of a table, or late in a long run, it may be too small by any factor
+                 unstable behind an event or a kink, or late in a long run, it may be too small by any factor
     state        of poses, relative to the smaller of the path and the size of the motion, and of velocities,
                  relative to the largest: local errors accumulated over the run; None: no step was taken
                  again. Parts that neither joints nor forces connect are judged as if alone: the worst counts
