@@ -977,6 +977,35 @@ def test_where_contact_stays_all_of_the_speed_at_which_it_begins_counts(drop: fl
     assert run.verdict.error > 0.5 * error
 
 
+def rubbing(number: int) -> lw.Model:
+    """One to three rods of 1 m on hinges with dry friction, that fall."""
+    chosen = np.random.default_rng(number)
+    model, end, before = lw.Model(), np.zeros(3), "ground"
+    for k, angle in enumerate(chosen.uniform(1.0, 2.2, chosen.integers(1, 4))):
+        way, name = np.array([np.sin(angle), 0.0, np.cos(angle)]), f"rod {k}"
+        model.body(name, mass=1.0, inertia=(1 / 12, 1 / 12, 1e-3), position=end + way / 2,
+                   orientation=(np.cos(angle / 2), 0, np.sin(angle / 2), 0))  # fmt: skip
+        joint: Any = {"at": end, "axis": (0, 1, 0)}
+        model.revolute(before, name, **joint)
+        model.rotational_friction(before, name, **joint, coulomb=chosen.uniform(0.02, 0.2))
+        end, before = end + way, name
+    return model
+
+
+@pytest.mark.parametrize("integrator", ["dopri5", "tsit5"])
+@pytest.mark.parametrize("number", range(6))
+def test_steps_in_which_dry_friction_turns_around_are_among_those_that_are_looked_at(
+    number: int, integrator: str
+) -> None:
+    """Their own estimate may not have seen that."""
+    model, times = rubbing(number), np.linspace(0.0, 5.0, 201)
+    run = quick(model, 5.0, rtol=1e-6, integrator=integrator, times=times)
+    best = quick(model, 5.0, rtol=1e-12, integrator="dop853", times=times)
+    off = np.abs(run.velocity - best.velocity).max() / np.abs(best.velocity).max()
+    assert run.verdict is not None
+    assert 0.5 * min(off, 0.5) < run.verdict.error
+
+
 def test_a_hard_hit_of_a_light_part_is_seen_beside_one_that_often_touches_soft_stops() -> None:
     model, speed = lw.Model(gravity=(0, 0, 0)), 0.31
     for name, mass, v, y in (("heavy", 10.0, 2.0, 0), ("light", 1e-3, speed, 2)):

@@ -158,9 +158,12 @@ void StepSampling::before(const Dynamics& dynamics, const VectorXd& y) {
 void StepSampling::before(const Dynamics& dynamics, const VectorXd& y, double kinetic, double potential,
                           const VectorXd& switches) {
   const VectorXd& history = dynamics.history();
-  if (!kinks_) kinks_.emplace(*system_);
+  if (!kinks_) {
+    kinks_.emplace(*system_);
+    reversals_.emplace(*system_);
+  }
   touches_ = (switches.array() > 0.0).any();
-  if (switches.size() > 0 || !kinks_->empty()) look_for_switches(history, switches, y);
+  if (switches.size() > 0 || !kinks_->empty() || !reversals_->empty()) look_for_switches(history, switches, y);
   balance(y, kinetic, potential);
   if (history.size() > 0) history_ = history;
   correction_length_ = dynamics.correction_length();
@@ -170,12 +173,12 @@ void StepSampling::before(const Dynamics& dynamics, const VectorXd& y, double ki
 void StepSampling::look_for_switches(const VectorXd& history, const VectorXd& switches, const VectorXd& y) {
   const bool begun = pass_switches(history, switches);
   if (!kinks_->empty()) pass_kinks(history, y);
+  if (!reversals_->empty()) pass_reversals(y);
   groups_of_step_.clear();
   bool depends = false;
   for (std::size_t group = 0; group < since_switch_.size(); ++group) {
     depends = depends || std::min(since_switch_[group], since_kink_[group]) <= memory_;
     if (since_switch_[group] <= memory_ || since_kink_[group] == 0) groups_of_step_.push_back(static_cast<int>(group));
-    if (since_kink_[group] == 0) log_.end();  // steps go over them: what errors become there is not known
   }
   if (!last_.kept() || !depends) return;
   for (KeptStep* step : {&parts_.back().any, &parts_.back().steepest})
@@ -189,7 +192,9 @@ void StepSampling::look_for_switches(const VectorXd& history, const VectorXd& sw
 /// Whether a contact has begun: a variable that was zero is the speed of it.
 bool StepSampling::pass_switches(const VectorXd& history, const VectorXd& switches) {
   if (since_switch_.empty()) {
-    groups_ = GroupsOfSwitches::of(*system_, kinks_->elements());
+    std::vector<int> elements = kinks_->elements();
+    elements.insert(elements.end(), reversals_->elements().begin(), reversals_->elements().end());
+    groups_ = GroupsOfSwitches::of(*system_, elements);
     switched_ = StepGroups(groups_.count, most_parts_);
     since_switch_.assign(static_cast<std::size_t>(groups_.count), std::numeric_limits<int>::max());
     since_kink_ = since_switch_;
@@ -219,9 +224,23 @@ void StepSampling::pass_kinks(const VectorXd& history, const VectorXd& y) {
   const double t = last_.t + last_.h;
   if (pieces_.empty()) pieces_ = pieces(last_.t, last_.y, history_);
   const std::vector<int>& now = pieces(t, y, history);
-  for (std::size_t k = 0; k < now.size(); ++k)
-    if (now[k] != pieces_[k]) since_kink_[static_cast<std::size_t>(groups_.of_kink[k])] = 0;
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    if (now[k] == pieces_[k]) continue;
+    since_kink_[static_cast<std::size_t>(groups_.of_kink[k])] = 0;
+    log_.end();  // steps go over them: what errors become there is not known
+  }
   pieces_ = now;
+}
+
+/// Steps in which friction begins to act the other way may err far more than others.
+void StepSampling::pass_reversals(const VectorXd& y) {
+  if (!last_.kept()) return;
+  if (directions_.empty()) directions_ = reversals_->directions(last_.y);
+  const std::vector<int>& now = reversals_->directions(y);
+  const std::size_t first = groups_.of_kink.size() - now.size();
+  for (std::size_t k = 0; k < now.size(); ++k)
+    if (now[k] != directions_[k]) since_kink_[static_cast<std::size_t>(groups_.of_kink[first + k])] = 0;
+  directions_ = now;
 }
 
 const std::vector<int>& StepSampling::pieces(double t, const VectorXd& y, const VectorXd& history) {

@@ -10,6 +10,7 @@
 #include "linkwork/formulation/dynamics.hpp"
 #include "linkwork/integration/kept_step.hpp"
 #include "linkwork/integration/kink_watch.hpp"
+#include "linkwork/integration/reversal_watch.hpp"
 #include "linkwork/integration/state_difference.hpp"
 #include "linkwork/integration/state_log.hpp"
 #include "linkwork/integration/step_groups.hpp"
@@ -120,6 +121,7 @@ class StepSampling {
   void look_for_switches(const VectorXd& history, const VectorXd& switches, const VectorXd& y);
   bool pass_switches(const VectorXd& history, const VectorXd& switches);
   void pass_kinks(const VectorXd& history, const VectorXd& y);
+  void pass_reversals(const VectorXd& y);
   const std::vector<int>& pieces(double t, const VectorXd& y, const VectorXd& history);
   void balance(const VectorXd& y, double kinetic, double potential);
   /// The steps with the largest of some numbers.
@@ -178,6 +180,8 @@ class StepSampling {
   std::vector<char> sides_;  ///< of switches, positive or not, where the step begins
   std::optional<KinkWatch> kinks_;
   std::vector<int> pieces_;  ///< between kinks, where the step begins
+  std::optional<ReversalWatch> reversals_;
+  std::vector<int> directions_;  ///< of them, where the step begins
   GroupsOfSwitches groups_;
   std::vector<std::int64_t> since_switch_, since_kink_;  ///< steps, of each group
   std::vector<int> groups_of_step_;
