@@ -485,11 +485,11 @@ double StepJudge::by_onset(double t, Eigen::Index variable, const VectorXd& hist
 
 /// Whether a contact that begins at t lasts for long, by its history variable, or nobody knows.
 bool StepJudge::stays(double t, Eigen::Index variable) const {
-  if (!log_ || log_->size() < 2) return true;
+  if (!log_ || log_->size() < 2 || log_->t(log_->size() - 1) < t) return true;
   const double begin = log_->t(0), end = log_->t(log_->size() - 1);
   for (std::size_t k = 0; k < log_->size(); ++k)
     if (log_->t(k) > t && log_->history(k)[variable] == 0.0) return log_->t(k) - t > long_contact * (end - begin);
-  return true;
+  return end - t > long_contact * (end - begin);
 }
 
 void StepJudge::compare_reactions(const KeptStep& step, StepError& out) {
