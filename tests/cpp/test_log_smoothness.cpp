@@ -1,19 +1,10 @@
 #include "linkwork/integration/log_smoothness.hpp"
 
-#include "support.hpp"
+#include "integrators.hpp"
 
-using namespace linkwork;
+using namespace support;
 
 namespace {
-
-Model free_body() {
-  Model model(Vec3<double>::Zero());
-  Body body;
-  body.mass = 1.0;
-  body.inertia = Mat3<double>::Identity();
-  model.add_body("body", body);
-  return model;
-}
 
 /// What is asked of a body that moves along x so, by what x and v are at each of so many times up to 1 s.
 struct Asked {

@@ -1,21 +1,12 @@
 #include "linkwork/integration/state_interpolation.hpp"
 
-#include "support.hpp"
+#include "integrators.hpp"
 
-using namespace linkwork;
+using namespace support;
 
 namespace {
 
 const Vec3<double> axis = Vec3<double>(1.0, -2.0, 2.0) / 3.0;
-
-Model free_body() {
-  Model model(Vec3<double>::Zero());
-  Body body;
-  body.mass = 1.0;
-  body.inertia = Mat3<double>::Identity();
-  model.add_body("body", body);
-  return model;
-}
 
 /// x is a polynomial of the fifth degree; it turns about an axis by an angle that goes with sin t.
 MovingState state(double t) {

@@ -148,6 +148,22 @@ def test_a_body_that_rests_until_it_is_pushed_is_late_from_there_on(rest: float)
     assert off < found.verdict.error < 60 * off
 
 
+@pytest.mark.parametrize("rtol", [1e-5, 1e-7])
+def test_what_is_damped_is_off_by_all_errors_as_they_have_grown_at_most(rtol: float) -> None:
+    """What forces took away of the energy they took away of its error, too."""
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("mass", mass=1.0, inertia=(0.1,) * 3, velocity=(0.3, 0, 0))
+    along: Any = {"at": (0, 0, 0), "axis": (1, 0, 0)}
+    model.translational("ground", "mass", **along)
+    model.translational_spring_damper("ground", "mass", **along, stiffness=100.0, damping=0.05)
+    run = quick(model, 20.0, rtol=rtol)
+    w = np.sqrt(100.0 - 0.025**2)
+    swings = 0.3 * np.exp(-0.025 * run.t) * (np.cos(w * run.t) - 0.025 / w * np.sin(w * run.t))
+    off = float(np.abs(run.v[:, 0, 0] - swings).max()) / 0.3
+    assert run.verdict is not None and run.verdict.growth is not None
+    assert off < run.verdict.error < 30 * off
+
+
 def test_energy_that_comes_and_goes_lasts_less_than_a_drift() -> None:
     t = np.linspace(0.0, 10.0, 2001)
 

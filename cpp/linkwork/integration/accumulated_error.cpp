@@ -345,21 +345,33 @@ class Accumulation {
     return std::max(factor(it) * std::clamp(factor(it) / regular_factor(it), of_regular, 1.0), 1.0);
   }
 
-  /// Of errors that arise in a part of the run: the larger one of those followed before and after it. Where one of its
-  /// own was, its growth if that is more, else the mean of both on a scale of powers: others of the part may grow more.
-  double growth_from(const RunPart& part) const {
+  /// The largest of those followed in a part of the run, if any, and of those before and after it, if any.
+  struct GrowthAbout {
+    double within = 1.0, around = 1.0;
+    bool followed = false;  ///< in the part itself
+  };
+  template <class Factor>
+  GrowthAbout growth_about(const RunPart& part, const Factor& of) const {
     const std::vector<ErrorGrowth>& all = errors_.growth;
     const auto after = [&](double t) {
       return std::find_if(all.begin(), all.end(), [t](const ErrorGrowth& it) { return it.t > t; });
     };
     const auto own = after(part.t), next = after((1.0 + same_time) * (part.t + part.seconds));
+    GrowthAbout out{.followed = own != next};
+    for (auto it = own; it != next; ++it) out.within = std::max(out.within, of(*it));
+    if (own != all.begin()) out.around = of(*(own - 1));
+    if (next != all.end()) out.around = std::max(out.around, of(*next));
+    return out;
+  }
+
+  /// Of errors that arise in a part of the run: the larger one of those followed before and after it. Where one of its
+  /// own was, its growth if that is more, else the mean of both on a scale of powers: others of the part may grow more.
+  /// That of steps alone counts in full.
+  double growth_from(const RunPart& part) const {
     const bool alone = part.peaks.size() == 0;
-    const auto counted = [&](const ErrorGrowth& it) { return alone ? factor(it) : counted_factor(it); };
-    double around = 1.0, within = 1.0;
-    for (auto it = own; it != next; ++it) within = std::max(within, counted(*it));
-    if (own != all.begin()) around = counted(*(own - 1));
-    if (next != all.end()) around = std::max(around, counted(*next));
-    return own == next || within > around ? std::max(within, around) : std::sqrt(within * around);
+    const auto [within, around, followed] =
+        growth_about(part, [&](const ErrorGrowth& it) { return alone ? factor(it) : counted_factor(it); });
+    return !followed || within > around ? std::max(within, around) : std::sqrt(within * around);
   }
 
   /// The errors of all steps as they have become, where it is known how they grow.
@@ -382,26 +394,12 @@ class Accumulation {
     double sum = 0.0, local = 0.0;
     for (const KnownPart& it : parts_) {
       const double own = it.steps() * it.mean([this](const StepError& step) { return error(of(step).end); });
-      sum += own * largest_growth_about(*it.part);
+      const GrowthAbout growth = growth_about(*it.part, [this](const ErrorGrowth& error) { return factor(error); });
+      sum += own * std::max(growth.within, growth.around);
       local += missed_ * own;
     }
     if (judged_.energy && !(relative(*judged_.energy, judged_.kinetic) <= of_energy * local)) return NAN;
     return missed_ * sum;
-  }
-
-  /// Of those followed in a part of the run, before and after it.
-  double largest_growth_about(const RunPart& part) const {
-    double largest = 1.0;
-    const ErrorGrowth* before = nullptr;
-    for (const ErrorGrowth& it : errors_.growth) {
-      if (it.t <= part.t) {
-        before = &it;
-        continue;
-      }
-      largest = std::max(largest, factor(it));
-      if (it.t > (1.0 + same_time) * (part.t + part.seconds)) break;
-    }
-    return before ? std::max(largest, factor(*before)) : largest;
   }
 
   /// Of a part that rests: errors die out, or the run would have moved it.
@@ -437,7 +435,8 @@ class Accumulation {
 /// Takes over what counts of all parts, whichever is worst.
 AccumulatedError worse(AccumulatedError a, AccumulatedError b) {
   const double reactions = std::fmax(a.reactions_by_state * a.state, b.reactions_by_state * b.state);
-  const double at_most = a.at_most + b.at_most == a.at_most + b.at_most ? std::max(a.at_most, b.at_most) : NAN;
+  const bool bounded = !std::isnan(a.at_most) && !std::isnan(b.at_most);
+  const double at_most = bounded ? std::max(a.at_most, b.at_most) : NAN;
   const double onset = std::max(a.onset, b.onset), yielding = std::fmax(a.yielding, b.yielding);
   const double rounding = std::max(a.rounding, b.rounding), unstable = std::max(a.unstable, b.unstable);
   const bool contacts_begin = a.contacts_begin || b.contacts_begin;

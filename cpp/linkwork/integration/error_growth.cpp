@@ -152,9 +152,9 @@ class GrowthSearch {
     double parts = std::max(std::ceil(density_ * way), 1.0), share = 0.0, worst = 0.0;
     while (share < 1.0) {
       if (!(parts <= most_parts * std::max(way, 1.0))) return false;
-      const double wanted = share + 1.5 / parts < 1.0 ? share + 1.0 / parts : 1.0;
       const auto touch = std::upper_bound(touches.begin(), touches.end(), share);
-      const double next = touch == touches.end() ? wanted : std::min(wanted, *touch);
+      const double most = touch == touches.end() ? 1.0 : *touch;
+      const double next = share + 1.5 / parts < most ? share + 1.0 / parts : most;
       const auto at = [&](double s) { return s == 1.0 ? last.y : quintic_between(system_, first.state, last, s); };
       const LinearizedMotion::Place before = motion_.place();
       std::vector<Followed> carried = carried_;

@@ -1,7 +1,6 @@
 #include "linkwork/integration/log_smoothness.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "linkwork/integration/state_interpolation.hpp"
 
