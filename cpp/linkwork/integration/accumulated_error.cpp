@@ -140,10 +140,10 @@ class Accumulation {
     out_.local_error = sum([this](const StepError& it) { return error(of(it).end); }) / out_.seconds;
     out_.contacts_begin = std::any_of(errors_.steps.begin(), errors_.steps.end(),
                                       [this](const StepError& it) { return of(it).contact_begins; });
-    out_.onset = sum([this](const StepError& it) { return of(it).onset; }) / V_;
+    out_.onset = sum([this](const StepError& it) { return of(it).onset; }) / body_speed_;
     const double path = sum([this](const StepError& it) { return of(it).displacement; });
     out_.rounding =
-        std::max(sum([this](const StepError& it) { return of(it).rounding; }) / std::max(path, size_), noise() / V_);
+        std::max(sum([this](const StepError& it) { return of(it).rounding; }) / std::max(path, size_), noise() / body_speed_);
     out_.rate = V_ / L_;
     find_slowness();
     out_.carried = judged_.speed_as_a_whole / V_;
@@ -152,7 +152,11 @@ class Accumulation {
 
  private:
   double pose(const StateDifference& it) const { return std::max(it.position, L_ * it.rotation) / size_; }
-  double velocity(const StateDifference& it) const { return std::max(it.velocity, L_ * it.omega) / V_; }
+  double velocity(const StateDifference& it) const {
+    return std::max(it.velocity / body_speed_, L_ * it.omega / V_);
+  }
+  /// As it moves poses, by V / size.
+  double drift(const StateDifference& it) const { return std::max(it.velocity, L_ * it.omega) / V_; }
   double error(const StateDifference& it) const { return std::max(pose(it), velocity(it)); }
   const PartError& of(const StepError& it) const { return it.of_part[part_]; }
   /// |y_dot| by V / size: by how much the state is off where it is late, relative to how late.
@@ -240,13 +244,13 @@ class Accumulation {
       path += part.part->seconds * part.mean([this](const StepError& it) { return of(it).speed; });
     }
     missed_ = all / known;
-    V_ = still * L_ / out_.seconds;
-    for (const StepError& it : errors_.steps)
-      if (!it.failed) V_ = std::max(V_, judged_.fastest * of(it).speed);
-    size_ = std::max(std::min(L_, missed_ * path), still * L_);
-    if (!judged_.rest) return;
-    V_ = std::max(V_, judged_.rest->speed);
-    size_ = L_;
+    V_ = body_speed_ = std::max(still * L_ / out_.seconds, judged_.rest ? judged_.rest->speed : 0.0);
+    for (const StepError& it : errors_.steps) {
+      if (it.failed) continue;
+      V_ = std::max(V_, judged_.fastest * of(it).speed);
+      body_speed_ = std::max(body_speed_, judged_.fastest * of(it).body_speed);
+    }
+    size_ = judged_.rest ? L_ : std::max(std::min(L_, missed_ * path), still * L_);
   }
 
   void list_steps() {
@@ -277,10 +281,10 @@ class Accumulation {
   struct Sums {
     double poses = 0.0, velocities = 0.0, moments = 0.0;
 
-    void add(double pose, double velocity, double t) {
+    void add(double pose, double drift, double t) {
       poses += pose;
-      velocities += velocity;
-      moments += velocity * t;
+      velocities += drift;
+      moments += drift * t;
     }
     /// Of poses at t; `rate` [1/s] at which an error of a velocity moves them, the `share` of it that counts.
     double moved(double t, double rate, double share = 1.0) const {
@@ -300,34 +304,36 @@ class Accumulation {
   double state() const {
     const double rate = V_ / size_;
     Sums sums, along;
-    double late = 0.0, end = 0.0;
     auto known = parts_.begin();
-    for (Sums* it : {&sums, &along}) it->add(0.0, velocity(of(*known->first).late), known->part->t);
+    double late = 0.0, end = 0.0, of_velocities = velocity(of(*known->first).late);
+    for (Sums* it : {&sums, &along}) it->add(0.0, drift(of(*known->first).late), known->part->t);
     for (const RunPart* part : all_parts()) {
       const double t = part->t + part->seconds / 2;
       double fastest = pace(*part);
       if (known != parts_.end() && known->part == part) {
         const double steps = missed_ * known->steps();
         const double poses = steps * known->mean([this](const StepError& it) { return pose(of(it).end); });
-        const double velocities = steps * known->mean([this](const StepError& it) { return velocity(of(it).end); });
+        const double drifts = steps * known->mean([this](const StepError& it) { return drift(of(it).end); });
+        of_velocities += steps * known->mean([this](const StepError& it) { return velocity(of(it).end); });
         const double slow = 1.0 / std::clamp(pace(*known->first), slowest, 1.0);
-        sums.add(poses, velocities, t);
-        along.add(slow * poses, slow * velocities, t);
+        sums.add(poses, drifts, t);
+        along.add(slow * poses, slow * drifts, t);
         fastest = std::max({fastest, pace(*known->first), pace(*known->last)});
         end = std::max(end, part->t + part->seconds);
         ++known;
       }
       late = std::max(late, along.moved(t, rate, judged_.nonlinearity) * fastest);
     }
-    return std::max(sums.moved(end, rate) + sums.velocities, late);
+    return std::max(sums.moved(end, rate) + of_velocities, late);
   }
 
   double accumulated() {
     const double usual = state(), unstable = grown(), first = all_parts().front()->t;
     for (const ErrorGrowth& it : errors_.growth) {
-      if (it.until >= followed * out_.seconds + first || factor(it) > regular_factor(it))
+      const bool unstable_there = irregularity(it) > 1.0;
+      if (it.until >= followed * out_.seconds + first || unstable_there)
         out_.growth = std::fmax(out_.growth, factor(it));
-      if (factor(it) > regular_factor(it)) out_.unstable = std::max(out_.unstable, factor(it));
+      if (unstable_there) out_.unstable = std::max(out_.unstable, factor(it));
     }
     out_.grows = unstable > usual && out_.unstable > 1.0;
     return std::max(usual, unstable);
@@ -335,14 +341,17 @@ class Accumulation {
 
   double factor(const ErrorGrowth& it) const { return it.of_part[static_cast<Eigen::Index>(part_)]; }
 
-  double regular_factor(const ErrorGrowth& it) const {
-    return irregular * (1.0 + V_ / L_ * (it.until - it.t)) * std::max(largest_pace(), 1.0);
+  /// Relative to the growth in regular motion, which may be more while something touches.
+  double irregularity(const ErrorGrowth& it) const {
+    const double regular = irregular * (1.0 + V_ / L_ * (it.until - it.t));
+    const double between_touches = it.between_touches[static_cast<Eigen::Index>(part_)];
+    return std::max(factor(it) / std::max(largest_pace(), 1.0), between_touches) / regular;
   }
 
   /// That of regular motion, in proportion to time, counts by a part: what becomes of errors of energies there, which
   /// come and go, their balance says.
   double counted_factor(const ErrorGrowth& it) const {
-    return std::max(factor(it) * std::clamp(factor(it) / regular_factor(it), of_regular, 1.0), 1.0);
+    return std::max(factor(it) * std::clamp(irregularity(it), of_regular, 1.0), 1.0);
   }
 
   /// The largest of those followed in a part of the run, if any, and of those before and after it, if any.
@@ -388,7 +397,7 @@ class Accumulation {
   /// the balance of energy shows what steps do not.
   double at_most() const {
     const double end = all_parts().front()->t + followed_to_end * out_.seconds;
-    const auto known = [&](const ErrorGrowth& it) { return it.until >= end && factor(it) <= regular_factor(it); };
+    const auto known = [&](const ErrorGrowth& it) { return it.until >= end && irregularity(it) <= 1.0; };
     const std::vector<ErrorGrowth>& all = errors_.growth;
     if (all.size() < few_followed || !std::all_of(all.begin(), all.end(), known) || judged_.has_laws) return NAN;
     double sum = 0.0, local = 0.0;
@@ -428,7 +437,7 @@ class Accumulation {
   const std::vector<KnownPart>& parts_;
   std::size_t part_;
   const JudgedPart& judged_;
-  double L_, V_ = 0.0, size_ = 0.0, missed_ = 1.0;
+  double L_, V_ = 0.0, body_speed_ = 0.0, size_ = 0.0, missed_ = 1.0;
   AccumulatedError out_;
 };
 

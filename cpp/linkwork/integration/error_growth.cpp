@@ -13,6 +13,7 @@ namespace linkwork {
 namespace {
 
 constexpr double fewest_errors = 1.0, most_errors = 6.0;
+constexpr std::size_t enough_errors = 4;  // to know how others grow, which may be more
 // From one state to the next, at most: of lengths, speeds and angles; rate of an error times the time between.
 constexpr double near = 0.25, resolved = 0.6;
 // By how much two stages of a step may differ, relative to the error; far beyond the step is taken again in parts.
@@ -33,6 +34,7 @@ constexpr std::int64_t more = 5, most_of_bodies = 1'500'000;  // evaluations of 
 struct Followed {
   std::size_t place;  ///< among the errors that were asked for
   VectorXd largest;   ///< of each part, relative to what it was, so far
+  VectorXd between_touches;
   Perturbation now;
 };
 
@@ -78,7 +80,10 @@ class GrowthSearch {
       if (is_interruption(error)) throw;
     }
     for (ErrorGrowth& it : out) it.until = reached_;
-    for (const Followed& it : carried_) out[it.place].of_part = it.largest;
+    for (const Followed& it : carried_) {
+      out[it.place].of_part = it.largest;
+      out[it.place].between_touches = it.between_touches;
+    }
     return out;
   }
 
@@ -93,7 +98,8 @@ class GrowthSearch {
     reached_ = log_.t(0);
     for (std::size_t k = 0;;) {
       for (; next < errors.size() && errors[next].t <= log_.t(k); ++next)
-        if (begin(out.size(), errors[next])) out.push_back({errors[next].t, errors[next].t, carried_.back().largest});
+        if (begin(out.size(), errors[next]))
+          out.push_back({errors[next].t, errors[next].t, carried_.back().largest, carried_.back().between_touches});
       if (k + 1 == log_.size()) return;
       const std::size_t following = next_state(k, next < errors.size() ? errors[next].t : INFINITY);
       if (!carry(k, following)) return;
@@ -104,7 +110,8 @@ class GrowthSearch {
   bool begin(std::size_t place, const StepDifference& step) {
     std::optional<Perturbation> error = motion_.error(step);
     if (!error) return false;
-    carried_.push_back({place, VectorXd::Ones(lengths_.size()), std::move(*error)});
+    const VectorXd none = VectorXd::Ones(lengths_.size());
+    carried_.push_back({place, none, none, std::move(*error)});
     return true;
   }
 
@@ -257,9 +264,14 @@ class GrowthSearch {
   }
 
   void note(Followed& it) const {
-    const VectorXd now = motion_.size(it.now);
-    for (Eigen::Index part = 0; part < now.size(); ++part)
-      if (it.now.first[part] > 0.0) it.largest[part] = std::max(it.largest[part], now[part] / it.now.first[part]);
+    const VectorXd now = motion_.size(it.now), &switches = motion_.place().switches;
+    const bool between = switches.size() > 0 && !(switches.array() > 0.0).any();
+    for (Eigen::Index part = 0; part < now.size(); ++part) {
+      if (!(it.now.first[part] > 0.0)) continue;
+      const double growth = now[part] / it.now.first[part];
+      it.largest[part] = std::max(it.largest[part], growth);
+      if (between) it.between_touches[part] = std::max(it.between_touches[part], growth);
+    }
   }
 
   const System& system_;
@@ -300,7 +312,7 @@ std::vector<ErrorGrowth> find_error_growth(Dynamics& dynamics, const StateLog& l
   std::vector<ErrorGrowth> found = search(usual_difference).find(followed, most_evaluations);
   if (found.empty()) return found;
   const double begin = log.t(0), end = log.t(log.size() - 1), until = found.front().until;
-  if (until < end && irregularity(found, lengths, speeds) > suspicious) {
+  if ((until < end || followed.size() < enough_errors) && irregularity(found, lengths, speeds) > suspicious) {
     followed = planned(more * most_evaluations);
     found = search(usual_difference).find(followed, more * most_evaluations);
   } else if (until < end) {

@@ -391,7 +391,9 @@ void StepJudge::look_at_motion(const KeptStep& step, StepError& out) {
     const int v = system.q_size() + velocity_size * body, part = connected_.of_body(body);
     PartError& of_part = out.of_part[part];
     const auto rate = [&](int at) { return (a.segment<3>(at) - step.y.segment<3>(at)).norm() / step.h; };
-    of_part.speed = std::max({of_part.speed, seen_.segment<3>(v).norm(), arms_[part] * a.segment<3>(v + 3).norm()});
+    const double speed = seen_.segment<3>(v).norm(), turning = a.segment<3>(v + 3).norm();
+    of_part.speed = std::max({of_part.speed, speed, arms_[part] * turning});
+    of_part.body_speed = std::max({of_part.body_speed, speed, violation_.lengths()[part] * turning});
     of_part.acceleration = std::max(of_part.acceleration, rate(v));
     of_part.rounding = std::max(of_part.rounding, lasting_rounding(system, body, step));
     of_part.displacement = std::max(of_part.displacement, a.segment<3>(v).norm() * step.h);
