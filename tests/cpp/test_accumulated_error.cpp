@@ -29,7 +29,7 @@ RunErrors run(const StateDifference& in_first, const StateDifference& in_second,
     step.h = 0.01;
     step.of_part.resize(1);
     step.of_part[0].change = 1.0;
-    step.of_part[0].speed = k == 0 ? first_speed : speed;
+    step.of_part[0].speed = step.of_part[0].body_speed = k == 0 ? first_speed : speed;
     step.of_part[0].end = k == 0 ? in_first : in_second;
     out.steps.push_back(step);
     out.part_of.push_back(k);
@@ -47,12 +47,17 @@ JudgedPart part_of(int first_body) {
 PartError off_by(const StateDifference& apart) {
   PartError out;
   out.end = apart;
-  out.speed = speed;
+  out.speed = out.body_speed = speed;
   out.change = 1.0;
   return out;
 }
 
 double state(const RunErrors& errors) { return accumulate(errors).state; }
+
+/// Of an error at t, as it was followed to the end.
+ErrorGrowth grown(double t, double factor, double between_touches = 1.0) {
+  return {t, 2.0, VectorXd::Constant(1, factor), VectorXd::Constant(1, between_touches)};
+}
 
 }  // namespace
 
@@ -110,9 +115,7 @@ TEST_CASE("errors of a part of the run grow as one of its own, and those before 
   apart.position = 1e-9;
   const double of_part = 100 * 1e-9 / size;
   RunErrors errors = run(apart, apart);
-  const auto follow = [&](double t, double factor) {
-    errors.growth.push_back({t, 2.0, VectorXd::Constant(1, factor)});
-  };
+  const auto follow = [&](double t, double factor) { errors.growth.push_back(grown(t, factor)); };
   follow(0.5, 1e6);
   CHECK(state(errors) == doctest::Approx(of_part * (1e6 + 1e6)));
   follow(1.5, 1e4);
@@ -132,11 +135,37 @@ TEST_CASE("as regular motion grows, errors of steps alone grow, as where a conta
   apart.position = 1e-9;
   const double of_part = 100 * 1e-9 / size, factor = 50.0;
   RunErrors errors = run(apart, apart);
-  errors.growth.push_back({0.0, 2.0, VectorXd::Constant(1, factor)});
+  errors.growth.push_back(grown(0.0, factor));
   CHECK(state(errors) == doctest::Approx(2.0 * of_part * factor));
   for (RunPart& part : errors.parts) part.peaks = VectorXd::Zero(1);
   CHECK(state(errors) < 0.5 * of_part * factor);
   CHECK(accumulate(errors).unstable == 1.0);
+}
+
+TEST_CASE("in bounces errors are as much larger as these are sudden; what they are between them is there to stay") {
+  StateDifference apart;
+  apart.position = 1e-9;
+  RunErrors errors = run(apart, apart);
+  for (RunPart& part : errors.parts) part.peaks = VectorXd::Constant(1, 100.0 * speed * speed / size);
+  errors.growth.push_back(grown(0.0, 500.0));
+  CHECK(accumulate(errors).unstable == 1.0);
+  const double regular = state(errors);
+  errors.growth[0] = grown(0.0, 500.0, 450.0);
+  CHECK(accumulate(errors).unstable == 500.0);
+  CHECK(state(errors) > 4.0 * regular);
+}
+
+TEST_CASE("a velocity is off by what bodies move at, not by what they would at the ends of the box as they turn") {
+  StateDifference apart;
+  apart.velocity = 1e-6;
+  RunErrors errors = run({}, apart);
+  const double usual = state(errors);
+  for (StepError& step : errors.steps) step.of_part[0].speed = 100.0 * speed;
+  const double of_velocities = 100 * 1e-6 / speed, of_poses = usual - of_velocities;
+  CHECK(state(errors) == doctest::Approx(of_velocities + of_poses));
+  apart.omega = std::exchange(apart.velocity, 0.0) * 100.0 / size;
+  for (StepError& step : errors.steps) step.of_part[0].end = &step == &errors.steps[0] ? StateDifference() : apart;
+  CHECK(state(errors) == doctest::Approx(of_velocities * (1.0 + 5.0)));  // it turns long before that
 }
 
 TEST_CASE("where growth is known to the end the state is off by all errors as they have grown at most") {
@@ -146,12 +175,12 @@ TEST_CASE("where growth is known to the end the state is off by all errors as th
   const double of_part = 100 * 1e-9 / size;
   const auto at_most = [&] { return accumulate(errors).at_most; };
   CHECK(std::isnan(at_most()));
-  errors.growth.push_back({0.2, 2.0, VectorXd::Constant(1, 7.0)});
+  errors.growth.push_back(grown(0.2, 7.0));
   CHECK(std::isnan(at_most()));  // one error is of a kind
-  errors.growth.push_back({1.4, 2.0, VectorXd::Constant(1, 3.0)});
+  errors.growth.push_back(grown(1.4, 3.0));
   CHECK(at_most() == doctest::Approx(of_part * (7.0 + 7.0)));
   errors.growth[0].t = 1.2;
-  errors.growth.insert(errors.growth.begin(), {0.9, 2.0, VectorXd::Constant(1, 2.0)});
+  errors.growth.insert(errors.growth.begin(), grown(0.9, 2.0));
   CHECK(at_most() == doctest::Approx(of_part * (7.0 + 7.0)));  // the next one counts, too
   errors.growth[2].until = 1.9;
   CHECK(std::isnan(at_most()));  // not to the end
@@ -194,7 +223,7 @@ TEST_CASE("what the run moved a mechanism that rests is its error, which does no
   StateDifference moved;
   moved.position = 1e-6;
   RunErrors errors = run(moved, moved, 0.0);
-  for (StepError& step : errors.steps) step.of_part[0].speed = 1e-6;
+  for (StepError& step : errors.steps) step.of_part[0].speed = step.of_part[0].body_speed = 1e-6;
   CHECK(state(errors) > 1.0);  // of the path of 2e-6 m
   errors.connected_parts[0].rest = Rest{{moved, moved}, 3.0, 1.0};
   CHECK(state(errors) == doctest::Approx(1e-6 / size));
@@ -225,7 +254,7 @@ TEST_CASE("each connected part is judged as if it were alone, and the worst coun
     errors.connected_parts[1] = part_of(7);
     for (StepError& step : errors.steps) {
       step.of_part.resize(2);
-      step.of_part[0].speed = larger * speed;
+      step.of_part[0].speed = step.of_part[0].body_speed = larger * speed;
       step.of_part[0].acceleration = 1e3 * larger * speed * speed / size;  // errs in nothing that could be late by it
       step.of_part[1] = off_by(apart);
     }
@@ -288,7 +317,7 @@ TEST_CASE("a part that rests is weighed by its rest, the part beside it by its m
   errors.connected_parts.push_back(part_of(1));
   errors.connected_parts[0].rest = Rest{{moved, moved}, 3.0, 1.0};
   for (StepError& step : errors.steps) {
-    step.of_part[0].speed = 1e-6;
+    step.of_part[0].speed = step.of_part[0].body_speed = 1e-6;
     step.of_part.push_back(off_by(apart));
   }
   for (RunPart& part : errors.parts) part.sums_of_changes = Eigen::Vector2d(100.0, 100.0);

@@ -1,6 +1,8 @@
 #include "linkwork/integration/step_judge.hpp"
 
 #include "integrators.hpp"
+#include "linkwork/model/force_kind.hpp"
+#include "linkwork/model/special/coupler.hpp"
 
 using namespace support;
 
@@ -76,4 +78,40 @@ TEST_CASE("reactions that yielding constraints give are compared in the state of
     if (last > 0.0) CHECK(last / lost == doctest::Approx(10.0).epsilon(0.01));
     last = lost;
   }
+}
+
+TEST_CASE("an angle that is counted over full turns, and is not zero any more, is no contact that begins") {
+  Random random(5);
+  Model model;
+  for (const double x : {0.0, 5.0}) {
+    Body body = body_at({x, 0, 0});
+    body.omega = {0, 0, x > 0.0 ? 2.0 : 1.0};
+    model.add_body(x > 0.0 ? "b" : "a", body);
+    join(model, "revolute", x > 0.0 ? "B" : "A", ground, x > 0.0 ? 1 : 0, {x, 0, 0});
+  }
+  const auto coupler =
+      std::make_shared<Coupler>(model, std::vector<CoupledCoordinate>{{0, "angle", 2.0}, {1, "angle", -1.0}});
+  const Element& first = model.joints()[0];
+  model.add_special_joint("coupler", "belt", first.i, first.j, first.at, coupler, {{0.0, -1}});
+  model.add_body("ball", random_body(random));
+  const KindInfo& contact = force_kinds()[force_kind_index("sphere_plane_contact")].info;
+  model.add_force(contact.name, "contact", ground, 2, random_attachment(random),
+                  force_parameters(model, random, contact));
+  Dynamics dynamics(model, Options());
+  Simulation run(dynamics, make_runge_kutta(rk4()), {0.2, 0.02});
+  run.advance(1 << 30, 1e9);
+  CHECK(run.sampling().switched().empty());
+  StepJudge judge(dynamics, in_parts(make_runge_kutta(rk4())));
+  int judged = 0;
+  for (const RunPart& part : run.sampling().parts()) {
+    if (!part.any.kept()) continue;
+    KeptStep step = part.any;
+    step.history_new = step.history;
+    step.history_new.head<2>() += Eigen::Vector2d(0.02, 0.04);  // of the coupler
+    const StepError error = judge.judge(step, false);
+    CHECK(!error.failed);
+    CHECK(!error.of_part[0].contact_begins);
+    judged += 1;
+  }
+  CHECK(judged > 0);
 }

@@ -41,6 +41,10 @@ TEST_CASE("a change counts by its length over the bound of its size, and names t
   CHECK(found.body == 0);
   CHECK(found.value == doctest::Approx(2.0).epsilon(1e-14));  // 2e-4 / 1e-4 against 5e-3 / 5.1e-3
   CHECK(measure.of_length(y) == doctest::Approx(1e-4 + 1e-3 * 5).epsilon(1e-14));
+  const VectorXd of_parts = measure.of_parts(y, y, dy);
+  CHECK(of_parts.size() == 2);
+  CHECK(of_parts[0] == found.value);
+  CHECK(of_parts[1] == doctest::Approx(5e-3 / 5.1e-3).epsilon(1e-14));
 }
 
 TEST_CASE("what an error is does not depend on the axes of space") {

@@ -33,7 +33,7 @@ from linkwork.comparison.reference import solved_reference
 from linkwork.comparison.store import Store
 from linkwork.validation import Series
 
-ONE_BODY = Bodies(np.ones(1), np.zeros(1, int), np.ones(1), joint_part=np.zeros(1, int))
+ONE_BODY = Bodies(np.ones(1), np.zeros(1, int), np.ones(1), np.full(1, np.inf), joint_part=np.zeros(1, int))
 
 STEPS = [1e-2, 5e-3, 2.5e-3]
 

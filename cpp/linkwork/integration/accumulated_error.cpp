@@ -142,8 +142,8 @@ class Accumulation {
                                       [this](const StepError& it) { return of(it).contact_begins; });
     out_.onset = sum([this](const StepError& it) { return of(it).onset; }) / body_speed_;
     const double path = sum([this](const StepError& it) { return of(it).displacement; });
-    out_.rounding =
-        std::max(sum([this](const StepError& it) { return of(it).rounding; }) / std::max(path, size_), noise() / body_speed_);
+    out_.rounding = std::max(sum([this](const StepError& it) { return of(it).rounding; }) / std::max(path, size_),
+                             noise() / body_speed_);
     out_.rate = V_ / L_;
     find_slowness();
     out_.carried = judged_.speed_as_a_whole / V_;
@@ -152,11 +152,9 @@ class Accumulation {
 
  private:
   double pose(const StateDifference& it) const { return std::max(it.position, L_ * it.rotation) / size_; }
-  double velocity(const StateDifference& it) const {
-    return std::max(it.velocity / body_speed_, L_ * it.omega / V_);
-  }
-  /// As it moves poses, by V / size.
-  double drift(const StateDifference& it) const { return std::max(it.velocity, L_ * it.omega) / V_; }
+  double speed(const StateDifference& it) const { return it.velocity / body_speed_; }
+  double turning(const StateDifference& it) const { return L_ * it.omega / V_; }
+  double velocity(const StateDifference& it) const { return std::max(speed(it), turning(it)); }
   double error(const StateDifference& it) const { return std::max(pose(it), velocity(it)); }
   const PartError& of(const StepError& it) const { return it.of_part[part_]; }
   /// |y_dot| by V / size: by how much the state is off where it is late, relative to how late.
@@ -277,18 +275,30 @@ class Accumulation {
                      [](const JudgedStep& a, const JudgedStep& b) { return a.t < b.t; });
   }
 
-  /// Errors of poses and of velocities, as they add up.
-  struct Sums {
-    double poses = 0.0, velocities = 0.0, moments = 0.0;
+  /// Errors of velocities as they add up; `rate` [1/s] at which they move poses.
+  struct Drift {
+    double rate, sum = 0.0, moment = 0.0;
 
-    void add(double pose, double drift, double t) {
-      poses += pose;
-      velocities += drift;
-      moments += drift * t;
+    void add(double velocity, double t) {
+      sum += velocity;
+      moment += velocity * t;
     }
-    /// Of poses at t; `rate` [1/s] at which an error of a velocity moves them, the `share` of it that counts.
-    double moved(double t, double rate, double share = 1.0) const {
-      return poses + share * std::min(rate * (t * velocities - moments), growth * velocities);
+    double moved(double t) const { return std::min(rate * (t * sum - moment), growth * sum); }
+  };
+
+  /// Those of poses, too.
+  struct Sums {
+    double poses = 0.0;
+    Drift speeds, turnings;
+
+    void add(double pose, double speed, double turning, double t) {
+      poses += pose;
+      speeds.add(speed, t);
+      turnings.add(turning, t);
+    }
+    /// Of poses at t, of what velocities move the `share` that counts.
+    double moved(double t, double share = 1.0) const {
+      return poses + share * std::max(speeds.moved(t), turnings.moved(t));
     }
   };
 
@@ -302,29 +312,32 @@ class Accumulation {
 
   /// The larger of both at any time.
   double state() const {
-    const double rate = V_ / size_;
-    Sums sums, along;
+    Sums sums{.speeds = {body_speed_ / size_}, .turnings = {V_ / size_}}, along = sums;
     auto known = parts_.begin();
-    double late = 0.0, end = 0.0, of_velocities = velocity(of(*known->first).late);
-    for (Sums* it : {&sums, &along}) it->add(0.0, drift(of(*known->first).late), known->part->t);
+    const StateDifference& first = of(*known->first).late;
+    double late = 0.0, end = 0.0, velocities = velocity(first);
+    for (Sums* it : {&sums, &along}) it->add(0.0, speed(first), turning(first), known->part->t);
     for (const RunPart* part : all_parts()) {
       const double t = part->t + part->seconds / 2;
       double fastest = pace(*part);
       if (known != parts_.end() && known->part == part) {
-        const double steps = missed_ * known->steps();
-        const double poses = steps * known->mean([this](const StepError& it) { return pose(of(it).end); });
-        const double drifts = steps * known->mean([this](const StepError& it) { return drift(of(it).end); });
-        of_velocities += steps * known->mean([this](const StepError& it) { return velocity(of(it).end); });
+        const auto all = [&](auto size) {
+          return missed_ * known->steps() * known->mean([&](const StepError& it) { return size(of(it).end); });
+        };
+        const double poses = all([this](const StateDifference& it) { return pose(it); });
+        const double speeds = all([this](const StateDifference& it) { return speed(it); });
+        const double turnings = all([this](const StateDifference& it) { return turning(it); });
         const double slow = 1.0 / std::clamp(pace(*known->first), slowest, 1.0);
-        sums.add(poses, drifts, t);
-        along.add(slow * poses, slow * drifts, t);
+        velocities += all([this](const StateDifference& it) { return velocity(it); });
+        sums.add(poses, speeds, turnings, t);
+        along.add(slow * poses, slow * speeds, slow * turnings, t);
         fastest = std::max({fastest, pace(*known->first), pace(*known->last)});
         end = std::max(end, part->t + part->seconds);
         ++known;
       }
-      late = std::max(late, along.moved(t, rate, judged_.nonlinearity) * fastest);
+      late = std::max(late, along.moved(t, judged_.nonlinearity) * fastest);
     }
-    return std::max(sums.moved(end, rate) + of_velocities, late);
+    return std::max(sums.moved(end) + velocities, late);
   }
 
   double accumulated() {

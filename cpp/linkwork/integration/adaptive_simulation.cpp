@@ -338,6 +338,8 @@ BodyMaximum AdaptiveSimulation::trial(double h) {
 
 void AdaptiveSimulation::accept(double h, double error) {
   accepted_ = evaluated_ = true;
+  if (ConnectedParts::of(dynamics_.system()).count() > 1) errors_ = stepper_.errors_of_parts(measure_, error);
+  else errors_.setConstant(1, error);
   switch_.reset();
   h_ = h;
   correction_length_ = std::max(correction_length_, h) - forgetting * h;
@@ -473,7 +475,7 @@ void AdaptiveSimulation::sample(double t_before, bool at_break) {
   if (!stops_.empty() || leapt_ || struck) return sampling_.pass_over();
   const double t = breaks_.after(t_before), t_new = breaks_.before(t_);
   if (!(t < t_new)) return sampling_.pass_over();
-  sampling_.after(t, t_new - t, y_before_, y_);
+  sampling_.after(t, t_new - t, y_before_, y_, errors_);
   if (at_break) sampling_.pass_over();
 }
 

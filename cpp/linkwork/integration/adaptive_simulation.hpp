@@ -186,6 +186,7 @@ class AdaptiveSimulation final : public Run {
   VectorXd y_new_;                  ///< at t_new_
   VectorXd y_before_;               ///< the start of the last finished step
   double trial_h_ = 0.0;            ///< of the step that is to be tried
+  VectorXd errors_;                 ///< of the last step, as they are estimated, of each of ConnectedParts
   double step_ = 0.0;               ///< what the controller proposes
   double proposed_ = 0.0;           ///< what it proposed for this one
   VectorXd Phi_, Phi_dot_;          ///< where the step begins

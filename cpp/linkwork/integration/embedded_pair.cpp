@@ -92,6 +92,14 @@ BodyMaximum PairStepper::estimate(const ErrorMeasure& measure, const VectorXd& y
   return error;
 }
 
+VectorXd PairStepper::errors_of_parts(const ErrorMeasure& measure, double error) {
+  workspace_.setZero();
+  add_combination(h_, pair_.error, k_, workspace_);
+  const VectorXd found = measure.of_parts(y_, y_new_, workspace_);
+  const double largest = found.size() > 0 ? found.maxCoeff() : 0.0;
+  return largest > 0.0 ? VectorXd(error / largest * found) : found;
+}
+
 bool PairStepper::prepare_interpolation(Dynamics& dynamics) {
   if (prepared_) return false;
   prepared_ = true;

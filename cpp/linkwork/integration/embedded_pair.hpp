@@ -35,6 +35,8 @@ class PairStepper final : public Interpolant {
   /// The same without the estimate. False where the new state is not finite.
   bool take(Dynamics& dynamics, const StepSpan& step, const VectorXd& y);
   const VectorXd& y_new() const { return y_new_; }
+  /// The estimate of the last trial, by that of all of it, of each of ConnectedParts.
+  VectorXd errors_of_parts(const ErrorMeasure& measure, double error);
 
   /// Ahead of `trial` or `take` of the same step, for somebody who evaluates the later stages: the first one.
   void begin(Dynamics& dynamics, const StepSpan& step);

@@ -446,8 +446,11 @@ void StepJudge::compare_history(const KeptStep& step, StepError& out) {
   dynamics_.evaluate(end, y_);
   dynamics_.advance_history();
   bool at_beginning = false;
+  const auto contact = [this](Eigen::Index k) {
+    return dynamics_.system().history_owners()[static_cast<std::size_t>(k)].kind == HistoryKind::onset;
+  };
   for (Eigen::Index k = 0; k < step.history_new.size(); ++k) {
-    if (dynamics_.history()[k] != 0.0 || step.history_new[k] == 0.0) continue;
+    if (!contact(k) || dynamics_.history()[k] != 0.0 || step.history_new[k] == 0.0) continue;
     dynamics_.begin_contact(static_cast<int>(k));
     at_beginning = true;
   }
@@ -457,7 +460,7 @@ void StepJudge::compare_history(const KeptStep& step, StepError& out) {
   }
   const VectorXd found = dynamics_.history();
   for (Eigen::Index k = 0; k < found.size(); ++k) {
-    if (step.history_new[k] == 0.0) continue;  // it begins in the next step
+    if (!contact(k) || step.history_new[k] == 0.0) continue;  // it begins in the next step
     PartError& of_part = out.of_part[connected_.of_history(dynamics_.system(), k)];
     of_part.contact_begins = true;
     of_part.onset = std::max(of_part.onset, by_onset(end, k, found, step.history_new));

@@ -57,8 +57,8 @@ struct PartError {
   double force = std::numeric_limits<double>::quiet_NaN();  ///< of reactions [N]; NaN: not looked at
   double torque = force;                                    ///< likewise [N m]
   double change = 0.0;                                      ///< see KeptStep [m/s^2]
-  double speed = 0.0;       ///< also of turning, by the arm of the part [m/s]
-  double body_speed = 0.0;  ///< also of turning, by the size of its bodies [m/s]
+  double speed = 0.0;                                       ///< also of turning, by the arm of the part [m/s]
+  double body_speed = 0.0;                                  ///< also of turning, by the size of its bodies [m/s]
   double acceleration = 0.0, spin_rate = 0.0;               ///< mean over the step [m/s^2, rad/s^2]
   double largest_force = force, largest_torque = force;     ///< NaN likewise
   double yielded_force = force, yielded_torque = force;     ///< of reactions where constraints yield; NaN likewise

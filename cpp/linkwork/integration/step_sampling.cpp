@@ -24,6 +24,7 @@ constexpr double more = 2.0;        // energy than by any of the steps that are 
 constexpr double energy_noise = 1e-13;
 constexpr double rounding = 1e-13;  // of velocities: beside, what they change in a step is none
 constexpr double at_rest = 1e-8;    // of gravity: beside, what accelerations change is none
+constexpr double no_error = 1e-3;   // of the tolerances
 
 /// Of each connected part, in the metric that makes v and omega comparable: mean square of the distances of joints from
 /// centers of mass.
@@ -210,6 +211,7 @@ bool StepSampling::pass_switches(const VectorXd& history, const VectorXd& switch
   }
   bool begun = false;
   for (Eigen::Index k = 0; last_.kept() && history_.size() == history.size() && k < history.size(); ++k) {
+    if (system_->history_owners()[static_cast<std::size_t>(k)].kind != HistoryKind::onset) continue;
     if (history_[k] != 0.0 || history[k] == 0.0) continue;
     since_switch_[static_cast<std::size_t>(groups_.of_history[static_cast<std::size_t>(k)])] = 0;
     begun = true;
@@ -284,7 +286,19 @@ void StepSampling::keep_largest(Largest& list, double number, const VectorXd& y_
 
 void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& y_new) {
   begin_part_if_full(t);
-  follow(t, h, y, y_new, look_at_rates(h, y, y_new));
+  look_at_rates(h, y, y_new);
+  note_speeds(y);
+  const double resting = at_rest * system_->model().gravity().norm();
+  follow(t, h, y, y_new, change_of_all((rounding / h * speeds_.cwiseSqrt()).cwiseMax(resting)));
+}
+
+void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& y_new, const VectorXd& errors) {
+  begin_part_if_full(t);
+  look_at_rates(h, y, y_new);
+  note_speeds(y);
+  changes_ = errors;
+  compared_ = true;
+  follow(t, h, y, y_new, change_of_all(VectorXd::Constant(changes_.size(), no_error)));
 }
 
 void StepSampling::after(double t, double h, const VectorXd& y, const VectorXd& y_new, const Rates& rates) {
@@ -338,7 +352,7 @@ bool StepSampling::meet_break(double t, double h, const VectorXd& y_new) {
 }
 
 /// Of (v_new - v)/h: by how much they change, see StepSampling.
-double StepSampling::look_at_rates(double h, const VectorXd& y, const VectorXd& y_new) {
+void StepSampling::look_at_rates(double h, const VectorXd& y, const VectorXd& y_new) {
   changes_.setZero();
   largest_.setZero();
   const double per_second = 1.0 / h;
@@ -354,10 +368,13 @@ double StepSampling::look_at_rates(double h, const VectorXd& y, const VectorXd& 
   }
   changes_ = changes_.cwiseSqrt();
   largest_ = largest_.cwiseSqrt();
-  if (changes_.size() == 1) return changes_[0];
+}
+
+/// Where there are several parts.
+void StepSampling::note_speeds(const VectorXd& y) {
+  if (speeds_.size() == 1) return;
   find_squared_speeds(y, speeds_);
   fastest_ = fastest_.cwiseMax(speeds_);
-  return change_by_means(h);
 }
 
 void StepSampling::find_squared_speeds(const VectorXd& y, VectorXd& out) const {
@@ -370,19 +387,19 @@ void StepSampling::find_squared_speeds(const VectorXd& y, VectorXd& out) const {
   }
 }
 
-/// The means are held in a part of the run, so that steps there compare as they would without what is beside. Of what
-/// has been at rest anything is a change, but for rounding.
-double StepSampling::change_by_means(double h) {
+/// Of several parts relative to their means, of what has been at rest to the `least` that counts. The means are held in a
+/// part of the run, so that steps there compare as they would without what is beside.
+double StepSampling::change_of_all(const VectorXd& least) {
+  if (changes_.size() == 1) return changes_[0];
   if (!compared_) return 0.0;
   compared_steps_ += 1.0;
   sums_of_changes_ += changes_;
-  const double resting = at_rest * system_->model().gravity().norm();
   double squares = 0.0;
   for (Eigen::Index part = 0; part < changes_.size(); ++part) {
     if (!(changes_[part] > 0.0)) continue;
     double& usual = usual_changes_[part];
     if (usual == 0.0) usual = changes_[part] / compared_steps_;
-    const double by_mean = changes_[part] / std::max({usual, rounding * std::sqrt(speeds_[part]) / h, resting});
+    const double by_mean = changes_[part] / std::max(usual, least[part]);
     squares += by_mean * by_mean;
   }
   return std::sqrt(squares);

@@ -29,10 +29,11 @@ struct Rates {
   double change = 0.0, largest = 0.0;  ///< from those of the step before; of any body [m/s^2]
 };
 
-/// Keeps some steps of a run, spread over it and more where accelerations change most, so that they can be taken again
-/// when it is over: the run itself is not touched, and knows nothing of what they give. The run is cut into parts of
-/// equally many steps, with two kept steps each, after the first step, where nobody knows what came before; where
-/// nobody knows how many steps will come, parts are joined in pairs when there are too many.
+/// Keeps some steps of a run, spread over it and more where accelerations change most, or where steps that follow
+/// tolerances err most by their own estimate, so that they can be taken again when it is over: the run itself is not
+/// touched, and knows nothing of what they give. The run is cut into parts of equally many steps, with two kept steps
+/// each, after the first step, where nobody knows what came before; where nobody knows how many steps will come, parts
+/// are joined in pairs when there are too many.
 ///
 /// Steps with breaks, those in which contacts and stops begin or end or characteristics have kinks, and those that depend
 /// on such a step, stand for others of their kind, not for the smooth ones around them, see StepGroups.
@@ -70,6 +71,8 @@ class StepSampling {
   // `pass_over` where the step is not one of the method's own (cut by an event, a leap over a singular pose).
   void before(const Dynamics& dynamics, const VectorXd& y);
   void after(double t, double h, const VectorXd& y, const VectorXd& y_new);
+  /// `errors`: of the step in each connected part, as the method itself estimates them, in units of the tolerances.
+  void after(double t, double h, const VectorXd& y, const VectorXd& y_new, const VectorXd& errors);
   // The same where somebody else knows the energies and the switches there, and the rates: those of several connected
   // parts are found here anyway.
   void before(const Dynamics& dynamics, const VectorXd& y, double kinetic, double potential, const VectorXd& switches);
@@ -136,8 +139,9 @@ class StepSampling {
   void keep_largest(Largest& list, double number, const VectorXd& y_new) const;
   void choose(RunPart& part, double change, const VectorXd& y_new);
   bool meet_break(double t, double h, const VectorXd& y_new);
-  double look_at_rates(double h, const VectorXd& y, const VectorXd& y_new);
-  double change_by_means(double h);
+  void look_at_rates(double h, const VectorXd& y, const VectorXd& y_new);
+  void note_speeds(const VectorXd& y);
+  double change_of_all(const VectorXd& least);
   void follow(double t, double h, const VectorXd& y, const VectorXd& y_new, double change);
   void begin_part_if_full(double t);
   void keep(KeptStep& place, const VectorXd& y_new) const;
@@ -152,7 +156,7 @@ class StepSampling {
   bool logs_ = false;
   StateLog log_;
   // Of the connected parts:
-  VectorXd changes_, sums_of_changes_;  ///< of this step, of all compared ones
+  VectorXd changes_, sums_of_changes_;  ///< of this step, of all compared ones; see KeptStep
   VectorXd largest_, speeds_;           ///< largest acceleration of a body [m/s^2], squared speed
   VectorXd fastest_;                    ///< of all steps
   VectorXd usual_changes_;              ///< mean up to the part of the run; 0: none yet

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "linkwork/assembly/system.hpp"
+#include "linkwork/assembly/connected_components.hpp"
 
 namespace linkwork {
 
@@ -27,12 +27,15 @@ class ErrorMeasure {
 
   /// Bounds follow from the larger of the states y and y_new; dy is a difference of states or, for `rates`, y_dot.
   BodyMaximum of_change(const ConstVector& y, const ConstVector& y_new, const ConstVector& dy) const;
+  /// The same of each of ConnectedParts.
+  VectorXd of_parts(const ConstVector& y, const ConstVector& y_new, const ConstVector& dy) const;
   /// Size of the state itself; a rotation counts as 1 rad.
   double of_state(const ConstVector& y) const;
   /// The bound of a position's error, of the body that has the largest, or of a rotation's.
   double of_length(const ConstVector& y) const;
 
  private:
+  double of_body(int body, const ConstVector& y, const ConstVector& y_new, const ConstVector& dy) const;
   double bound(double size) const { return tolerances_.absolute + tolerances_.relative * size; }
 
   const System& system_;

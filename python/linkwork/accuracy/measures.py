@@ -4,14 +4,14 @@ At each time the largest over the bodies counts (over the joints with unique rea
 means "as large as the motion itself":
 
     pose error      max(|r - r*|, L phi) / L,  phi the angle [rad] of the rotation A(p)^T A(p*)
-    velocity error  max(|r_dot - r_dot*|, L |omega - omega*|) / V
+    velocity error  max(|r_dot - r_dot*| / V, |omega - omega*| / Omega)
     state error     the larger of the two
     reaction error  max(|F - F*|, |T - T*| / L) / F_max
 
-with the `Scales` L, V, F_max of the reference, the starred quantities: each connected part of a mechanism has
-its own, as if it were alone. L and V are those of its motion in axes that move with the part as a whole, at
-the mean velocity of its center of mass: a uniform motion changes no error, and no scale (Galilei), nor does
-what rests, moves or flies along beside it.
+with the `Scales` L, V, Omega, F_max of the reference, the starred quantities: each connected part of a
+mechanism has its own, as if it were alone. L and V are those of its motion in axes that move with the part as
+a whole, at the mean velocity of its center of mass: a uniform motion changes no error, and no scale (Galilei),
+nor does what rests, moves or flies along beside it.
 """
 
 from __future__ import annotations
@@ -84,6 +84,9 @@ def rounding_of(times: Floats) -> float:
 #: Of the largest coordinate: where a center of mass moves no more, seen from the part as a whole, it is none.
 ROUNDING = 1e-12
 
+#: Of the radius of gyration: nearer to a center of mass joints give a body no size.
+NEXT_TO = 1e-3
+
 #: What moves less is at rest, and what is left of it is rounding: of the length over the whole run.
 STILL = 1e-6
 
@@ -105,6 +108,7 @@ class Bodies(NamedTuple):
     masses: Floats  #: (n,) [kg]
     part: NDArray[np.integer]  #: (n,) of each the connected part: joints and forces connect, the ground not
     longest_arm: Floats  #: (p,) from a center of mass to a joint [m]
+    gyration: Floats  #: (p,) least radius of gyration, by the trace of the inertia [m]; infinite: none
     joint_part: NDArray[np.integer]  #: (j,) of the joints with unique reactions
 
     @classmethod
@@ -121,7 +125,17 @@ class Bodies(NamedTuple):
         arms = np.linalg.norm(header.joint_origin, axis=-1)
         longest = _by_part(arms[joints >= 0], part[joints[joints >= 0]], int(part.max(initial=-1)) + 1)
         unique = joints[header.reaction_unique].max(axis=1, initial=-1)  # not the ground
-        return cls(header.mass, part, longest, part[unique])
+        squares = np.trace(header.inertia, axis1=1, axis2=2) / np.where(header.mass > 0.0, header.mass, np.nan)
+        gyration = np.full(len(longest), np.inf)
+        np.fmin.at(gyration, part, np.sqrt(np.where(squares > 0.0, squares, np.nan)))
+        return cls(header.mass, part, longest, gyration, part[unique])
+
+    def size(self) -> Floats:
+        """Of the bodies of each part (p,): the longest arm, or, where joints are at centers of mass, the radius of
+        gyration; 1 where there is neither [m]."""
+        extended = np.isfinite(self.gyration)
+        small = extended & (self.longest_arm < NEXT_TO * self.gyration)
+        return np.where(small, self.gyration, _or_one(self.longest_arm))
 
 
 @dataclass(frozen=True)
@@ -130,7 +144,8 @@ class Scales(ReadOnly):
     pulls."""
 
     length: Floats  #: (p,) L: half the diagonal of the box in which centers move, or the longest arm [m]
-    speed: Floats  #: (p,) V: largest of |r_dot| and L |omega| [m/s]
+    speed: Floats  #: (p,) V: largest of |r_dot| and s |omega|, s the size of the bodies [m/s]
+    turning: Floats  #: (p,) Omega: largest of |omega| and V / L [rad/s]
     force: Floats  #: (p,) F_max: largest of |F| and |T| / L of the unique reactions [N]
     part: NDArray[np.integer]  #: (n,) of each body
     joint_part: NDArray[np.integer]  #: (j,) of each joint with unique reactions
@@ -154,8 +169,9 @@ class Scales(ReadOnly):
         boxes, far = _half_boxes(r, part, count), _by_part(_largest(motion.q[:, :, :3]), part, count)
         boxes[boxes <= ROUNDING * far] = 0.0
         length = _or_one(np.max([boxes, bodies.longest_arm, fallen], axis=0))
-        turning = length[part] * _largest(motion.v[:, :, 3:])
-        speed = np.maximum(speed, _by_part(np.maximum(_largest(r_dot), turning), part, count))
+        turning = _by_part(_largest(motion.v[:, :, 3:]), part, count)
+        own = np.maximum(_by_part(_largest(r_dot), part, count), bodies.size() * turning)
+        speed = np.maximum(speed, own)
         pull = np.maximum(_largest(motion.force), _largest(motion.torque) / length[bodies.joint_part])
         force = _by_part(pull, bodies.joint_part, count)
         duration = float(np.ptp(motion.t)) if len(motion.t) else 0.0
@@ -165,12 +181,12 @@ class Scales(ReadOnly):
         way = _by_part(_way(r, motion.q[:, :, 3:], length[part]), part, count)
         rests = (mass > 0.0) & (way <= still * length)
         shaken = still * np.sqrt(force * length / np.where(mass > 0.0, mass, 1.0))
-        speed = np.where(rests, np.maximum(speed, shaken), speed)
-        return cls(length, _or_one(speed), _or_one(force), part, bodies.joint_part)
+        speed = _or_one(np.where(rests, np.maximum(speed, shaken), speed))
+        return cls(length, speed, np.maximum(turning, speed / length), _or_one(force), part, bodies.joint_part)
 
     def numbers(self) -> dict[str, float | list[float]]:
-        """L, V and F_max: one number each, or a list, of several parts."""
-        found = {name: getattr(self, name).tolist() for name in ("length", "speed", "force")}
+        """L, V, Omega and F_max: one number each, or a list, of several parts."""
+        found = {name: getattr(self, name).tolist() for name in ("length", "speed", "turning", "force")}
         return {name: values[0] if len(values) == 1 else values for name, values in found.items()}
 
 
@@ -232,8 +248,8 @@ class Differences(ReadOnly):
         return poses
 
     def _velocities(self, scales: Scales) -> Floats:
-        length, speed = (it[scales.part] for it in (scales.length, scales.speed))
-        velocities: Floats = np.maximum(self.velocity, length * self.omega) / speed
+        speed, turning = (it[scales.part] for it in (scales.speed, scales.turning))
+        velocities: Floats = np.maximum(self.velocity / speed, self.omega / turning)
         return velocities
 
 
