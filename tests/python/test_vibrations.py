@@ -146,3 +146,30 @@ def test_a_law_is_not_asked_about_states_that_the_motion_does_not_have() -> None
     run = lw.simulate(model, 40.0, 1e-2, on_inaccurate="pass", progress=False)
     assert run.verdict is not None and "no step could be taken again" not in run.verdict.sentence
     assert run.verdict.local_error > 0
+
+
+def test_equal_vibrations_of_a_large_model_are_all_there() -> None:
+    model, J = lw.Model(), 1.01  # about the hinge [kg m2]
+    for k in range(105):
+        length = 1.0 if k < 80 else 0.4
+        model.body(f"bob {k}", mass=1.0, inertia=(J - 1.0,) * 3, position=(k, 0, -length))
+        model.revolute("ground", f"bob {k}", at=(k, 0, 0), axis=(1, 0, 0))
+        model.rotational_friction("ground", f"bob {k}", at=(k, 0, 0), axis=(1, 0, 0), viscous=0.1)
+    slowest = np.roots([J, 0.1, 9.81])[0]
+    for near in (0.0, 3.0):
+        found = np.array(lw.linearize(model, modes=6, near=near).eigenvalues)
+        assert found.real + 1j * np.abs(found.imag) == pytest.approx(
+            np.full(6, slowest.real + 1j * abs(slowest.imag)), rel=1e-9
+        )
+
+
+def test_each_of_many_free_rotors_is_a_neutral_motion() -> None:
+    model = lw.Model()
+    for k in range(60):
+        at = (k, 0, -0.5 - 0.01 * k)
+        model.body(f"arm {k}", mass=1.0, inertia=(0.01, 0.02, 0.02), position=at)
+        model.spherical("ground", f"arm {k}", at=(k, 0, 0))
+        model.linear_damping("ground", f"arm {k}", at=at, damping=0.1, rotational_damping=0.05)
+        model.body(f"rotor {k}", mass=0.5, inertia=(0.01, 0.01, 0.02), position=at, omega=(0, 0, 40.0))
+        model.revolute(f"arm {k}", f"rotor {k}", at=at, axis=(0, 0, 1))
+    assert np.abs(lw.linearize(model, modes=40).eigenvalues).max() < 1e-6

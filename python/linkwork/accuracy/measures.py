@@ -9,9 +9,9 @@ means "as large as the motion itself":
     reaction error  max(|F - F*|, |T - T*| / L) / F_max
 
 with the `Scales` L, V, Omega, F_max of the reference, the starred quantities: each connected part of a
-mechanism has its own, as if it were alone. L and V are those of its motion in axes that move with the part as
-a whole, at the mean velocity of its center of mass: a uniform motion changes no error, and no scale (Galilei),
-nor does what rests, moves or flies along beside it.
+mechanism has its own, as if it were alone. L and V are those of its motion in axes that move with the part
+as a whole, at the mean velocity of its center of mass: a uniform motion changes no error, and no scale
+(Galilei), nor does what rests, moves or flies along beside it.
 """
 
 from __future__ import annotations
@@ -125,14 +125,15 @@ class Bodies(NamedTuple):
         arms = np.linalg.norm(header.joint_origin, axis=-1)
         longest = _by_part(arms[joints >= 0], part[joints[joints >= 0]], int(part.max(initial=-1)) + 1)
         unique = joints[header.reaction_unique].max(axis=1, initial=-1)  # not the ground
-        squares = np.trace(header.inertia, axis1=1, axis2=2) / np.where(header.mass > 0.0, header.mass, np.nan)
+        mass = np.where(header.mass > 0.0, header.mass, np.nan)
+        squares = np.trace(header.inertia, axis1=1, axis2=2) / mass
         gyration = np.full(len(longest), np.inf)
         np.fmin.at(gyration, part, np.sqrt(np.where(squares > 0.0, squares, np.nan)))
         return cls(header.mass, part, longest, gyration, part[unique])
 
     def size(self) -> Floats:
-        """Of the bodies of each part (p,): the longest arm, or, where joints are at centers of mass, the radius of
-        gyration; 1 where there is neither [m]."""
+        """Of the bodies of each part (p,): the longest arm, or, where joints are at centers of mass, the
+        radius of gyration; 1 where there is neither [m]."""
         extended = np.isfinite(self.gyration)
         small = extended & (self.longest_arm < NEXT_TO * self.gyration)
         return np.where(small, self.gyration, _or_one(self.longest_arm))
@@ -182,7 +183,8 @@ class Scales(ReadOnly):
         rests = (mass > 0.0) & (way <= still * length)
         shaken = still * np.sqrt(force * length / np.where(mass > 0.0, mass, 1.0))
         speed = _or_one(np.where(rests, np.maximum(speed, shaken), speed))
-        return cls(length, speed, np.maximum(turning, speed / length), _or_one(force), part, bodies.joint_part)
+        turning = np.maximum(turning, speed / length)
+        return cls(length, speed, turning, _or_one(force), part, bodies.joint_part)
 
     def numbers(self) -> dict[str, float | list[float]]:
         """L, V, Omega and F_max: one number each, or a list, of several parts."""

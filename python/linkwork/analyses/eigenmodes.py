@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from linkwork.analyses.damped_modes import damped_modes, rolling_modes
+from linkwork.analyses.krylov import largest_eigenvalues
 from linkwork.arrays import Complex, Floats
 from linkwork.constraints.equations import Sparse
 from linkwork.errors import ModelError, NotConvergedError
@@ -37,9 +38,6 @@ SQUARE_SHIFT, SHIFTS = 1e-8, (1e-4, 1e-6)
 #: How often twice as many eigenvalues are asked for, until those that are wanted are certain.
 DOUBLINGS = 6
 
-#: Vectors of a Krylov space, per eigenvalue, and at least; restarts until it is tried with more vectors.
-VECTORS, FEWEST, RESTARTS = (2, 4, 8, 16), 20, 300
-
 #: Velocities that the joints do not allow, relative, in what is no motion.
 ALLOWED = 1e-3
 
@@ -49,6 +47,9 @@ TINY = 1e-300
 #: Distances of eigenvalues from a shift that differ by less, relative, are equal: by so much those of neutral
 #: motions may be off.
 EQUAL = 1e-6
+
+#: Distances of which neither is called nearer, relative.
+AS_NEAR = 1e-4
 
 #: Eigenvalues, relative to a shift next to zero, that those of neutral motions with damping may be off.
 NEUTRAL = 1e-4
@@ -246,7 +247,7 @@ def by_arnoldi(
             chosen = nearest_to(s, near, count)
             found = s[chosen], shapes[:, chosen]
             farthest = np.abs(found[0] - 1j * near).max() if len(chosen) == count else np.inf
-            none_nearer = farthest + abs(sigma - 1j * near) <= (1 + EQUAL) * radius
+            none_nearer = farthest + abs(sigma - 1j * near) <= (1 + AS_NEAR) * radius
             if none_nearer or (not near and farthest <= NEUTRAL * abs(sigma)):
                 return found
     if doublings < needed:
@@ -287,41 +288,21 @@ def _nearest(
     first = np.concatenate([allowed, allowed])
 
     def found(number: int, every: int) -> tuple[Complex, Complex, float]:
-        theta, z = _largest(operator, min(number, 2 * size - 2), min(number, every), first)
+        theta, z = largest_eigenvalues(operator, min(number, 2 * size - 2), min(number, every), first)
         off = np.abs(rates @ z).max(axis=0, initial=0.0)  # a Krylov space that is exhausted has others
         all_terms = (abs(rates) @ np.abs(z)).max(axis=0, initial=0.0)
         size_of_rates = abs(rates).max() if rates.nnz else 0.0
-        rounding = ALLOWED**3 * size_of_rates * np.abs(z[size:]).max(axis=0, initial=0.0)
+        x, x_dot = (np.abs(it).max(axis=0, initial=0.0) for it in (z[:size], z[size:]))
+        rounding = ALLOWED * size_of_rates * np.maximum(ALLOWED**2 * x_dot, np.abs(sigma) * x)
         motion = off <= np.maximum(ALLOWED * all_terms, rounding)  # joints may have no part in it
         s = sigma + 1 / theta[motion]
-        s[np.abs(s) <= REAL * np.abs(sigma)] = 0.0
+        s[np.abs(s) <= (NEUTRAL if real else REAL) * np.abs(sigma)] = (
+            0.0  # double ones are pairs, by rounding
+        )
         one = one_of_each_pair(s)
         return s[one], z[:size, motion][:, one], float(np.abs(1 / theta).max()) if number < every else np.inf
 
     return found
-
-
-def _largest(operator: Any, number: int, enough: int, first: Complex) -> tuple[Complex, Complex]:
-    """Eigenvalues and vectors, `enough` at least: where there are no more others do not converge."""
-    from scipy.sparse.linalg import ArpackError, ArpackNoConvergence, eigs
-
-    error: ArpackError | None = None
-    for vectors in VECTORS:
-        ncv = min(max(vectors * number + 1, FEWEST), operator.shape[0])
-        try:
-            theta, z = eigs(operator, k=number, v0=first, ncv=ncv, maxiter=RESTARTS)
-            return theta, z
-        except ArpackNoConvergence as failure:
-            error = failure
-            if len(failure.eigenvalues) >= enough - 1:  # of a pair one may be left out
-                return failure.eigenvalues, failure.eigenvectors
-        except ArpackError as failure:  # a Krylov space that is exhausted goes on by chance
-            error = failure
-    raise NotConvergedError(
-        f"linearize: the iteration for {number} eigenvalues did not converge, as where very many are equal: "
-        "give `near`, a frequency beside those, or ask for more modes",
-        code="modes_not_found",
-    ) from error
 
 
 # Lanczos finds the eigenvalue nearest to the shift: the smallest, if the shift is below all. A safe bound is
