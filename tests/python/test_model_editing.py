@@ -5,6 +5,7 @@ from __future__ import annotations
 import linkwork as lw
 import numpy as np
 import pytest
+from linkwork.modeling.coordinates import known_coordinates
 
 
 @pytest.fixture
@@ -241,3 +242,49 @@ def test_a_function_that_several_elements_share_is_one_of_each() -> None:
         model.joint_force("pin", functions[1])
         hashes += [model.hash(), model.without().hash()]
     assert len(set(hashes)) == 1
+
+
+def driven(kind: str, at: tuple[float, ...], axis: tuple[float, ...]) -> lw.Model:
+    """A body on a joint of which each coordinate is driven."""
+    model = lw.Model()
+    model.body("other", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0, 2, 0))
+    model.body("body", mass=2.0, inertia=(0.1, 0.2, 0.3), position=(0.5, 0, 0))
+    model.fixed("ground", "other", at=(0, 0, 0))
+    getattr(model, kind)("ground", "body", at=at, axis=axis, name="joint")
+    for k, which in enumerate(known_coordinates(kind)):
+        model.drive("joint", position=lw.functions.polynomial(0, 0, 1 + k), coordinate=which, name=which)
+    return model
+
+
+@pytest.mark.parametrize("kind", ["revolute", "translational", "cylindrical"])
+def test_drivers_go_with_their_joint(kind: str) -> None:
+    """A driven coordinate is what `Result.coordinate` gives, wherever the joint is moved."""
+    model, wanted = driven(kind, (0, 0, 0), (1, 0, 0)), driven(kind, (0, 0.3, 0), (1, 0.2, 1))
+    moved = model.replaced("joint", at=(0, 0.3, 0), axis=(1, 0.2, 1))
+    assert moved.hash() == wanted.hash() != model.hash()
+    attached = model.replaced("joint", attachment=wanted.values("joint")["attachment"])
+    assert attached.hash() == wanted.hash()
+
+
+def test_drivers_go_with_a_joint_to_another_body() -> None:
+    model = driven("revolute", (0, 0, 0), (0, 0, 1)).without("other", attached=True)
+    model.body("next", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(0.5, 0, 0))
+    model.fixed("ground", "body", at=(0, 0, 0))
+    moved = model.replaced("joint", b="next")
+    assert moved.values("angle")["b"] == "next"
+
+
+def test_only_drivers_of_a_joint_go_with_it() -> None:
+    """One of the same axis between other bodies, or elsewhere, stays where it is."""
+    model = driven("revolute", (0, 0, 0), (0, 0, 1))
+    model.angle_driver("ground", "body", at=(0, 0, 1), axis=(0, 0, 1), angle=0.0, name="elsewhere")
+    moved = model.replaced("joint", at=(0, 0, 2), axis=(0, 0, 1))
+    assert moved.values("elsewhere") == model.values("elsewhere")
+    assert moved.values("angle")["attachment"] == moved.values("joint")["attachment"]
+
+
+def test_drivers_hang_on_their_joint() -> None:
+    model = driven("cylindrical", (0, 0, 0), (0, 0, 1))
+    with pytest.raises(lw.ModelError, match="'angle', 'displacement' would hang on nothing"):
+        model.without("joint")
+    assert model.without("joint", attached=True).joint_count == 1

@@ -282,6 +282,26 @@ def test_paths_lead_to_points_and_parts() -> None:
         Changed.of(model, ["spring.at[0]"])
 
 
+@pytest.mark.parametrize("of_driver", [{}, {"drive.at[1]": 0.5}])
+def test_what_drives_a_joint_goes_with_it(of_driver: dict[str, float]) -> None:
+    """Unless it is moved itself."""
+
+    def hinge(y: float, y_driver: float) -> lw.Model:
+        model = lw.Model()
+        model.body("rod", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+        model.revolute("ground", "rod", at=(0, y, 0), axis=(0, 0, 1), name="pin")
+        if y_driver == y:
+            model.drive("pin", position=lw.functions.polynomial(0, 1), name="drive")
+        else:
+            law = lw.functions.polynomial(0, 1)
+            model.angle_driver("ground", "rod", at=(0, y_driver, 0), axis=(0, 0, 1), angle=law, name="drive")
+        return model
+
+    case = {"pin.at[1]": 0.25, **of_driver}
+    changed = Changed.of(hinge(0.0, 0.0), list(case)).model(case)
+    assert changed.hash() == hinge(0.25, of_driver.get("drive.at[1]", 0.25)).hash()
+
+
 def test_the_point_that_is_on_a_curve_is_varied_in_space() -> None:
     """As it is given to the joint, though a file has it in coordinates of the body; here turned."""
 

@@ -15,6 +15,7 @@ import numpy as np
 
 from linkwork.errors import ModelError, ModelFileError, nearest, warn
 from linkwork.functions import TimeFunction, as_time_function
+from linkwork.modeling.coordinates import known_coordinates
 from linkwork.modeling.elements import KINDS, Role
 from linkwork.modeling.files import from_changed_record, whole_record
 from linkwork.modeling.files.writing import function_record, is_data
@@ -23,7 +24,7 @@ from linkwork.modeling.handles import Body, Force, Joint
 if TYPE_CHECKING:
     from linkwork.modeling.model import Model
 
-__all__ = ["built", "replaced", "values", "without"]
+__all__ = ["built", "driven", "follow", "replaced", "values", "without"]
 
 #: How many names a message lists.
 LISTED = 5
@@ -93,11 +94,14 @@ def replaced(model: Model, name: str | Body | Joint | Force, changes: Mapping[st
         return _with_own(model, record, held, place, changes)
     parameters = KINDS[ROLES[section]][old["kind"]].parameters if section in ROLES else SMOOTH
     elsewhere = changes.keys() - {*NAMES, ATTACHED, *parameters}  # what says where it is
+    drivers = driven(record).get(place, []) if section == "joints" else []
     if section in ROLES and elsewhere:
         old = {what: x for what, x in old.items() if what != ATTACHED}
     record[section][place] = {**old, **{what: _plain(x, what, held) for what, x in changes.items()}}
     if changes.get("name", old["name"]) != old["name"]:
         _rename(record, section, old["name"], changes["name"])
+    if drivers and (elsewhere or changes.keys() & {"a", "b", ATTACHED}):
+        follow(record, _attached(model, record, held, place), drivers)
     anew = elsewhere or "kind" in changes
     return _begun_anew(model, record, held) if anew else built(model, record, held)
 
@@ -114,6 +118,45 @@ def _with_own(model: Model, record: Record, held: Functions, place: int, changes
     plain = {what: x if what == "function" else _plain(x, what, held) for what, x in changes.items()}
     record[OWN][place] = {**old, **plain}
     return built(model, record, held)
+
+
+def driven(record: Record) -> dict[int, list[int]]:
+    """Of each joint the drivers of its coordinates, which have its bodies, point and axes; by their places."""
+    joints = record.get("joints", [])
+    at: dict[str, list[int]] = {}
+    for place, it in enumerate(joints):
+        if it["kind"].endswith("_driver"):
+            at.setdefault(_where(it), []).append(place)
+    found = {place: at.get(_where(it), []) for place, it in enumerate(joints) if at}
+    return {
+        place: [k for k in drivers if joints[k]["kind"] in _drivers_of(joints[place]["kind"])]
+        for place, drivers in found.items()
+        if drivers
+    }
+
+
+def _drivers_of(kind: str) -> list[str]:
+    return [f"{coordinate}_driver" for coordinate in known_coordinates(kind)]
+
+
+def _where(it: Record) -> str:
+    return repr((it.get("a"), it.get("b"), it.get(ATTACHED)))
+
+
+def follow(record: Record, joint: Record, drivers: Sequence[int]) -> None:
+    """The drivers of a joint go to where it is now."""
+    for place in drivers:
+        record["joints"][place] = {
+            **record["joints"][place], **{what: joint[what] for what in ("a", "b", ATTACHED)}
+        }  # fmt: skip
+
+
+def _attached(model: Model, record: Record, held: Functions, place: int) -> Record:
+    """A joint in its bodies, wherever the record says that it is."""
+    parts = {what: record[what] for what in ("linkwork", "gravity", "functions", "bodies") if what in record}
+    alone, _ = whole_record(built(model, {**parts, "joints": [record["joints"][place]]}, held))
+    found: Record = alone["joints"][0]
+    return found
 
 
 def _check_numbers(model: Model, record: Record, gone: set[tuple[str, int]]) -> None:
@@ -186,11 +229,12 @@ def _hanging(record: Record, gone: set[tuple[str, int]]) -> Iterator[tuple[tuple
     """Joints and forces that need what is gone, each with its name."""
     bodies = {record["bodies"][place]["name"] for section, place in gone if section == "bodies"}
     joints = {record["joints"][place]["name"] for section, place in gone if section == "joints"}
+    drivers = {k for joint, its in driven(record).items() if ("joints", joint) in gone for k in its}
     for section in ("joints", "forces", OWN):
         for place, it in enumerate(record.get(section, [])):
             named = {term["joint"] for term in it.get("coordinates", ())} | {it.get("joint")}
             on = {it.get("a"), it.get("b"), it.get("body"), *np.atleast_1d(it.get("bodies") or [])}
-            if bodies & on or joints & named:
+            if bodies & on or joints & named or (section == "joints" and place in drivers):
                 yield (section, place), it["name"]
 
 

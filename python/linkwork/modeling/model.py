@@ -200,7 +200,8 @@ class Model(ModelBuilder):
             stiffer = model.replaced("spring", stiffness=2e4)
             moved = model.replaced("pin", at=(0.2, 0, 0), axis=(0, 0, 1))
 
-        `values(name)` has those that there are. Joints stay where they are on a body that is moved.
+        `values(name)` has those that there are. Joints stay where they are on a body that is moved, and what
+        drives a joint goes with it.
         Forces of the user's own stay as they are, too, or get another `function`.
         ModelError: no object of this name, or a value that it cannot have.
         """

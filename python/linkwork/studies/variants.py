@@ -22,7 +22,7 @@ from linkwork.arrays import Floats
 from linkwork.errors import LinkworkError, ModelError, OptionError, nearest
 from linkwork.fingerprints import canonical, digest, plain
 from linkwork.functions import TimeFunction
-from linkwork.modeling.editing import ATTACHED, NAMES, OWN, ROLES, SECTIONS, built
+from linkwork.modeling.editing import ATTACHED, NAMES, OWN, ROLES, SECTIONS, built, driven, follow
 from linkwork.modeling.elements import KINDS
 from linkwork.modeling.files import whole_record
 from linkwork.modeling.files.schema import BodyRecord, element_type, form_of
@@ -170,6 +170,8 @@ class Changed:
         for name in self._order:
             address = self.addresses[name]
             _put(record, address, plain(case[name]), self._points.get(address.where, frozenset()))
+        for joint, drivers in self._drivers.items():
+            follow(record, record["joints"][joint], drivers)
         if self.weights_alone:
             try:
                 return _with_weights(self._base, record, self._bodies)
@@ -206,6 +208,19 @@ class Changed:
                 given = {int(it.inside[0])} if it.inside else range(3)
                 found[it.where] = found.get(it.where, frozenset()) | frozenset(given)
         return found
+
+    @cached_property
+    def _drivers(self) -> dict[int, list[int]]:
+        """Of each joint that moves those that drive it, but for drivers that parameters move."""
+        moved = {
+            int(it.where[1])
+            for it in self.addresses.values()
+            if it.where[:1] == ("joints",) and it.field in ("at", ATTACHED)
+        }
+        its = driven(self.record) if moved else {}
+        return {
+            joint: [k for k in drivers if k not in moved] for joint, drivers in its.items() if joint in moved
+        }
 
     @cached_property
     def weights_alone(self) -> bool:
