@@ -663,6 +663,42 @@ def test_bodies_joints_and_forces_in_bulk_take_names_of_their_own() -> None:
     assert model.find("rod").index == 1
 
 
+#: Of force elements between rods at (0, 0, 0), (1, 0, 0), ..., what their own methods take.
+OF_METHODS: dict[str, dict[str, Any]] = {
+    "spring_damper": {"at": ((0, 0, 0), (1, 0, 0)), "stiffness": 10.0},
+    "rotational_spring_damper": {"axis": (0, 1, 0), "stiffness": 5.0},
+    "bushing": {"at": (0.5, 0, 0), "stiffness": (1.0, 2.0, 3.0)},
+}
+
+
+@pytest.mark.parametrize("kind", OF_METHODS)
+def test_many_force_elements_take_what_their_method_takes(kind: str) -> None:
+    """The same models, one by one and at once."""
+    each, at_once = lw.Model(), lw.Model()
+    for model in (each, at_once):
+        model.bodies("rod", mass=1.0, inertia=(1, 1, 1), position=[(k, 0, 0) for k in range(4)])
+    for k in range(3):
+        getattr(each, kind)(f"rod[{k}]", f"rod[{k + 1}]", **OF_METHODS[kind])
+    rods = [f"rod[{k}]" for k in range(4)]
+    at_once.forces(kind, rods[:-1], rods[1:], **OF_METHODS[kind])
+    assert at_once.hash() == each.hash()
+
+
+def test_vectors_of_many_are_one_for_all_or_one_for_each() -> None:
+    model, at = lw.Model(), [(k, 0, 0) for k in range(3)]
+    rods = model.bodies("rod", mass=1.0, inertia=(1, 1, 1), position=at)
+    model.forces("bushing", "ground", rods, at=at, stiffness=np.diag((1.0, 2.0, 3.0)), damping_z=4.0)
+    model.forces("applied", "ground", rods, at=at, force=(0, 0, lw.functions.polynomial(0, 1)))
+    assert [model.values(f"bushing 1[{k}]")["stiffness_z"] for k in range(3)] == [0.0, 0.0, 3.0]
+    assert (
+        model.values("bushing 1[0]")["damping_z"] == 4.0 and model.values("applied 1[2]")["torque_x"] == 0.0
+    )
+    with pytest.raises(lw.ModelError, match="stiffness and stiffness_x are both given"):
+        model.forces("bushing", "ground", rods, at=at, stiffness=(1, 2, 3), stiffness_x=1.0)
+    with pytest.raises(lw.ModelError, match=r"stiffness has shape \(2, 3\), not \(3,\) or \(3, 3\)"):
+        model.forces("bushing", "ground", rods, at=at, stiffness=np.ones((2, 3)))
+
+
 @pytest.mark.parametrize(
     ("names", "message"),
     [

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal, cast
@@ -397,11 +398,7 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         breaks: times [s] at which Python functions are not smooth, see functions.with_breaks.
         Quantities are numbers or functions of time.
         """
-        origin = (0.0, 0.0, 0.0)
-        point = (
-            at if at is not None else ((origin, origin) if arguments.is_one_of(frames, ["body"]) else origin)
-        )
-        place = {"at": point, "axis": axis, "x_axis": x_axis}
+        place = {"at": _on_any_axis(frames) if at is None else at, "axis": axis, "x_axis": x_axis}
         own = {"stiffness": stiffness, "damping": damping, "free_angle": free_angle, "torque": torque}
         return self._add_force(
             "rotational_spring_damper", a, b, frames, name, {**place, **own, "breaks": breaks}
@@ -456,18 +453,10 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         breaks: times [s] at which Python functions are not smooth, see functions.with_breaks.
         Quantities are numbers or functions of time.
         """
-        subject = Subject("bushing", name if isinstance(name, str) else "bushing", False, 1)
-        own: dict[str, Any] = {}
-        for what, values in (
-            ("stiffness", stiffness),
-            ("rotational_stiffness", rotational_stiffness),
-            ("damping", damping),
-            ("rotational_damping", rotational_damping),
-        ):
-            own |= subject.components(values, what)
-        return self._add_force(
-            "bushing", a, b, frames, name, {"at": at, "orientation": orientation, **own, "breaks": breaks}
-        )
+        place = {"at": at, "orientation": orientation}
+        own = {"stiffness": stiffness, "rotational_stiffness": rotational_stiffness,
+               "damping": damping, "rotational_damping": rotational_damping}  # fmt: skip
+        return self._add_force("bushing", a, b, frames, name, {**place, **own, "breaks": breaks})
 
     def forces(
         self,
@@ -484,11 +473,14 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
 
             model.forces("drag", "ground", ["crank", "rod"], at=np.zeros((2, 3)), coefficient=0.2)
 
-        Arguments are parameters of the kind as in a model file: a given force is of the kind "applied" with
-        force_x, ..., a bushing has stiffness_x, ..., and spring_damper and rotational_spring_damper are given
-        damping, force and torque also where these are 0.
+        Arguments are those of the kind's own method, with its defaults, each the same for all or with a
+        leading k: of a bushing `stiffness` is (3,) or (k, 3). One component alone is `stiffness_x`, ... A
+        given force is of the kind "applied", with `force` and `torque`, between bodies a and b: on b, in the
+        axes of a.
         """
         first = self.force_count
+        if kind == "rotational_spring_damper" and arguments.get("at") is None:
+            arguments["at"] = _on_any_axis(frames)
         self._place("force", kind, a, b, frames, name, True, arguments)
         return Range(range(first, self.force_count), lambda index: self._force(index, kind))
 
@@ -608,7 +600,10 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         each = [] if several is None else _names_of_all(kind, several, len(bodies))
         subject = Subject(kind, name, group, len(bodies), each)
         arguments = dict(arguments)
-        arguments = functions.broken(arguments, arguments.pop("breaks", ()), subject.who(0))
+        breaks = arguments.pop("breaks", ())
+        usual = _usual(info) if group and role == "force" else {}
+        arguments = {**_in_components(info, subject, usual), **_in_components(info, subject, arguments)}
+        arguments = functions.broken(arguments, breaks, subject.who(0))
         self._add(placed(info, subject, bodies, self._bodies.poses, frames == "body", arguments))
 
     def _add(self, elements: Elements) -> None:
@@ -644,6 +639,34 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         ):
             count += 1
         return f"{kind} {count + 1}"
+
+
+def _usual(info: _core.KindInfo) -> dict[str, Any]:
+    """The defaults that the method of a force element has for its parameters."""
+    method = getattr(ModelBuilder, "force" if info.name == "applied" else info.name)
+    return {
+        name: it.default
+        for name, it in inspect.signature(method).parameters.items()
+        if {name, f"{name}_x"} & info.parameters.keys() and it.default is not it.empty
+    }
+
+
+def _in_components(info: _core.KindInfo, subject: Subject, arguments: Mapping[str, Any]) -> dict[str, Any]:
+    """With stiffness_x, ... for a vector `stiffness`, where the kind has such. ModelError: both are given."""
+    out: dict[str, Any] = {}
+    for what, value in arguments.items():
+        vector = f"{what}_x" in info.parameters
+        parts = subject.components(value, what) if vector else {what: value}
+        if twice := (parts.keys() & arguments.keys()) - {what}:
+            subject.refuse(0, f"{what} and {min(twice)} are both given: give one of them", "argument", what)
+        out |= parts
+    return out
+
+
+def _on_any_axis(frames: Frames) -> Any:
+    """A point for what only the direction of an axis counts for."""
+    origin = (0.0, 0.0, 0.0)
+    return (origin, origin) if arguments.is_one_of(frames, ["body"]) else origin
 
 
 def _names_of_all(who: str, names: Sequence[str], count: int) -> list[str]:

@@ -121,7 +121,7 @@ def _with_own(model: Model, record: Record, held: Functions, place: int, changes
 
 
 def driven(record: Record) -> dict[int, list[int]]:
-    """Of each joint the drivers of its coordinates, which have its bodies, point and axes; by their places."""
+    """Of each joint the drivers of its coordinates, which have its bodies, point and axes; by places."""
     joints = record.get("joints", [])
     at: dict[str, list[int]] = {}
     for place, it in enumerate(joints):

@@ -99,7 +99,9 @@ class Subject:
         return value[0], value[1]
 
     def components(self, value: Any, what: str) -> dict[str, Any]:
-        """The three parts of a vector, of any kind: what_x, what_y, what_z."""
+        """The three parts of a vector, of any kind: what_x, what_y, what_z; of a group also (k, 3)."""
+        if self.group and (each := _rows(value)) is not None:
+            return {f"{what}_{axis}": x for axis, x in zip("xyz", self.array(each, 3, what).T, strict=True)}
         if _length(value) != 3:
             self.refuse(0, f"{what} must have three components, not {value!r}", "shape", what)
         return {f"{what}_{axis}": component for axis, component in zip("xyz", value, strict=True)}
@@ -436,6 +438,15 @@ def _wrong_angle(z_a: Floats, z_b: Floats) -> str:
     if min(angle, 180 - angle) < 1e-3:
         return f"axes {text(z_a)} and {text(z_b)} are parallel"
     return f"axes {text(z_a)} and {text(z_b)} are at {angle:.6g} degrees to each other, not 90"
+
+
+def _rows(value: Any) -> Floats | None:
+    """A vector for each of a group; None: it is one for all, or none of numbers."""
+    try:
+        found = reals(value, texts=True)
+    except UNREADABLE:
+        return None
+    return found if found.ndim == 2 else None
 
 
 def _length(value: Any) -> int:
