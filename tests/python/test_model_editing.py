@@ -288,3 +288,27 @@ def test_drivers_hang_on_their_joint() -> None:
     with pytest.raises(lw.ModelError, match="'angle', 'displacement' would hang on nothing"):
         model.without("joint")
     assert model.without("joint", attached=True).joint_count == 1
+
+
+def test_gravity_is_read_and_changed(pendulums: lw.Model) -> None:
+    """A model elsewhere is the one that is built there; turns, functions and shapes go with it."""
+    pendulums.force("rod 0", force=(0, lambda t: t, 0))
+    moon = pendulums.with_gravity((0, 0, -1.62))
+    assert pendulums.gravity.tolist() == [0, 0, -9.81] and moon.gravity.tolist() == [0, 0, -1.62]
+    assert moon.hash() != pendulums.hash() == moon.with_gravity(pendulums.gravity).hash()
+    assert len(moon.shapes) == len(pendulums.shapes) == 2
+    with pytest.raises(ValueError, match="read-only"):
+        moon.gravity[2] = 0.0
+    for wrong in ((0, 0), (0, 0, np.nan), "down"):
+        with pytest.raises(lw.ModelError, match="gravity"):
+            pendulums.with_gravity(wrong)
+
+
+def test_a_pendulum_on_the_moon_is_slower(pendulums: lw.Model) -> None:
+    """a = g / g_earth times as fast from rest."""
+    free = pendulums.without("rod 1", attached=True)
+    moon, earth = (
+        lw.simulate(it, t_end=1e-3, step=1e-3, progress=False).angular_acceleration[0, 0, 1]
+        for it in (free.with_gravity((0, 0, -1.62)), free)
+    )
+    assert moon / earth == pytest.approx(1.62 / 9.81, rel=1e-12)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core, arguments, functions
-from linkwork.arrays import Floats, Number, VectorLike
+from linkwork.arrays import Floats, Number, VectorLike, read_only
 from linkwork.errors import ModelError, about, nearest
 from linkwork.functions import Sum, TimeFunction, TimeFunctionLike, as_time_function
 from linkwork.functions.calls import Calls
@@ -70,9 +70,15 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         if name != "name" and not name.startswith("_"):
             raise AttributeError(
                 f"model: '{name}' cannot be set. What a model holds is given as it is made, as in "
-                "Model(gravity=...); `replaced` gives a model with other values of an object"
+                "Model(gravity=...); `replaced` gives a model with other values of an object, and `with_gravity` "
+                "one elsewhere"
             )
         super().__setattr__(name, value)
+
+    @property
+    def gravity(self) -> Floats:
+        """Acceleration (3,), inertial [m/s2]; `Model.with_gravity` changes it."""
+        return read_only(np.array(self._core.gravity))
 
     @property
     def ground(self) -> Body:

@@ -149,6 +149,18 @@ class Model(ModelBuilder):
         past = arguments.array(history, "model: history", ModelError).ravel().tolist()
         return self._with_core(self._core.with_initial_state(q.ravel(), v.ravel(), past))
 
+    def with_gravity(self, gravity: VectorLike) -> Model:
+        """The same mechanism elsewhere; this one stays as it is.
+
+            on_the_moon = model.with_gravity((0, 0, -1.62))
+
+        gravity  acceleration (3,), inertial [m/s2]; `Model.gravity` is that of this model
+
+        ModelError: not three finite numbers.
+        """
+        g = arguments.shaped(gravity, [(3,)], "model", "gravity")
+        return self._with_core(self._core.with_weights(g, [], [], []))
+
     def _with_core(self, core: _core.Model) -> Model:
         """The same names, functions and shapes with other numbers."""
         out = object.__new__(type(self))
@@ -243,7 +255,7 @@ class Model(ModelBuilder):
 
     def __copy__(self) -> Model:
         """On its own, and exact; functions of Python are those of the model."""
-        return self._with_core(self._core.with_weights(self._core.gravity, [], [], []))
+        return self._with_core(self._core.with_weights(self.gravity, [], [], []))
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Model:
         out = memo[id(self)] = copy.copy(self)  # so that handles in attributes are its own
