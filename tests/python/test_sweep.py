@@ -1201,6 +1201,46 @@ def test_distributions_of_every_kind_have_their_quantiles() -> None:
         cases_of({"x": stats.gaussian_kde([1.0, 2.0, 3.0])}, None, 4, 1)
 
 
+def test_whole_numbers_of_discrete_distributions_are_integers(tmp_path: Path) -> None:
+    """Which count what a function builds, in a directory, too; fractions stay what they are."""
+    from linkwork.studies.sampling import cases_of
+    from scipy import stats
+
+    def build(n: int) -> lw.Model:
+        return lw.mechanisms.chain(n)
+
+    drawn: Any = {"n": stats.randint(1, 4), "k": stats.Binomial(n=3, p=0.5), "l": stats.poisson(3.0, loc=1)}
+    found = cases_of(drawn, None, 50, 1)
+    assert {type(value) for values in found.columns.values() for value in values} == {int}
+    assert set(found.columns["n"]) == {1, 2, 3}
+    for fractions in (stats.randint(1, 3, loc=0.5), stats.rv_discrete(values=([1, 2.5], [0.9, 0.1]))):
+        assert {type(it) for it in cases_of({"x": fractions}, None, 50, 1).columns["x"]} == {float}
+    study = [
+        lw.sweep(
+            build,
+            {"n": drawn["n"]},
+            "energy_error.abs_max",
+            **RUN,
+            cases=4,
+            seed=1,
+            directory=tmp_path,
+            gather=again,
+        )
+        for again in (False, True)
+    ]
+    assert study[1].parameters["n"].dtype == study[0].parameters["n"].dtype == int
+    assert study[1].status.tolist() == ["finished"] * 4
+
+
+def test_a_function_that_builds_nothing_is_told_with_its_case() -> None:
+    def build(n: float, name: str) -> lw.Model:
+        raise TypeError("no such thing")
+
+    with pytest.raises(TypeError, match="no such thing") as caught:
+        lw.sweep(build, {"n": [2.5, 3.5], "name": ["a"]}, "final", **FEW)
+    assert caught.value.__notes__ == ["sweep: the model of case 0, n = 2.5, name = 'a'"]
+
+
 def test_an_optimized_engine_gives_the_points_that_a_new_one_has_or_is_refused() -> None:
     from linkwork.studies.sampling import cases_of
     from scipy.stats import qmc

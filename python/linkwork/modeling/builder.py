@@ -70,7 +70,7 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         if name != "name" and not name.startswith("_"):
             raise AttributeError(
                 f"model: '{name}' cannot be set. What a model holds is given as it is made, as in "
-                "Model(gravity=...); `replaced` gives a model with other values of an object, and `with_gravity` "
+                "Model(gravity=...); `replaced` gives a model with other values of an object, `with_gravity` "
                 "one elsewhere"
             )
         super().__setattr__(name, value)

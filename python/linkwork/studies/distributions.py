@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from linkwork.arguments import is_number
 from linkwork.arrays import Floats
@@ -17,6 +18,9 @@ __all__ = ["is_distribution", "quantile", "words"]
 #: What is wanted, as messages say it.
 WANTED = "pair (low, high) and no distribution of scipy.stats, such as norm(loc=1.0, scale=0.01)"
 
+#: Whole numbers below are exact.
+LARGEST = 2.0**53
+
 #: Characters of an array or an object in words.
 LONG = 4000
 
@@ -26,7 +30,7 @@ def is_distribution(given: Any) -> bool:
     return any(callable(getattr(given, name, None)) for name in ("ppf", "icdf"))
 
 
-def quantile(name: str, given: Any) -> Callable[[Floats], Floats]:
+def quantile(name: str, given: Any) -> Callable[[Floats], NDArray[Any]]:
     """From the unit interval to values. OptionError: neither bounds nor a distribution."""
     if is_distribution(given):
         return _of_distribution(name, given)
@@ -42,7 +46,7 @@ def quantile(name: str, given: Any) -> Callable[[Floats], Floats]:
     return lambda u: low + (high - low) * u
 
 
-def _of_distribution(name: str, given: Any) -> Callable[[Floats], Floats]:
+def _of_distribution(name: str, given: Any) -> Callable[[Floats], NDArray[Any]]:
     """OptionError: it has no numbers yet, wrong ones, or several."""
     inverse = given.ppf if callable(getattr(given, "ppf", None)) else given.icdf
     family = str(getattr(given, "name", getattr(given, "__name__", type(given).__name__)))
@@ -67,7 +71,26 @@ def _of_distribution(name: str, given: Any) -> Callable[[Floats], Floats]:
     if not np.isfinite(middle):
         raise OptionError(f"parameter '{name}': its distribution is none: check its numbers",
                           code="parameters")  # fmt: skip
-    return lambda u: np.asarray(inverse(u), dtype=float)
+    whole = _is_whole(given, float(middle))
+    return lambda u: _as_whole(inverse(u)) if whole else np.asarray(inverse(u), dtype=float)
+
+
+def _is_whole(given: Any, middle: float) -> bool:
+    """Whether it is discrete, and not of fractions: shifted by one, or of values of the user's own."""
+    from scipy import stats
+
+    dist = getattr(given, "dist", given)  # of a frozen one
+    discrete = isinstance(dist, stats.rv_discrete) or any(
+        kind.__name__ == "DiscreteDistribution" for kind in type(given).__mro__
+    )
+    values = np.asarray(getattr(dist, "xk", 0.0), dtype=float)
+    return discrete and middle.is_integer() and bool((values == np.rint(values)).all())
+
+
+def _as_whole(values: Any) -> NDArray[Any]:
+    """As integers, but for those that are beyond."""
+    found = np.asarray(values, dtype=float)
+    return found.astype(int) if (np.abs(found) < LARGEST).all() else found
 
 
 def _is_family(given: Any) -> bool:

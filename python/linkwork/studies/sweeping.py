@@ -103,7 +103,8 @@ def sweep(
                 function build(**parameters) -> Model, where the topology changes
     parameters  {name: values}: a grid, full factorial. A list of mappings, a table of pandas, an array with
                 named fields: a case a row. With a sampler {name: (low, high)}, or distributions of
-                scipy.stats: norm(1.0, 0.01), Normal(mu=1.0, sigma=0.01), rv_histogram(...)
+                scipy.stats: norm(1.0, 0.01), Normal(mu=1.0, sigma=0.01), rv_histogram(...); discrete ones,
+                such as randint(1, 4), give a function integers
     outputs     names of quantities of a Result, with what becomes of them over time (max, min,
                 abs_max, mean, rms, range, final): "reaction('pin').force.max". Of vectors in space all but
                 final are those of the magnitude; .x, .y, .z are components. "final": the last q and v.
@@ -286,7 +287,10 @@ def _example(model: Any, source: Source, cases: Cases) -> tuple[int, Model]:
         try:
             return k, source.model(cases.case(k))
         except Exception as error:
-            first = first or error
+            if first is None:
+                first = error
+                values = ", ".join(f"{name} = {value!r:.80}" for name, value in cases.case(k).items())
+                error.add_note(f"sweep: the model of case {k}, {values}")
     if isinstance(model, Model):
         return -1, model
     assert first is not None
