@@ -425,3 +425,34 @@ def test_joints_that_contradict_each_other_do_so_beside_what_is_far_away(far: fl
     model.spherical("ground", "near", at=((1.001, 0, 0), (0.5, 0, 0)), frames="body")
     with pytest.raises(lw.NotConvergedError, match="were not found"):
         lw.assemble(model)
+
+
+def belt(**initial: float) -> lw.Model:
+    """Two wheels without gravity, one of which turns thrice as fast."""
+    model = lw.Model(gravity=(0, 0, 0))
+    for name, x in (("a", 0.0), ("b", 1.0)):
+        model.body(
+            name, mass=1.0, inertia=(0.1, 0.1, 0.1), position=(x, 0, 0), omega=(0, 0, initial.get(name, 0))
+        )
+        model.revolute("ground", name, at=(x, 0, 0), axis=(0, 0, 1), name=f"{name} pin")
+    model.coupler([("a pin", 1.0), ("b pin", -3.0)], name="belt")
+    return model
+
+
+@pytest.mark.parametrize("how", [{"rtol": 1e-8}, {"step": 1e-3}])
+def test_a_run_goes_on_from_where_it_has_come_to_rest(how: dict[str, float]) -> None:
+    """No speed is left there to which the roundoff of velocities could be relative."""
+    model = belt()
+    model.rotational_spring_damper("ground", "a", axis=(0, 0, 1), stiffness=3.0, damping=0.3)
+    model.force("b", torque=(0, 0, 30.0))
+    rest = lw.simulate(model, t_end=20.0, progress=False, **how)
+    onward = model.with_initial_state(rest.q[-1], rest.v[-1], rest.history[-1])
+    found = lw.simulate(onward, t_end=0.1, progress=False, **how)
+    assert np.abs(found.q[-1] - rest.q[-1]).max() < 1e-10
+
+
+def test_roundoff_of_velocities_at_rest_is_no_violation() -> None:
+    """As of cos(pi / 2): without a warning. A hundred times as much of what moves as slowly is one."""
+    lw.simulate(belt(a=1e-16), t_end=0.01, step=1e-3, progress=False)
+    with pytest.raises(lw.ModelError, match="belt 1e-10/s: more than"):
+        lw.simulate(belt(a=1e-10), t_end=0.01, step=1e-3, progress=False)

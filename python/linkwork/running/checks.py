@@ -51,6 +51,10 @@ CONTRADICTION = 1e-6
 #: Residuals up to here, relative to the size of the mechanism and to its speed, are corrected.
 SMALL_RESIDUAL = 1e-3
 
+#: Rate of a residual of velocities, relative to the size of the part [1/s], below which nothing moves but by
+#: roundoff: where a motion has come to rest no speed is left to which it could be relative.
+AT_REST = 1e-12
+
 #: Times at which functions of time are looked at before a run.
 SAMPLES = 257
 
@@ -152,15 +156,15 @@ def residuals(model: Model, dynamics: _core.Dynamics, at: Snapshot | None = None
     Phi, Phi_dot, lengths, rates, roundoff = dynamics.residuals(t, q, v)
     starts = core.joint_rows[:-1]
 
-    def of(level: str, residual: Floats, scale: Floats) -> Residuals:
+    def of(level: str, residual: Floats, scale: Floats, nothing: Floats | float) -> Residuals:
         values = np.abs(residual)
         if not len(starts):
             return Residuals(level, np.zeros(0), np.zeros(0), np.zeros(0))
-        relative = np.divide(values, scale, out=np.zeros(len(values)), where=values > 0)
+        relative = np.divide(values, scale, out=np.zeros(len(values)), where=values > nothing)
         rounding = RESIDUAL_TOLERANCE + roundoff
         return Residuals(level, *(np.maximum.reduceat(x, starts) for x in (values, relative, rounding)))
 
-    return [of("poses", Phi, lengths), of("velocities", Phi_dot, lengths * rates)]
+    return [of("poses", Phi, lengths, 0.0), of("velocities", Phi_dot, lengths * rates, AT_REST * lengths)]
 
 
 def joint_residuals(
