@@ -36,6 +36,18 @@ def test_commands_take_files(
     assert (code, capsys.readouterr().err) == (0, "")
 
 
+@pytest.mark.parametrize(("name", "message"), [
+    ("run.h5", ".xml; it is that of a result, which `linkwork view run.h5` shows"),
+    ("arm.urfd", "is none of a model: .json, .yaml, .yml, .urdf, .sdf, .mjcf, .xml; the nearest is '.urdf'"),
+])  # fmt: skip
+def test_extensions_that_are_taken_are_told(
+    name: str, message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for command in ("run", "check"):
+        assert run([command, name], debug=False) == 1
+        assert message in capsys.readouterr().err
+
+
 def test_a_file_gives_the_same_run_as_the_name(four_bar: Path, capsys: pytest.CaptureFixture[str]) -> None:
     ran = []
     for subject in (str(four_bar), "four_bar"):

@@ -471,6 +471,15 @@ def test_an_interrupted_study_without_a_directory_says_that_it_is_lost(
         lw.sweep(rod(), GRID, "final", **FEW)
 
 
+def test_cases_of_the_same_values_count_as_often_as_they_are_there(monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(*_: Any) -> Any:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("linkwork.studies.chunks.in_processes", interrupted)
+    with pytest.raises(KeyboardInterrupt, match="0 of 5 cases are done"):
+        lw.sweep(rod(), {"rod.mass": [1.0, 2.0, 1.0, 2.0, 1.0]}, "final", **FEW)
+
+
 def test_a_broken_executor_says_so_and_leaves_a_study_that_goes_on(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -1522,6 +1531,8 @@ def test_command_refuses_before_the_first_case_what_it_could_not_write_or_draw(
         ("t_end: 0.05", "t_ent: 0.05", r"study.yaml:3: t_ent: is not known here; the nearest is 't_end'"),
         ("t_end: 0.05", "t_end: soon", r"study.yaml:3: t_end: 'soon' is not a number"),
         ("linkwork_study: 1", "linkwork_study: 2", r"study.yaml:1: linkwork_study: 2 is not 1"),
+        ("t_end: 0.05", "t_end: -0.5", r"study.yaml:3: t_end: -0.5 is not above 0"),
+        ("model: rod.yaml", "model: four_baar", "no mechanism 'four_baar'; the nearest is 'four_bar'"),
         ("model: rod.yaml", "model: rot.yaml", r"model file '.*rot.yaml'"),
         ("rod.mass: [1.0, 2.0, -3.0]", "rod.mass: {norn: {loc: 1}}", "no distribution 'norn'; .*'norm'"),
         *(

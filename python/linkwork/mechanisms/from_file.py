@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
+from linkwork.arguments import SUFFIXES
+from linkwork.errors import FileError, nearest
 from linkwork.mechanisms.mechanism import Mechanism
 
 if TYPE_CHECKING:
@@ -51,10 +53,21 @@ def mechanism_of_file(path: str) -> Mechanism:
     return Mechanism(build, **simulation)
 
 
+def _no_model(path: str, known: Sequence[str]) -> str:
+    suffix = PurePath(path).suffix.lower()
+    text = f"'{path}': extension '{suffix}' is none of a model: {', '.join(known)}"
+    if suffix in SUFFIXES["result"]:
+        return f"{text}; it is that of a result, which `linkwork view {path}` shows"
+    hint = nearest(suffix, known)
+    return text + hint if "nearest" in hint else text
+
+
 def _read(path: str) -> tuple[Model, Mapping[str, Any]]:
     from linkwork import importers
     from linkwork.modeling import files
 
+    if not is_model_file(path):
+        raise FileError(_no_model(path, [*files.SUFFIXES, *importers.IMPORTERS]), code="suffix")
     if importers.is_importable(path):
         imported = importers.read(path)
         imported.warn()

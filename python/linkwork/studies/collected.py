@@ -47,8 +47,12 @@ class Collected:
 
     @property
     def done(self) -> int:
-        """Cases of which something is known, those with one key once."""
-        return int(np.count_nonzero(self._state != NOTHING))
+        """Cases of which something is known."""
+        return self.alike(np.flatnonzero(self._state != NOTHING))
+
+    def alike(self, numbers: NDArray[np.int64]) -> int:
+        """Cases that have the keys of these, of which each is the first with its key."""
+        return int(np.bincount(self._place)[numbers].sum())
 
     def warn_of_memory(self) -> None:
         """LinkworkWarning: functions of the user's remember calls, also those of other cases."""
@@ -208,7 +212,7 @@ class Todo(Sequence[Case]):
     """Cases that are made when they are asked for: of many a study holds no more than their numbers."""
 
     def __init__(self, cases: Cases, keys: Sequence[str], numbers: NDArray[np.int64]) -> None:
-        self._cases, self._keys, self._numbers = cases, keys, numbers
+        self._cases, self._keys, self.numbers = cases, keys, numbers
 
     @classmethod
     def of(cls, cases: Cases, keys: Sequence[str], found: Collected, shard: tuple[int, int] | None) -> Todo:
@@ -225,7 +229,7 @@ class Todo(Sequence[Case]):
         return cls(cases, keys, np.array(numbers, dtype=np.int64))
 
     def __len__(self) -> int:
-        return len(self._numbers)
+        return len(self.numbers)
 
     @overload
     def __getitem__(self, place: int) -> Case: ...
@@ -233,6 +237,6 @@ class Todo(Sequence[Case]):
     def __getitem__(self, place: slice) -> Todo: ...
     def __getitem__(self, place: int | slice) -> Case | Todo:
         if isinstance(place, slice):
-            return Todo(self._cases, self._keys, self._numbers[place])
-        number = int(self._numbers[place])
+            return Todo(self._cases, self._keys, self.numbers[place])
+        number = int(self.numbers[place])
         return Case(number, self._keys[number], self._cases.case(number))

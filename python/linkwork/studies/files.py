@@ -26,7 +26,7 @@ from pydantic import Field, ValidationError
 
 from linkwork.arguments import is_number
 from linkwork.errors import Fault, Faults, ModelFileError, OptionError, nearest
-from linkwork.mechanisms import MECHANISMS, named
+from linkwork.mechanisms import MECHANISMS, is_file, named
 from linkwork.modeling.files.messages import faults_of_schema
 from linkwork.modeling.files.schema import FormatVersion, Number, Record, Word
 from linkwork.modeling.files.syntax import Syntax, Where, field, parse
@@ -72,7 +72,7 @@ def read_study(path: str | os.PathLike[str]) -> dict[str, Any]:
     folder = Path(path).absolute().parent
     given = document.model_dump(exclude={"linkwork_study", "model", "simulation", "parameters"},
                                 exclude_none=True)  # fmt: skip
-    beside = document.model not in MECHANISMS
+    beside = document.model not in MECHANISMS and is_file(document.model)
     mechanism = named(str(folder / document.model) if beside else document.model)
     settings = mechanism.settings_beside(document.simulation)
     settings.pop("t_end", None)

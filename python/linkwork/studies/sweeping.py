@@ -38,7 +38,7 @@ from linkwork.running.progress import ShowOption, counting
 from linkwork.running.simulation import check_run, simulate
 from linkwork.studies import outputs as wanted
 from linkwork.studies.agreement import Here, contents, joined
-from linkwork.studies.cases import Answer, Case, Runner, check_times, machine
+from linkwork.studies.cases import Answer, Runner, check_times, machine
 from linkwork.studies.chunks import run_cases
 from linkwork.studies.collected import Collected, Todo
 from linkwork.studies.executors import check_executor
@@ -181,9 +181,9 @@ def sweep(
     store = None if directory is None else _store(directory, drawn, identity, about, gather)
     _check_example(source, store, drawn, keys, head)
     known, machines = _known(keys, store, shard, retry=retry)
-    todo: Sequence[Case] = [] if gather else Todo.of(drawn, keys, known, shard)
+    todo = Todo.of(drawn, keys, known, shard)
     workers = _Workers(executor, processes, case_seconds, len(drawn), here)
-    lost = _carried_out(runner, todo, _Found(known, machines, store), progress, workers)
+    lost = {} if gather else _carried_out(runner, todo, _Found(known, machines, store), progress, workers)
     study = assembled(drawn, keys, known, lost, runner, {**about, "identity": identity, "machines": machines})
     return _told(study, known, options)
 
@@ -489,7 +489,7 @@ class _Found:
 
 
 def _carried_out(
-    runner: Runner, todo: Sequence[Case], to: _Found, progress: ShowOption, workers: _Workers
+    runner: Runner, todo: Todo, to: _Found, progress: ShowOption, workers: _Workers
 ) -> dict[str, str]:
     """Adds to what is found; gives back why cases were lost. KeyboardInterrupt: it says what is kept."""
     lost: dict[str, str] = {}
@@ -517,17 +517,17 @@ def _carried_out(
 
 
 @contextmanager
-def _telling(todo: Sequence[Case], to: _Found) -> Iterator[None]:
+def _telling(todo: Todo, to: _Found) -> Iterator[None]:
     """KeyboardInterrupt says what is kept, and what is not."""
     before = to.known.done
     try:
         yield
     except KeyboardInterrupt as stop:
-        open_ = len(todo) - (to.known.done - before)
-        done = f"interrupted: {len(todo) - open_} of {len(todo)} cases are done"
+        total, now = to.known.alike(todo.numbers), to.known.done - before
+        done = f"interrupted: {now} of {total} cases are done"
         kept = "and lost: give a directory, which keeps them"
         if to.store is not None:
-            kept = f"and kept in '{to.store.directory}'; the same study again runs the other {open_}"
+            kept = f"and kept in '{to.store.directory}'; the same study again runs the other {total - now}"
         raise type(stop)(f"{done}, {kept}") from stop
 
 

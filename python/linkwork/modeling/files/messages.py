@@ -82,6 +82,7 @@ _WANTED = {
     "model_attributes_type": "a mapping",
     "string_type": "text",
     "literal_error": "{expected}",
+    "greater_than": "above {gt:g}",
     "greater_than_equal": "{ge:g} or more",
     "string_too_short": "a name",
     "string_too_long": "text of at most {max_length} characters",
