@@ -528,6 +528,30 @@ def test_all_faults_are_told_at_once(tmp_path: Path) -> None:
     assert [fault.line for fault in faults(path)] == [10, 24]
 
 
+def test_names_and_mechanics_are_told_together(tmp_path: Path) -> None:
+    """What needs a joint that is wrong is no fault of its own."""
+    (tmp_path / "wrong.yaml").write_text("""\
+linkwork: 1
+name: "tab\\there"
+bodies:
+  - {name: bar, mass: 1, inertia: [1, 1, 1]}
+  - {name: bar, mass: 1, inertia: [1, 1, 1]}
+  - {name: two, mass: 1, inertia: [1, 1, 9]}
+joints:
+  - {kind: revolute, name: pin, a: ground, b: baar, at: [0, 0, 0], axis: [0, 1, 0]}
+  - {kind: revolute, name: knee, a: ground, b: bar, at: [0, 0, 0], axis: [0, 0, 0]}
+  - {kind: coupler, name: belt, coordinates: [{joint: pin, factor: 1.0}, {joint: knee, factor: 1.0}]}
+  - {kind: drive, name: motor, joint: knee, position: 1.0}
+forces:
+  - {kind: drag, a: ground, b: bar, at: [0, 0, 0], coefficient: -1}
+  - {kind: drag, a: ground, b: two, at: [0, 0, 0], coefficient: unknown}
+history: [1.0]
+""")
+    with pytest.raises(lw.ModelFileError) as caught:
+        lw.Model.load(tmp_path / "wrong.yaml")
+    assert [fault.line for fault in caught.value.faults] == [2, 5, 6, 8, 9, 13, 14]
+
+
 def test_of_very_many_faults_the_first_are_told(tmp_path: Path) -> None:
     path = tmp_path / "model.json"
     body: dict[str, Any] = {"name": "b", "mass": -1, "inertia": [1, 1, 1]}

@@ -65,8 +65,9 @@ class Model(ModelBuilder):
 
             model = lw.Model.load("crank.yaml")
 
-        ModelFileError: what is wrong in it, all at once. FileError: it cannot be read. ModelError: of a class
-        of your own that is not made of gravity and name alone.
+        ModelFileError: what is wrong in it, all at once: where fields are, names and what they stand for are
+        looked at when these are right. FileError: it cannot be read. ModelError: of a class of your own that
+        is not made of gravity and name alone.
         """
         from linkwork.modeling import files
 

@@ -1,4 +1,5 @@
-"""From a file to a model: syntax, then the schema, then the mechanics; each tells all its faults at once."""
+"""From a file to a model: syntax, then the schema, then names and mechanics; each tells all its faults at
+once."""
 
 from __future__ import annotations
 
@@ -6,6 +7,7 @@ import json
 import os
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
 from itertools import groupby, islice
@@ -80,7 +82,6 @@ def _checked(
     _check_settings(syntax.data, checker)
     document = _validated(syntax.data, checker)
     _check_names(document, checker, held)
-    checker.finish()
     return ModelFile(_build(document, checker, kind, held), renamed(document.simulation))
 
 
@@ -203,8 +204,10 @@ class _Checker:
     def __init__(self, path: str | os.PathLike[str], syntax: Syntax) -> None:
         self._path, self._syntax = path, syntax
         self._faults, self._more = Faults(), False
+        self._wrong: set[tuple[str | int, ...]] = set()
 
     def add(self, where: Where, message: str) -> None:
+        self._wrong.add(tuple(where[:2]))
         line = 1 if self.full else self.line(where)  # those that are counted have none
         self._faults.add(Fault(line, field(where)[:LONGEST], message))
 
@@ -215,6 +218,14 @@ class _Checker:
     @property
     def full(self) -> bool:
         return self._faults.full
+
+    @property
+    def any(self) -> bool:
+        return self._faults.count > 0
+
+    def knows(self, where: Where) -> bool:
+        """Whether there is a fault in this record."""
+        return tuple(where[:2]) in self._wrong
 
     def line(self, where: Where) -> int:
         """Of the value, or of the nearest around it that is there."""
@@ -272,18 +283,22 @@ def _check_joints(joints: Sequence[Any], checker: _Checker) -> None:
     before: set[str] = set()
     unnamed = False
     for k, record in enumerate(joints):
-        named: list[tuple[Where, str]] = []
-        if record.kind == schema.DRIVE:
-            named.append((("joints", k, "joint"), record.joint))
         for j, term in enumerate(getattr(record, "coordinates", ())):
-            named.append((("joints", k, "coordinates", j, "joint"), term.joint))
             if term.factor == 0:
                 checker.add(("joints", k, "coordinates", j, "factor"), "must not be zero")
-        for where, name in named:
+        for where, name in _named_joints(record):
             if name not in before and not unnamed and not checker.full:
-                checker.add(where, f"no joint named '{name}' before{nearest(name, before)}")
+                checker.add(("joints", k, *where), f"no joint named '{name}' before{nearest(name, before)}")
         unnamed = unnamed or record.name is None
         before.add(record.name)
+
+
+def _named_joints(record: Any) -> Iterator[tuple[Where, str]]:
+    """Joints that a record of a joint names, each with its place there."""
+    if record.kind == schema.DRIVE:
+        yield ("joint",), record.joint
+    for j, term in enumerate(getattr(record, "coordinates", ())):
+        yield ("coordinates", j, "joint"), term.joint
 
 
 def _no_function(name: str, functions: Iterable[str]) -> str:
@@ -333,25 +348,56 @@ def _named_functions(record: schema.Element) -> Iterator[tuple[str, str]]:
 
 
 def _build(document: schema.Document, checker: _Checker, kind: type[Model], held: Functions) -> Model:
-    """The model; where the compiled model refuses something, all of it is told."""
+    """The model; where names are wrong, or the compiled model refuses something, all of it is told."""
+    refused_for: LinkworkError | None = None
+    if not checker.any:
+        try:
+            return _built(document, kind, _straight, held)
+        except LinkworkError as error:
+            refused_for = error
     try:
-        return _built(document, kind, _straight, held)
-    except LinkworkError as error:
+        _built(
+            document.model_copy(update={"name": ""}), kind, _OneByOne(document, checker), held, batches=False
+        )
+    except LinkworkError:  # of history variables, which are others where elements are left out
+        if not checker.any:
+            raise
+    checker.finish()
+    raise FileError(str(refused_for), code=refused_for.code if refused_for else "") from refused_for
 
-        def one_by_one(
-            where: Where, add: Callable[[], None], instead: Callable[[], None] | None = None
-        ) -> None:
+
+class _OneByOne:
+    """Adds what can be added, and notes why the rest cannot; what needs something that is not there is left
+    out, as nothing is known of it."""
+
+    def __init__(self, document: schema.Document, checker: _Checker) -> None:
+        self._document, self._checker = document, checker
+        self._missing: set[str | None] = set()  # joints; None: one that has no name in the file
+
+    def __call__(
+        self, where: Where, add: Callable[[], None], instead: Callable[[], None] | None = None
+    ) -> None:
+        if self._checker.full:
+            return
+        known = len(where) == 2 and self._checker.knows(where)
+        if not known and not self._hangs(where):
             try:
-                if not checker.full:
-                    add()
+                add()
+                return
             except LinkworkError as refusal:
-                checker.add(*_place(document, where, refusal))
-                if instead is not None:
-                    instead()
+                self._checker.add(*_place(self._document, where, refusal))
+        if where[0] == "joints":
+            self._missing.add(self._document.joints[int(where[1])].name)
+        if instead is not None:
+            with suppress(LinkworkError):  # of a name that is taken
+                instead()
 
-        _built(document, kind, one_by_one, held, batches=False)
-        checker.finish()
-        raise FileError(str(error), code=error.code) from error  # only where a batch is refused for its size
+    def _hangs(self, where: Where) -> bool:
+        """On a joint that is missing."""
+        if where[0] != "joints" or not self._missing:
+            return False
+        named = [name for _, name in _named_joints(self._document.joints[int(where[1])])]
+        return bool(named) and (None in self._missing or not self._missing.isdisjoint(named))
 
 
 def _straight(where: Where, add: Callable[[], None], instead: Callable[[], None] | None = None) -> None:
