@@ -6,6 +6,7 @@ import json
 import random
 import subprocess
 import sys
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -17,7 +18,7 @@ import pytest
 import synthetic
 from linkwork import Result
 from linkwork.cli import run
-from linkwork.errors import FileError
+from linkwork.errors import FileError, LinkworkWarning
 from linkwork.motion.records import Occurrence
 from linkwork.results import writing
 from linkwork.results.writing import ResultWriter
@@ -52,6 +53,17 @@ def events(first: int, count: int) -> list[Occurrence]:
     ]
 
 
+def read(path: Path) -> Result:
+    """A warning says so where the file is damaged, and only there."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        found = Result.load(path)
+    told = [str(it.message) for it in caught if it.category is LinkworkWarning]
+    assert len(told) == found.damaged and not (found.damaged and found.finished)
+    assert all(f"{path}': the file is damaged; missing: {found.missing[0]}" in it for it in told)
+    return found
+
+
 def in_memory(result: Result) -> Result:
     fields = {name: result.recorded(name) for name in result.header.frame_shapes()}
     assert result.finished
@@ -66,7 +78,7 @@ def outcomes(path: Path, damage: Callable[[bytes, int], bytes], times: int) -> d
     for seed in range(times):
         damaged.write_bytes(damage(content, seed))
         try:
-            found = Result.load(damaged)
+            found = read(damaged)
             assert_whole_or_says_so(found, original)
             counts["part" if found.missing else "whole"] += 1
         except FileError as error:
@@ -125,8 +137,8 @@ def test_another_number_anywhere_is_seen(tmp_path: Path, place: str) -> None:
         with pytest.raises(FileError, match="the model or the manifest is not what was written"):
             Result.load(path)
         return
-    found = Result.load(path)
-    assert found.missing
+    found = read(path)
+    assert found.damaged
     assert_whole_or_says_so(found, original)
     assert len(found) == 60 if place.startswith("events") else 15 <= len(found) < 60
 
@@ -138,7 +150,7 @@ def test_the_last_frame_of_a_damaged_file_is_the_last_whole_one(tmp_path: Path) 
     original = in_memory(Result.load(path))
     with h5py.File(path, "r+") as file:
         file["frames/v"][40] = 0.0
-    found = Result.load(path)
+    found = read(path)
     last = len(found) - 1
     assert 15 <= last < 40
     assert found.snapshot().t == original.t[last]
@@ -167,8 +179,8 @@ def test_what_lost_its_name_is_missed(tmp_path: Path, name: str) -> None:
             file.move(name, "lost")
         else:
             rename(file, name)
-    found = Result.load(path)
-    assert found.missing and not found.finished and len(found) in (6, 60)
+    found = read(path)
+    assert found.damaged and not found.finished and len(found) in (6, 60)
 
 
 def rename(file: h5py.File, name: str) -> None:
@@ -182,7 +194,7 @@ def test_numbers_of_the_finer_run_have_a_digest(tmp_path: Path) -> None:
     assert Result.load(path).verified and Result.load(path).missing == ()
     with h5py.File(path, "r+") as file:
         file["finer/v"][2] *= 1.5
-    found = Result.load(path)
+    found = read(path)
     assert (found.missing, found.verified, found.finished) == (("the second, finer run",), False, False)
     np.testing.assert_array_equal(found.q, result.q)
 
@@ -197,9 +209,27 @@ def test_file_between_two_commits_has_the_last(tmp_path: Path) -> None:
         writer._write_digests()
         writer._file.flush()
         (tmp_path / "killed.h5").write_bytes(path.read_bytes())
-    found = Result.load(tmp_path / "killed.h5")
+    found = read(tmp_path / "killed.h5")
     np.testing.assert_array_equal(found.t, 0.01 * np.arange(20))
-    assert not found.finished and found.missing[0].startswith("the end of the run")
+    assert not found.damaged and found.missing[0].startswith("the end of the run")
+    assert "20 frames, not finished" in found.summary()
+
+
+@pytest.mark.parametrize("frames", [0, 20])
+def test_a_warning_says_what_a_file_without_its_end_has_left(tmp_path: Path, frames: int) -> None:
+    """Of a run that did not end, in which nothing but the length of the file tells."""
+    path, cut = tmp_path / "run.h5", tmp_path / "cut.h5"
+    with ResultWriter(path, HEADER) as writer:
+        writer.write(synthetic.frames(HEADER, 0, 20))
+    content = path.read_bytes()
+    with h5py.File(path) as file:
+        ends = file["frames/q"].id.get_chunk_info(0).byte_offset
+    cut.write_bytes(content[: len(content) - 8 if frames else ends])
+    assert not read(path).damaged
+    left = "20 frames to t = 0.19 s could be read" if frames else "no frame could be read"
+    with pytest.warns(LinkworkWarning, match=f"the file is damaged; missing: the .*; {left}"):
+        found = Result.load(cut)
+    assert len(found) == frames and "; the file was damaged\nmissing   the " in found.summary()
 
 
 SHRINK = """
@@ -267,7 +297,7 @@ def test_repair_writes_what_is_whole(tmp_path: Path, capsys: pytest.CaptureFixtu
     assert run(["repair", str(path)], debug=True) == 0
     told = capsys.readouterr().out
     assert path.read_bytes() == content
-    new, old = Result.load(tmp_path / "run.repaired.h5"), Result.load(path)
+    new, old = Result.load(tmp_path / "run.repaired.h5"), read(path)  # the new file is whole in itself
     assert 15 <= len(new) <= 40 and not new.finished
     assert new.missing == old.missing and f"the frames after t = {new.t[-1]:g} s" in told
     for name in FIELDS:
@@ -302,3 +332,22 @@ def test_repair_refuses_what_it_cannot_do(tmp_path: Path, capsys: pytest.Capture
     assert run(["repair", str(path)], debug=False) == 1
     assert "no frame is whole" in capsys.readouterr().err
     assert [it.name for it in tmp_path.iterdir()] == ["run.h5"]
+
+
+@pytest.mark.parametrize("words", [
+    ["plot", "FILE"], ["export", "FILE"], ["movie", "FILE", "-o", "run.gif"],
+    ["report", "FILE", "-o", "run.html"], ["view", "FILE", "--html", "view.html"],
+    ["run", "pendulum", "--start", "FILE", "--t-end", "0.2"],
+    ["compare", "pendulum", "--reference", "FILE", "--t-end", "0.1", "--steps", "0.01"],
+], ids=lambda words: str(words[0]))  # fmt: skip
+def test_commands_say_that_a_file_is_damaged(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, words: list[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    lw.simulate(lw.mechanisms.pendulum(), 0.1, 1e-2, output="run.h5", progress=False)
+    with h5py.File("run.h5", "r+") as file:
+        file.attrs["statistics"] = "{}"
+    with pytest.warns(
+        LinkworkWarning, match=r"result 'run.h5': the file is damaged; missing: the statistics"
+    ):
+        assert run([word.replace("FILE", "run.h5") for word in words], debug=True) == 0

@@ -12,7 +12,7 @@ from linkwork.results.result import Result
 def repair_and_show(source: str, target: str | None, as_json: bool) -> None:
     """FileError: no frame of `source` is whole, or `target` exists or cannot be written."""
     new = Path(target) if target is not None else Path(source).with_suffix(".repaired.h5")
-    result = Result.load(source)
+    result = Result._read(source)  # no warning of what this is about to tell
     needed = bool(result.missing) or "digests" in result.manifest
     if needed:
         _check(source, new, result)

@@ -20,6 +20,9 @@ if TYPE_CHECKING:
 
 Indices = NDArray[np.integer]
 
+#: What a file that a run began and did not end is without, beside what damage took.
+NO_END = "the end of the run: it was interrupted, or what says how it ended is lost"
+
 #: The texts of a header, one for each body, joint, force element or history variable.
 MODEL_NAMES = ("body_names", "joint_names", "joint_kinds", "force_names", "force_kinds", "history_names")
 

@@ -40,6 +40,7 @@ def numbers(result: Result) -> dict[str, Any]:
         "projections": int(result.statistics.get("projections", 0)),
         "singular_poses": int(result.statistics.get("singular_poses", 0)),
         "finished": result.finished,
+        "damaged": result.damaged,
         "status": result.status,
         "verdict": _verdict(result),
     }
@@ -62,7 +63,8 @@ def lines(result: Result) -> list[tuple[str, str]]:
     return [
         ("model", f"{model}: {counts}"),
         ("method", ", ".join(method(manifest.get("options", {})))),
-        ("recorded", f"{end}, {frames}{'' if result.finished else ', not finished'}"),
+        ("recorded", f"{end}, {frames}{_ending(result)}"),
+        ("missing", "; ".join(result.missing) if result.damaged else ""),
         ("verdict", verdict_text(result)),
         ("violation", f"largest {violation}"),
         ("energy", f"{_figure(found['energy_start'])} J at the start, error at most "
@@ -91,6 +93,13 @@ def method(options: dict[str, Any], *, short: bool = False) -> list[str]:
     if options.get("linear_solver") and not short:
         words.append(f"solver {options['linear_solver']}")
     return words
+
+
+def _ending(result: Result) -> str:
+    """Unless the run finished, and all of it is there."""
+    if result.damaged:
+        return "; the file was damaged"
+    return "" if result.finished else ", not finished"
 
 
 def _reactions(found: dict[str, Any]) -> str:

@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 from linkwork.arrays import Floats
 from linkwork.errors import FileError, cause
 from linkwork.motion.former_names import renamed_manifest, renamed_statistics
-from linkwork.motion.header import MODEL_NAMES, Header
+from linkwork.motion.header import MODEL_NAMES, NO_END, Header
 from linkwork.motion.records import Checkpoint, Occurrence
 from linkwork.results import checkpoints, digests, heaps
 from linkwork.results.indexing import to_read
@@ -37,6 +37,9 @@ NO_HDF5 = "is no HDF5 file; give one that a run has written"
 
 #: Files of earlier versions have none; their manifest says so.
 FIRST_WITH_DIGESTS = 4
+#: Of a file that was cut off and has frames of a run that did not end, all of them.
+CUT_OFF = "the end of the file, and what was there"
+
 NO_DIGESTS = "none in the file of an earlier version that this was read from: damage there goes unseen"
 
 Found = TypeVar("Found")
@@ -84,6 +87,7 @@ class StoredRun:
     events: list[Occurrence]
     finer: tuple[float, dict[str, StoredField]] | None  #: see `verification`
     checkpoint: Checkpoint | checkpoints.StoredCheckpoint | None
+    damage: tuple[str, ...] = ()  #: what the file has lost, the end of a run that did not end apart
 
 
 class _Content(NamedTuple):
@@ -95,10 +99,6 @@ class _Content(NamedTuple):
     finer: tuple[float, int] | None  #: factor and frames
     notes: dict[str, Any]  #: for the manifest
     checkpoint: Checkpoint | checkpoints.StoredCheckpoint | None = None
-
-
-#: Of a file that a run began and did not end.
-NO_END = "the end of the run: it was interrupted, or what says how it ended is lost"
 
 
 def read(path: str | os.PathLike[str], *, written: Header | None = None) -> StoredRun:
@@ -125,7 +125,8 @@ def read(path: str | os.PathLike[str], *, written: Header | None = None) -> Stor
         else:
             header = _read_header(file)
             checkpoint = _or_none(lambda: checkpoints.read(file, str(file.attrs["run"]), size))
-            content = _as_it_is(file, size)._replace(notes={"digests": NO_DIGESTS}, checkpoint=checkpoint)
+            notes = {"digests": NO_DIGESTS} | ({"missing": [CUT_OFF]} if _is_cut_off(file) else {})
+            content = _as_it_is(file, size)._replace(notes=notes, checkpoint=checkpoint)
         run = str(file.attrs["run"])
     if content.notes:
         missing = [*header.manifest.get("missing", ()), *content.notes.get("missing", ())]
@@ -148,7 +149,8 @@ def _stored(path: Path, run: str, header: Header, content: _Content) -> StoredRu
         content.frames and checkpoint.t <= frames["t"][content.frames - 1]
     ):
         checkpoint = None
-    return StoredRun(run, header, content.statistics, frames, content.events, finer, checkpoint)
+    damage = tuple(it for it in content.notes.get("missing", ()) if it != NO_END)
+    return StoredRun(run, header, content.statistics, frames, content.events, finer, checkpoint, damage)
 
 
 def _check_kind(path: Path, file: h5py.File) -> bool:
@@ -191,7 +193,7 @@ def _compared(file: h5py.File, header: Header, start: int, size: int) -> _Conten
     rows = _or_none(lambda: digests.rows(file[digests.BLOCKS], size)) or []
     whole = digests.whole_frames(file["frames"], rows, start, size)
     last = rows[whole - 1] if whole else digests.Row(0, 0, start, start)
-    text, finer_digest = _or_none(lambda: str(file.attrs["statistics"])) or None, 0
+    text, finer_digest = _or_none(lambda: str(file.attrs["statistics"])), 0
     finer = None
     if "finer" in file:
         finer_digest = _or_none(lambda: int(file["finer"].attrs[digests.DIGEST])) or 0
@@ -202,23 +204,33 @@ def _compared(file: h5py.File, header: Header, start: int, size: int) -> _Conten
     checkpoint = _or_none(lambda: checkpoints.read(file, str(file.attrs["run"]), size)) if kept else None
     if kept and checkpoint is None:
         missing.append("what a run that goes on to the last bit begins with")
-    closed = text is not None and _or_none(lambda: int(file.attrs[digests.CLOSING])) == digests.closing(
-        text, last, finer_digest, kept
+    closed = bool(text) and _or_none(lambda: int(file.attrs[digests.CLOSING])) == digests.closing(
+        text or "", last, finer_digest, kept
     )
     events = _whole_events(file, rows, start, last.events, size, missing)
     if not closed:
         missing.append(_lost_end(file["frames"], last.frames, whole < len(rows), text))
-    statistics = renamed_statistics(json.loads(text)) if closed and text is not None else {}
+    statistics = renamed_statistics(json.loads(text)) if closed and text else {}
     notes = {"missing": missing} if missing else {}
     return _Content(last.frames, events, statistics, finer, notes, checkpoint)
 
 
 def _lost_end(frames: h5py.Group, whole: int, more: bool, statistics: str | None) -> str:
-    """Frames that are there or should be, but are not whole; without them what says how the run ended."""
-    if len(frames["t"]) > whole or (more and statistics is not None):
+    """Frames that are there or should be, but are not whole; without them what says how the run ended.
+
+    statistics  empty until the run ends; None: they cannot be read
+    """
+    if len(frames["t"]) > whole or (more and statistics != ""):
         after = f" after t = {float(frames['t'][whole - 1]):g} s" if whole else ""
         return f"the frames{after} from number {whole} on, and the statistics"
-    return NO_END if statistics is None else "the statistics"
+    if statistics != "":
+        return "the statistics"
+    return CUT_OFF if _is_cut_off(frames.file) else NO_END
+
+
+def _is_cut_off(file: h5py.File) -> bool:
+    """Whether it is shorter than HDF5 made it: see `_open`."""
+    return bool(file.driver == "fileobj")
 
 
 def _whole_events(
@@ -300,7 +312,7 @@ def _frames_with_time(t: h5py.Dataset, count: int) -> int:
 def _frames_on_disk(frames: h5py.Group, size: int) -> int:
     """Frames of which every field lies within the `size` bytes that there are."""
     count = min(len(dataset) for dataset in frames.values())
-    if frames.file.driver != "fileobj":  # nothing is missing
+    if not _is_cut_off(frames.file):
         return count
     for dataset in frames.values():
         starts = range(0, count, dataset.chunks[0])

@@ -21,11 +21,11 @@ from linkwork.accuracy.verification import Finer, band, difference
 from linkwork.arguments import array, check_new, one_of
 from linkwork.arguments import path as path_of
 from linkwork.arrays import Floats, read_only
-from linkwork.errors import OptionError, counted, nearest
+from linkwork.errors import OptionError, counted, nearest, warn
 from linkwork.modeling.coordinates import JointCoordinate, coordinate_of
 from linkwork.modeling.handles import Named, place_of
 from linkwork.motion.former_names import renamed_manifest, renamed_statistics
-from linkwork.motion.header import Header, record_reactions
+from linkwork.motion.header import NO_END, Header, record_reactions
 from linkwork.motion.records import (
     BodyResult,
     Checkpoint,
@@ -138,6 +138,14 @@ class Result:
     def missing(self) -> tuple[str, ...]:
         """What a file had lost when it was read; its digests tell. The frames that are there are whole."""
         return tuple(self._header.manifest.get("missing", ()))
+
+    @property
+    def damaged(self) -> bool:
+        """Whether a file had lost something, and not merely the end of a run that was interrupted.
+
+        So it is of what `linkwork repair` wrote, too: what was lost is not there either.
+        """
+        return any(it != NO_END for it in self.missing)
 
     @property
     def verdict(self) -> Verdict | None:
@@ -617,12 +625,15 @@ class Result:
             result = lw.Result.load("motion.h5")
 
         FileError: there is no such file, it is damaged from the beginning, or of another kind.
+        LinkworkWarning: it is damaged, and only a part of it was read.
         """
-        return cls._read(path)
+        return cls._read(path, warns=True)
 
     @classmethod
-    def _read(cls, path: str | os.PathLike[str], *, written: Header | None = None) -> Result:
-        """`written`: a moment ago, with this header."""
+    def _read(
+        cls, path: str | os.PathLike[str], *, written: Header | None = None, warns: bool = False
+    ) -> Result:
+        """`written`: a moment ago, with this header. LinkworkWarning: `warns`, and the file is damaged."""
         from linkwork.results import reading
 
         stored = reading.read(path_of(path, "result"), written=written)
@@ -631,6 +642,8 @@ class Result:
         if stored.finer is not None:
             factor, fields = stored.finer
             result._finer = Finer(cls(fields, stored.header, {}, run=stored.run), factor)
+        if warns and stored.damage:
+            warn(_told_of_damage(path, stored.damage, result))
         return result
 
     def to_frame(
@@ -888,6 +901,15 @@ class Result:
         if not places:
             places.update({known: place for place, known in enumerate(names)})
         return place_of(what, name, places)
+
+
+def _told_of_damage(path: str | os.PathLike[str], damage: Sequence[str], found: Result) -> str:
+    """What a damaged file has lost, what was read of it, and what to do."""
+    told = f"result '{path}': the file is damaged; missing: {'; '.join(damage)}; "
+    if not len(found):
+        return told + "no frame could be read. Copy it again, or run again"
+    read = f"{counted(len(found), 'frame')} to t = {found.t[-1]:g} s could be read"
+    return told + f"{read}. Copy it again, run again, or write what is whole by `linkwork repair {path}`"
 
 
 #: What `error_of` takes.
