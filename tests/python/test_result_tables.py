@@ -60,7 +60,8 @@ def test_columns_can_be_chosen_and_what_is_not_there_is_named(result: lw.Result)
 
 def test_csv_keeps_every_digit(result: lw.Result, tmp_path: Path) -> None:
     path = tmp_path / "run.csv"
-    text = result.to_csv(path)
+    text = result.to_csv()
+    result.to_csv(path)
     assert path.read_text(encoding="utf-8") == text
     header, *rows = csv.reader(io.StringIO(text))
     frame = result.to_frame()
@@ -285,6 +286,32 @@ def test_tables_of_a_run_without_a_frame_have_their_columns() -> None:
     assert len(none.to_frame(quantities=["coordinate"]).columns) == 400
 
 
+def test_tables_of_a_run_without_a_frame_are_those_of_one_without_their_rows() -> None:
+    model = lw.Model()
+    model.body("rod", mass=1.0, inertia=(0.01, 0.03, 0.03), position=(0.3, 0, 0))
+    model.revolute("ground", "rod", at=(0, 0, 0), axis=(0, 1, 0), name="pin")
+    model.rotational_friction("ground", "rod", at=(0, 0, 0), axis=(0, 1, 0), coulomb=1.0, name="brake")
+    run = lw.simulate(model, t_end=0.0, step=1e-3, progress=False)
+    none = lw.Result({name: values[:0] for name, values in run._frames.items()}, run.header, {})
+    assert list(none.to_frame().columns) == list(run.to_frame().columns)
+    assert none.to_csv() == run.to_csv().partition("\n")[0] + "\n"
+    assert none.to_xarray().sizes == {**run.to_xarray().sizes, "time": 0}
+
+
+def test_a_table_is_returned_or_written(result: lw.Result, tmp_path: Path) -> None:
+    """As by pandas: nobody wants the text of a large table in a notebook, too."""
+    written: object = result.to_csv(tmp_path / "run.csv")
+    assert written is None
+
+
+def test_export_of_a_file_without_frames_says_so(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    run = lw.simulate(lw.mechanisms.four_bar(), t_end=0.0, step=1e-3, progress=False)
+    fields = {name: values[:0] for name, values in run._frames.items()}
+    lw.Result(fields, run.header, {}).save(tmp_path / "run.h5")
+    code, _, told = words(capsys, "export", str(tmp_path / "run.h5"))
+    assert code == 1 and told == "error: the result has no frames: there is nothing to export\n"
+
+
 def test_export_shows_that_it_is_at_work(
     result: lw.Result,
     tmp_path: Path,
@@ -298,7 +325,7 @@ def test_export_shows_that_it_is_at_work(
     monkeypatch.setattr(progress, "WORKING_SECONDS", 0.01)
     written = lw.Result.to_csv
 
-    def slow(*given: object, **named: object) -> str:
+    def slow(*given: object, **named: object) -> str | None:
         time.sleep(0.05)
         return written(*given, **named)  # type: ignore[arg-type]
 

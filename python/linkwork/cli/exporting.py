@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import io
 from pathlib import Path
 from typing import Any
 
@@ -123,12 +122,16 @@ def export(file: str, target: str | None, **chosen: tuple[str, ...]) -> None:
     """
     import linkwork as lw
     from linkwork.cli import output as out
+    from linkwork.errors import OptionError
     from linkwork.running.progress import preparing
 
     target = target or str(Path(file).with_suffix(".csv"))
     out.check_writable(target, "table")
     result = lw.Result.load(file)
+    if not len(result):
+        raise OptionError("the result has no frames: there is nothing to export", code="empty")
     with preparing(None, f"writing {target}"):
-        text = result.to_csv(target, **chosen, overwrite=base.may_replace())
-    columns = len(next(csv.reader(io.StringIO(text)))) - 1  # beside the time
+        result.to_csv(target, **chosen, overwrite=base.may_replace())
+    with open(target, newline="", encoding="utf-8") as table:
+        columns = len(next(csv.reader(table))) - 1  # beside the time
     out.print_pairs([("table", f"{target} ({len(result)} frames, {columns} columns)")])

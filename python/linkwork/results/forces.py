@@ -29,8 +29,9 @@ def force(result: Result, name: str | int, model: Model | None) -> ForceResult:
         raise ModelError(f"force: a linkwork.Model is wanted, not {model!r:.80}", code="not_a_model")
     which, law = place(result, name, model), _law(result, model)
     _warn_of_other_laws(result, which, model)
-    k = len(result)
-    state = (result.q.reshape(k, -1), result.v.reshape(k, -1), result._field("vdot").reshape(k, -1))
+    k, n = len(result), result.header.body_count
+    v, v_dot = result.v.reshape(k, 6 * n), result._field("vdot").reshape(k, 6 * n)
+    state = result.q.reshape(k, 7 * n), v, v_dot
     on_force, torque, power, potential, turned = law(which, clock(result), *state, result.history)
     return ForceResult(on_force, torque, power, potential, _deflection(result, which, turned))
 

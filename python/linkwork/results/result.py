@@ -10,7 +10,7 @@ import os
 import uuid
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -673,6 +673,30 @@ class Result:
 
         return tables.to_frame(self, tables.Choice(bodies, joints, quantities, forces))
 
+    @overload
+    def to_csv(
+        self,
+        path: None = None,
+        *,
+        bodies: Sequence[Named] = (),
+        joints: Sequence[Named] = (),
+        quantities: Sequence[str] = (),
+        forces: Sequence[str | int] = (),
+        overwrite: bool = False,
+    ) -> str: ...  # fmt: skip
+
+    @overload
+    def to_csv(
+        self,
+        path: str | os.PathLike[str],
+        *,
+        bodies: Sequence[Named] = (),
+        joints: Sequence[Named] = (),
+        quantities: Sequence[str] = (),
+        forces: Sequence[str | int] = (),
+        overwrite: bool = False,
+    ) -> None: ...  # fmt: skip
+
     def to_csv(
         self,
         path: str | os.PathLike[str] | None = None,
@@ -682,8 +706,8 @@ class Result:
         quantities: Sequence[str] = (),
         forces: Sequence[str | int] = (),
         overwrite: bool = False,
-    ) -> str:
-        """The columns of `to_frame` as CSV, every digit kept; written to `path` when given.
+    ) -> str | None:
+        """The columns of `to_frame` as CSV, every digit kept: to `path`, or returned where none is given.
 
             result.to_csv("motion.csv", bodies=["rod"])
 

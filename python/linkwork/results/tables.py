@@ -171,7 +171,7 @@ def columns(result: Result, choice: Choice) -> Iterator[Column]:
         if it.of == "run":
             units = VIOLATION_UNITS if name == "violation" else (it.unit,)
             for k, part in enumerate(parts):
-                yield Column(name + part, units[k], values.reshape(len(result), -1)[:, k])
+                yield Column(name + part, units[k], values.reshape(len(result), len(parts))[:, k])
             continue
         owners = result.body_names if it.of == "body" else result.joint_names
         for place in choice.places(result, it.of):
@@ -195,7 +195,9 @@ def _forces(result: Result, quantity: str, forces: Mapping[str, ForceResult]) ->
         values = _of_force(result, name, found, quantity)
         if values is not None:
             for k, part in enumerate(parts):
-                yield Column(f"{name}.{quantity}{part}", it.unit, values.reshape(len(result), -1)[:, k])
+                yield Column(
+                    f"{name}.{quantity}{part}", it.unit, values.reshape(len(result), len(parts))[:, k]
+                )
 
 
 def _of_force(result: Result, name: str, found: ForceResult, quantity: str) -> Floats | None:
@@ -219,7 +221,9 @@ def to_frame(result: Result, choice: Choice) -> pandas.DataFrame:
     return frame
 
 
-def to_csv(result: Result, path: str | os.PathLike[str] | None, choice: Choice, overwrite: bool) -> str:
+def to_csv(
+    result: Result, path: str | os.PathLike[str] | None, choice: Choice, overwrite: bool
+) -> str | None:
     """See Result.to_csv."""
     target = None if path is None else check_new(path, "table", overwrite)
     found = list(columns(result, choice))
@@ -228,10 +232,11 @@ def to_csv(result: Result, path: str | os.PathLike[str] | None, choice: Choice, 
     writer.writerow(["t [s]", *(it.label for it in found)])
     table = np.column_stack([result.t, *(it.values for it in found)])
     writer.writerows([repr(number) for number in row] for row in table.tolist())
-    if target is not None:
-        with replacing(target, "table") as beside:
-            beside.write_text(out.getvalue(), encoding="utf-8")
-    return out.getvalue()
+    if target is None:
+        return out.getvalue()
+    with replacing(target, "table") as beside:
+        beside.write_text(out.getvalue(), encoding="utf-8")
+    return None
 
 
 def to_xarray(result: Result, choice: Choice) -> xarray.Dataset:
