@@ -15,6 +15,7 @@ import time
 import tracemalloc
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import h5py
@@ -321,6 +322,46 @@ def test_full_disk_ends_with_one_line_and_a_readable_file(tmp_path: Path) -> Non
     assert "run.h5': no room: " in error and f"free; the {count} frames so far are kept" in error
 
 
+WRITE_ON_DISKS_OF_ALL_SIZES = """
+    import os, shutil, subprocess, sys, synthetic
+    from linkwork import errors
+    from linkwork.results import writing
+    subprocess.run(["mount", "-t", "tmpfs", "-o", "size=3m", "tmpfs", sys.argv[1]], check=True)
+    path, filler = sys.argv[1] + "/run.h5", sys.argv[1] + "/filler"
+    header = synthetic.header(3, 4, expected_frames=100)
+    for size in range(100_000, 900_000, 50_000):
+        with open(filler, "wb") as file:
+            os.posix_fallocate(file.fileno(), 0, shutil.disk_usage(sys.argv[1]).free - size)
+        writer, told = None, ""
+        try:
+            writer = writing.ResultWriter(path, header)
+            writer.write(synthetic.frames(header, 0, 100))
+            writer.close({"steps": 100})
+            told = "written"
+        except errors.FileError as error:
+            told = str(error).partition("no room: ")[2].partition(" free")[0].replace(" kB needed,", "")
+        free = shutil.disk_usage(sys.argv[1]).free
+        kept = os.path.exists(path) and len(writing.h5py.File(path)["frames/t"])
+        print(size, free, kept, told, sep=",", end="|")
+        for name in os.listdir(sys.argv[1]):
+            os.remove(sys.argv[1] + "/" + name)
+"""
+
+
+def test_a_full_disk_is_told_by_what_is_free_and_no_file_without_frames_stays(tmp_path: Path) -> None:
+    """The file itself has some 150 kB, and 256 kB more while it is being written."""
+    for row in on_a_small_disk(WRITE_ON_DISKS_OF_ALL_SIZES, tmp_path)[:-1]:
+        size, free, kept, told = row.split(",")
+        if int(size) >= 500_000:
+            assert told == "written", row
+        if told == "written":
+            assert kept == "100", row
+            continue
+        needed, there = (float(number) * 1e3 for number in told.removesuffix(" kB").split(" "))
+        assert kept == "False" or int(kept) > 0, row
+        assert abs(there - int(free)) < 8192 and there < needed < 500_000, row
+
+
 RUN_ON_A_SMALL_DISK = """
     import subprocess, sys
     from linkwork import Result
@@ -341,8 +382,8 @@ def test_command_ends_with_one_line_where_the_disk_is_full(tmp_path: Path) -> No
 
 GO_ON_FROM_A_SMALL_DISK = """
     import subprocess, sys, numpy as np, linkwork as lw
-    subprocess.run(["mount", "-t", "tmpfs", "-o", "size=1400k", "tmpfs", sys.argv[1]], check=True)
-    run = dict(t_end=60.0, rtol=1e-5, progress=False)
+    subprocess.run(["mount", "-t", "tmpfs", "-o", "size=800k", "tmpfs", sys.argv[1]], check=True)
+    run = dict(t_end=60.0, rtol=1e-5, record_every=1, progress=False)
     model, path = lw.mechanisms.four_bar(), sys.argv[1] + "/run.h5"
     whole = lw.simulate(model, **run)
     try:
@@ -410,6 +451,30 @@ def test_where_no_run_goes_on_from_what_was_kept_to_the_last_bit_the_error_says_
     error = run.communicate(timeout=60)[1].splitlines()[-1]
     goes_on = Result.load(tmp_path / "run.h5")._checkpoint is not None
     assert "file too large" in error and goes_on != ("not that of the whole to the last bit" in error)
+
+
+def test_room_that_is_reserved_stays_reserved_after_the_first_flush(tmp_path: Path) -> None:
+    header = synthetic.header(3, 4, expected_frames=100)
+    with ResultWriter(tmp_path / "run.h5", header) as writer:
+        for first in range(0, 100, 10):
+            writer.write(synthetic.frames(header, first, 10))
+            writer.flush()
+            assert os.path.getsize(tmp_path / "run.h5") >= writer._reserved
+
+
+def test_a_run_without_room_for_its_first_frame_removes_its_file_unless_it_has_replaced_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    header = synthetic.header(expected_frames=10)
+    for path in (tmp_path / "new.h5", tmp_path / "old.h5"):
+        if path.name == "old.h5":
+            make_result(header).save(path)
+        writer = ResultWriter(path, header)
+        monkeypatch.setattr(writing.shutil, "disk_usage", lambda _: SimpleNamespace(free=0))
+        with pytest.raises(FileError, match="no room"):
+            writer.write(synthetic.frames(header, 0, 5000))
+        monkeypatch.undo()
+    assert [it.name for it in tmp_path.iterdir()] == ["old.h5"]
 
 
 def test_run_that_cannot_fit_is_refused_before_it_starts(tmp_path: Path) -> None:

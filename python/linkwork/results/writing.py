@@ -83,6 +83,9 @@ CHUNK_BYTES = (4096, 32 * 2**20)
 #: Room kept for HDF5's own records and the closing attributes [bytes].
 MARGIN_BYTES = 256 * 1024
 
+#: Of it what the closing attributes take beside the statistics themselves.
+CLOSING_BYTES = MARGIN_BYTES // 4
+
 #: While there is room for so many more pieces of a run, and no others, checkpoints are kept of each.
 LAST_PIECES = 4
 
@@ -298,12 +301,14 @@ class ResultWriter:
             self._goes_on = self._goes_on or checkpoints.beside(self._target).exists()
 
     def _write_end(self, statistics: Mapping[str, Any] | None) -> None:
-        if statistics is not None:
-            text = json.dumps(dict(statistics), default=_plain)
-            self._reserve([2 * len(text)])
-            _write_statistics(self._file, text, self._blocks.last)
-        self._file.flush()
-        os.ftruncate(self._descriptor, self._file.id.get_filesize())
+        try:
+            if statistics is not None:
+                text = json.dumps(dict(statistics), default=_plain)
+                self._allot(self._file.id.get_filesize() + 2 * len(text) + CLOSING_BYTES)
+                _write_statistics(self._file, text, self._blocks.last)
+        finally:
+            self._file.flush()
+            os.ftruncate(self._descriptor, self._file.id.get_filesize())
 
     def _release(self) -> None:
         self._file.close()
@@ -311,14 +316,10 @@ class ResultWriter:
 
     def _write_checkpoint(self, checkpoint: Checkpoint) -> bool:
         """Whether there was room for it."""
-        needed = self._file.id.get_filesize() + 2 * len(checkpoint.state) + MARGIN_BYTES
-        if needed > self._reserved:
-            try:
-                self._check_room(needed - os.fstat(self._descriptor).st_blocks * 512)
-                _allocate(self._descriptor, self._reserved, needed)
-            except (FileError, OSError):
-                return False
-            self._reserved = needed
+        try:
+            self._allot(self._file.id.get_filesize() + 2 * len(checkpoint.state) + MARGIN_BYTES)
+        except (FileError, OSError):
+            return False
         checkpoints.write(self._file, checkpoint, self._run)
         return True
 
@@ -353,13 +354,13 @@ class ResultWriter:
         )
         try:
             _write_whole(self._descriptor, head, self._pause)
-            self._reserved = len(head) + MARGIN_BYTES
-            _allocate(self._descriptor, len(head), self._reserved)
-            self._file = h5py.File(begun, "r+")
+            self._reserved = len(head)
+            self._file = h5py.File(begun, "r+")  # before room is reserved, which would be the file's to HDF5
             self._fields = {name: self._file["frames"][name] for name in self._chunks}
             # room for the first frames, before a file that is there gives way
-            self._allot(self._file.id.get_filesize() + 8 * sum(map(math.prod, self._chunks.values())))
-            if target.exists():
+            self._allot(_with_margin(len(head) + 8 * sum(map(math.prod, self._chunks.values()))))
+            self._is_new = not target.exists()
+            if not self._is_new:
                 shutil.copymode(target, begun)
             checkpoints.beside(target).unlink(missing_ok=True)
             os.replace(begun, target)
@@ -418,13 +419,18 @@ class ResultWriter:
         return digest
 
     def _reserve_or_end(self, sizes: Iterable[int]) -> None:
-        """FileError, with the file closed: there is no room for so much [bytes]."""
+        """FileError, with the file closed: there is no room for so much [bytes].
+
+        One that has no frame is removed, unless it has taken the place of another.
+        """
         try:
             self._reserve(sizes)
         except FileError as error:
             self._failure = error
             had_some = self._frames and self._checkpoint() is not None
             self.close()
+            if self._is_new and not self._frames and error.code != "replaced":
+                self._target.unlink(missing_ok=True)
             if not had_some or self._goes_on:
                 raise
             told = "a run that starts there is not that of the whole to the last bit"
@@ -438,16 +444,22 @@ class ResultWriter:
         """
         with self._failures():
             self._size = max(self._size, self._file.id.get_filesize()) + sum(sizes)
-            if _with_margin(self._size) > self._reserved:
+            needed = _with_margin(self._size)
+            if needed > self._reserved:
                 self._check_mine()
-                self._allot(self._size)
+                self._allot(needed)
 
-    def _allot(self, size: int) -> None:
+    def _allot(self, needed: int) -> None:
         """The blocks of so large a file [bytes]. FileError, OSError: there is no room for them."""
-        needed = _with_margin(size)
-        self._check_room(needed - os.fstat(self._descriptor).st_blocks * 512)
+        if needed <= self._reserved:
+            return
+        self._check_room(needed, self._taken())
         _allocate(self._descriptor, self._reserved, needed)
         self._reserved = needed
+
+    def _taken(self) -> int:
+        """Room that the file takes up, with what is reserved [bytes]."""
+        return os.fstat(self._descriptor).st_blocks * 512
 
     def _is_nearly_full(self, frames: int) -> bool:
         """Whether few more pieces of so many frames have room."""
@@ -465,13 +477,19 @@ class ResultWriter:
         if not os.path.samestat(found, os.fstat(self._descriptor)):
             raise replaced(self.path, "was replaced by another file")
 
-    def _check_room(self, needed: int) -> None:
+    def _check_room(self, needed: int, taken: int = 0) -> None:
+        """FileError: a file of that size has no room; `taken` of it is reserved [bytes].
+
+        The error has what is free when it is told: what is reserved and has no frames is given back.
+        """
         with self._failures():
-            free = shutil.disk_usage(self.path.parent).free
-        if needed > free:
+            there = shutil.disk_usage(self.path.parent).free + taken
+        if needed > there:
+            stays = min(taken, self._file.id.get_filesize()) if self._frames else 0
+            found = f"{_bytes(needed - stays)} needed, {_bytes(there - stays)} free{self._kept()}"
             raise FileError(
-                f"output '{self.path}': no room: {_bytes(needed)} needed, {_bytes(free)} free{self._kept()}; "
-                "make room, choose another place, or record fewer frames",
+                f"output '{self.path}': no room: {found}; make room, choose another place, or record "
+                "fewer frames",
                 code="no_room",
             )
 
