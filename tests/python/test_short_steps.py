@@ -6,7 +6,8 @@ from typing import Any
 import linkwork as lw
 import numpy as np
 import pytest
-from linkwork.running.short_steps import Places, ShortSteps
+from linkwork.running import short_steps
+from linkwork.running.short_steps import Pace, Places, ShortSteps
 
 
 def sliding_block(law) -> lw.Model:
@@ -23,7 +24,7 @@ def interrupted_when_told(model: lw.Model, t_end: float, **how: Any) -> tuple[li
     told: list[str] = []
 
     def interrupt(info: lw.ProgressInfo) -> None:
-        if told:
+        if told or info.elapsed > 30.0:
             raise KeyboardInterrupt
 
     def listen(message: Warning | str, *_: object) -> None:
@@ -101,3 +102,80 @@ def test_a_stiff_contact_far_from_the_origin_is_told_by_the_rounding_there() -> 
     )
     told, end = interrupted_when_told(model, 3.0, rtol=1e-9, integrator="dop853")
     assert "m from the origin are rounded to 1e-10 m" in " ".join([*told, str(end)])
+
+
+def braked(transition: float) -> lw.Model:
+    """A pendulum that falls against the friction of two brakes."""
+    model = lw.Model()
+    model.body("rod", mass=1.0, inertia=(0.003, 0.03, 0.03), position=(0.3, 0, 0))
+    model.revolute("ground", "rod", at=(0, 0, 0), axis=(0, 1, 0), name="pin")
+    for name, width in (("brake", transition), ("drum", 1.0)):
+        model.rotational_friction("ground", "rod", at=(0, 0, 0), axis=(0, 1, 0), coulomb=5, transition=width,
+                                  name=name)  # fmt: skip
+    return model
+
+
+def test_a_run_that_would_take_hours_says_so_and_what_may_be_why(monkeypatch: pytest.MonkeyPatch) -> None:
+    """From the first step on they are as short as the friction asks for."""
+    monkeypatch.setattr(short_steps, "PACE_SECONDS", 0.3)
+    told, end = interrupted_when_told(braked(1e-9), 10.0, rtol=1e-6)
+    assert len(told) == 1 and isinstance(end, KeyboardInterrupt)
+    assert "at this pace it takes" in told[0]
+    assert "here perhaps 'brake' with transition 1e-09, 'drum' with transition 1." in told[0]
+
+
+def test_forces_by_functions_are_named_where_a_run_would_take_hours(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(short_steps, "PACE_SECONDS", 0.3)
+    model = braked(1.0)
+    model.joint_force("pin", lambda t, x, v: -5 * np.sign(v), name="clutch")
+    told, _ = interrupted_when_told(model, 1.0, rtol=1e-6)
+    assert "'drum' with transition 1, the function of 'clutch'" in told[0]
+
+
+def test_a_run_that_goes_on_is_told_nothing_of_its_pace(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(short_steps, "PACE_SECONDS", 0.0)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert lw.simulate(braked(1e-3), t_end=2.0, rtol=1e-6).t[-1] == 2.0
+
+
+#: Of 100 s to be simulated, in 11 s of wall time.
+PACES = [
+    (1e-7, 1000, True),  # 1e-4 s of motion, for 4 months
+    (1e-7, 10**7, False),  # 1 s: the rest takes 18 min
+    (1e-3, 100, False),  # long, and in steps as of any motion
+    (0.0, 1000, True),
+    (-1e-7, 1000, False),  # a run that is resumed takes some steps again
+]
+
+
+@pytest.mark.parametrize(("step", "steps", "told"), PACES)
+def test_a_pace_is_slow_where_tiny_steps_take_hours(
+    monkeypatch: pytest.MonkeyPatch, step: float, steps: int, told: bool
+) -> None:
+    now = [50.0]
+    monkeypatch.setattr(short_steps.time, "monotonic", lambda: now[0])
+    pace = Pace(0.0, 0, 100.0)
+    now[0] += 9.0
+    assert not pace.look(9 * step * steps / 11, 9 * steps // 11)  # not yet
+    now[0] += 2.0
+    assert bool(pace.look(step * steps, steps)) == told
+
+
+def test_the_pace_of_now_counts(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where half of the run went in a moment."""
+    now = [0.0]
+    monkeypatch.setattr(short_steps.time, "monotonic", lambda: now[0])
+    pace = Pace(0.0, 0, 100.0)
+    now[0] = 10.0
+    assert not pace.look(50.0, 1000)
+    now[0] = 20.0
+    assert "1e-07 s" in pace.look(50.0 + 1e-4, 2000)
+
+
+def test_fixed_steps_are_told_of_before_the_run_not_of_their_pace(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(short_steps, "PACE_SECONDS", 0.0)
+    looking = ShortSteps(0.0, 0, 100.0, lambda: state_at(0.0))
+    looking.look(1e-9, 1)

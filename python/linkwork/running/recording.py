@@ -229,15 +229,20 @@ def record(
     *,
     t_end: float,
     warns: bool = False,
+    forces: Callable[[], str] = str,
 ) -> float:
     """Write the pieces as they come; the time they took [s].
 
-    `labels` of the events, in the order in which the run knows them; `t_end` [s]. LinkworkWarning: `warns`,
-    and the run has passed a singular pose; steps have become very short. AccuracyError: `estimator` stops it.
+    `labels` of the events, in the order in which the run knows them; `t_end` [s]; `forces` that may be why
+    steps are short, in words. LinkworkWarning: `warns`, and the run has passed a singular pose; steps are
+    very short. AccuracyError: `estimator` stops it.
     """
     spent, before, warned = 0.0, time.perf_counter(), 0
     violation: float | None = None
-    short_steps = ShortSteps(run.t, run.steps_done, t_end, lambda: run.last_state)
+    follows = isinstance(run, _core.AdaptiveSimulation)
+    short_steps = ShortSteps(
+        run.t, run.steps_done, t_end, lambda: run.last_state, forces if follows else None
+    )
     for frames in short_steps.explained(pieces):
         spent += time.perf_counter() - before
         to.note(_occurrences(run, labels))

@@ -46,6 +46,7 @@ from linkwork.running.progress import ProgressOption, check_progress, preparing,
 from linkwork.running.reach import telling_of_reach
 from linkwork.running.recording import PythonStep
 from linkwork.running.seen_in_frames import warn_of_what_frames_show
+from linkwork.running.short_steps import sharp_forces
 from linkwork.running.written import Written
 
 __all__ = ["PythonStep", "check_run", "simulate", "what_steps"]
@@ -139,9 +140,10 @@ def simulate(
     on_inaccurate="stop". An error of a run has its `result` up to there and the last `state`; with code
     "dead_point" its drivers ask for more than its joints allow. ModelError: initial poses or velocities do
     not satisfy the joints, see `assemble`.
-    LinkworkWarning: they were corrected; the run is inaccurate; joints repeat each other but for digits of
-    their points or axes, which lock them; redundant equations contradict the others a little;
-    elements about an axis measured an angle that depends on their x axes.
+    LinkworkWarning: they were corrected; the run is inaccurate; steps that follow tolerances are so short
+    that at their pace it takes hours; joints repeat each other but for digits of their points or axes, which
+    lock them; redundant equations contradict the others a little; elements about an axis measured an angle
+    that depends on their x axes.
     Ctrl-C ends the run; what `output` has by then stays readable.
     """
     started = time.perf_counter()
@@ -391,17 +393,17 @@ def _carried_out(
         header = it.header()
     with preparing(progress, f"beginning '{output}'", time.perf_counter() - started):
         recorder = recording.recorder(output, header, checkpoints, interrupts, it.system.model)
-    model, run, plan, t_start = it.system.model, it.run, it.plan, it.t_start
+    model, run, plan, t_start, labels = it.system.model, it.run, it.plan, it.t_start, it.facts["events"]
     spent = {"setup_seconds": time.perf_counter() - started}
     log.info("%s: %g to %g s by %s", model.describe(), t_start, plan.t_end, _listed(it.chosen))
     forecast.announce(it.forecast, progress)
-    labels, warns = it.facts["events"], it.system.options["on_singular"] == "warn"
     with telling_of_reach(model), recording.kept(run, recorder, labels, checkpoints, header.state_names):
         with reporting(progress, plan.t_end, run.steps_total, t_start, spent["setup_seconds"]) as report:
-            pieces = recording.pieces(run, interrupts, it.method, it.system)
             spent["driver_seconds"] = recording.record(
-                run, pieces, recorder, report, labels, estimator, interrupts, t_end=plan.t_end, warns=warns
-            )
+                run, recording.pieces(run, interrupts, it.method, it.system), recorder, report, labels,
+                estimator, interrupts, t_end=plan.t_end, warns=it.system.options["on_singular"] == "warn",
+                forces=lambda: sharp_forces(header, model),
+            )  # fmt: skip
         laws = LawsOfForces(model)
         statistics = {**it.statistics(), **plan.steps_with_breaks(it.breaks, it.run)}
         driven = time.perf_counter()
