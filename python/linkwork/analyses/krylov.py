@@ -18,7 +18,7 @@ VECTORS, FEWEST, RESTARTS = (2, 4, 8, 16), 20, 300
 DEPENDENT = 1e-8
 
 #: Eigenvalues that differ by less, relative, are equal; by so much those beside others may be off.
-EQUAL, CLOSE = 1e-6, 1e-9
+EQUAL, CLOSE = 1e-6, 1e-8
 
 
 def largest_eigenvalues(operator: Any, number: int, enough: int, first: Complex) -> tuple[Complex, Complex]:
