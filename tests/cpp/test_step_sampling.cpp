@@ -276,3 +276,41 @@ TEST_CASE("steps with switches, and those that depend on them, stand for their k
       }
   }
 }
+
+TEST_CASE("of steps whose errors are known those that err most are kept, whatever the accelerations") {
+  Dynamics dynamics(pendulum(), Options());
+  StepSampling sampling(dynamics);
+  constexpr int steps = 2000, worst = 777;
+  sampling.expect(steps);
+  VectorXd y = dynamics.initial_y(), y_new = y;
+  for (int n = 0; n < steps; ++n) {
+    sampling.before(dynamics, y);
+    y_new[7] = y[7] + 2.0 + (n % 10 == 5 ? 1.0 : 0.0);
+    sampling.after(n, 1.0, y, y_new, VectorXd::Constant(1, n == worst ? 0.9 : 0.1));
+    y = y_new;
+  }
+  double sum = 0.0;
+  int kept = 0;
+  for (const RunPart& part : sampling.parts()) {
+    sum += part.sums_of_changes[0];
+    if (part.any.t == worst || part.steepest.t == worst) kept += 1;
+  }
+  CHECK(kept == 1);
+  CHECK(sum == doctest::Approx(0.1 * (steps - 1) + 0.9));
+}
+
+TEST_CASE("beside a part that errs by far more the worst steps of another are kept, too") {
+  Dynamics dynamics(touching(2), Options());
+  StepSampling sampling(dynamics);
+  constexpr int steps = 2000, worst = 777;
+  sampling.expect(steps);
+  VectorXd y = dynamics.initial_y();
+  for (int n = 0; n < steps; ++n) {
+    sampling.before(dynamics, y, 1.0, 0.0, VectorXd::Ones(2));
+    sampling.after(n, 1.0, y, y, Eigen::Vector2d(n % 2 == 0 ? 0.5 : 0.6, n == worst ? 0.1 : 0.001));
+  }
+  int kept = 0;
+  for (const RunPart& part : sampling.parts())
+    if (part.any.t == worst || part.steepest.t == worst) kept += 1;
+  CHECK(kept == 1);
+}

@@ -312,3 +312,15 @@ def test_a_pendulum_on_the_moon_is_slower(pendulums: lw.Model) -> None:
         for it in (free.with_gravity((0, 0, -1.62)), free)
     )
     assert moon / earth == pytest.approx(1.62 / 9.81, rel=1e-12)
+
+
+def test_a_driver_stays_where_another_joint_has_its_coordinate() -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("wheel", mass=1.0, inertia=(0.1, 0.1, 0.1))
+    for name in ("pin", "second"):
+        model.revolute("ground", "wheel", at=(0, 0, 0), axis=(0, 0, 1), name=name)
+    model.drive("pin", position=lw.functions.polynomial(0.0, 1.0), name="motor")
+    assert len(model.without("second", attached=True).table("joints").rows) == 2
+    assert not model.without("pin", "second", attached=True).table("joints").rows
+    other = model.replaced("second", at=(0, 0, 0), axis=(0, 0, -1))
+    assert lw.kinematics(other, [0.0, 1.0]).coordinate("pin").value[-1] == pytest.approx(1.0, rel=1e-9)

@@ -18,7 +18,11 @@ VECTORS, FEWEST, RESTARTS = (2, 4, 8, 16), 20, 300
 DEPENDENT = 1e-8
 
 #: Eigenvalues that differ by less, relative, are equal; by so much those beside others may be off.
-EQUAL, CLOSE = 1e-6, 1e-8
+EQUAL, CLOSE = 1e-6, 1e-10
+
+#: Residuals, relative, of what is an eigenvector: where so many are known that others are hardly left, what
+#: is found beside them may be none.
+RESIDUAL = 1e-7
 
 
 def largest_eigenvalues(operator: Any, number: int, enough: int, first: Complex) -> tuple[Complex, Complex]:
@@ -43,7 +47,11 @@ def largest_eigenvalues(operator: Any, number: int, enough: int, first: Complex)
         found, w = found[larger], w[:, larger]
         image = np.hstack([image, _applied(operator, basis[:, image.shape[1] :])])
         inside, coupled = (basis.conj().T @ it for it in (image, _applied(operator, w)))
-        theta, z = np.append(theta, found), np.hstack([z, w + basis @ _beside(found, inside, coupled)])
+        whole = w + basis @ _beside(found, inside, coupled)
+        exact = _residuals(operator, found, whole) < RESIDUAL
+        if not exact.any():
+            break
+        theta, z = np.append(theta, found[exact]), np.hstack([z, whole[:, exact]])
         basis = np.hstack([basis, _orthonormal(np.hstack([w.real, w.imag]) if real else w)])
     chosen = np.argsort(-np.abs(theta), kind="stable")[:number]
     return theta[chosen], z[:, chosen]
@@ -72,6 +80,12 @@ def _beside(theta: Complex, inside: Complex, coupled: Complex) -> Complex:
     """What vectors of the whole operator have of the basis, by the blocks of the operator there."""
     of_each = [it * np.eye(len(inside)) - inside for it in theta]
     return np.array([np.linalg.lstsq(of_each[k], coupled[:, k], DEPENDENT)[0] for k in range(len(theta))]).T
+
+
+def _residuals(operator: Any, theta: Complex, z: Complex) -> Floats:
+    """Relative (k,)."""
+    off = np.linalg.norm(_applied(operator, z) - theta * z, axis=0)
+    return np.asarray(off / (np.abs(theta) * np.linalg.norm(z, axis=0)))
 
 
 def _applied(operator: Any, vectors: Complex) -> Complex:

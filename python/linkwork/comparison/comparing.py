@@ -294,7 +294,8 @@ def _store(folder: str | os.PathLike[str] | None, model: Model, t_end: float, re
         return None
     given = None if reference is None else str(getattr(reference, "manifest", {}).get("started", reference))
     folder = path(folder, "resume", folder=True)
-    return Store(folder, {"model_hash": model.hash(), "t_end": t_end, "reference": given})
+    identity = {"model_hash": model.hash(), "t_end": t_end, "reference": given}
+    return Store(folder, {**identity, "velocity_error": "by the largest speed of bodies"})
 
 
 def _resolved(model: Model | str, t_end: float | None) -> tuple[Model, float, float | None]:

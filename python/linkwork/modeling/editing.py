@@ -7,7 +7,7 @@ the record that a file of the model would have. Functions of Python, which no fi
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -94,7 +94,7 @@ def replaced(model: Model, name: str | Body | Joint | Force, changes: Mapping[st
         return _with_own(model, record, held, place, changes)
     parameters = KINDS[ROLES[section]][old["kind"]].parameters if section in ROLES else SMOOTH
     elsewhere = changes.keys() - {*NAMES, ATTACHED, *parameters}  # what says where it is
-    drivers = driven(record).get(place, []) if section == "joints" else []
+    drivers = driven(record, [place]) if section == "joints" else []
     if section in ROLES and elsewhere:
         old = {what: x for what, x in old.items() if what != ATTACHED}
     record[section][place] = {**old, **{what: _plain(x, what, held) for what, x in changes.items()}}
@@ -120,19 +120,22 @@ def _with_own(model: Model, record: Record, held: Functions, place: int, changes
     return built(model, record, held)
 
 
-def driven(record: Record) -> dict[int, list[int]]:
-    """Of each joint the drivers of its coordinates, which have its bodies, point and axes; by places."""
+def driven(record: Record, leaving: Collection[int]) -> list[int]:
+    """Places of the drivers of coordinates that only the joints at those places have: of the same bodies, point
+    and axes."""
     joints = record.get("joints", [])
-    at: dict[str, list[int]] = {}
+    owners: dict[str, list[int]] = {}
     for place, it in enumerate(joints):
-        if it["kind"].endswith("_driver"):
-            at.setdefault(_where(it), []).append(place)
-    found = {place: at.get(_where(it), []) for place, it in enumerate(joints) if at}
-    return {
-        place: [k for k in drivers if joints[k]["kind"] in _drivers_of(joints[place]["kind"])]
-        for place, drivers in found.items()
-        if drivers
-    }
+        if not it["kind"].endswith("_driver"):
+            owners.setdefault(_where(it), []).append(place)
+    found = []
+    for place, it in enumerate(joints):
+        if not it["kind"].endswith("_driver"):
+            continue
+        own = [k for k in owners.get(_where(it), ()) if it["kind"] in _drivers_of(joints[k]["kind"])]
+        if own and all(k in leaving for k in own):
+            found.append(place)
+    return found
 
 
 def _drivers_of(kind: str) -> list[str]:
@@ -229,7 +232,7 @@ def _hanging(record: Record, gone: set[tuple[str, int]]) -> Iterator[tuple[tuple
     """Joints and forces that need what is gone, each with its name."""
     bodies = {record["bodies"][place]["name"] for section, place in gone if section == "bodies"}
     joints = {record["joints"][place]["name"] for section, place in gone if section == "joints"}
-    drivers = {k for joint, its in driven(record).items() if ("joints", joint) in gone for k in its}
+    drivers = driven(record, {place for section, place in gone if section == "joints"})
     for section in ("joints", "forces", OWN):
         for place, it in enumerate(record.get(section, [])):
             named = {term["joint"] for term in it.get("coordinates", ())} | {it.get("joint")}

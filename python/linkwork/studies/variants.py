@@ -217,10 +217,7 @@ class Changed:
             for it in self.addresses.values()
             if it.where[:1] == ("joints",) and it.field in ("at", ATTACHED)
         }
-        its = driven(self.record) if moved else {}
-        return {
-            joint: [k for k in drivers if k not in moved] for joint, drivers in its.items() if joint in moved
-        }
+        return {joint: [k for k in driven(self.record, [joint]) if k not in moved] for joint in moved}
 
     @cached_property
     def weights_alone(self) -> bool:
