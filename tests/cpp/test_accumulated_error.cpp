@@ -55,9 +55,7 @@ PartError off_by(const StateDifference& apart) {
 double state(const RunErrors& errors) { return accumulate(errors).state; }
 
 /// Of an error at t, as it was followed to the end.
-ErrorGrowth grown(double t, double factor, double between_touches = 1.0) {
-  return {t, 2.0, VectorXd::Constant(1, factor), VectorXd::Constant(1, between_touches)};
-}
+ErrorGrowth grown(double t, double factor) { return {t, 2.0, VectorXd::Constant(1, factor)}; }
 
 }  // namespace
 
@@ -140,19 +138,6 @@ TEST_CASE("as regular motion grows, errors of steps alone grow, as where a conta
   for (RunPart& part : errors.parts) part.peaks = VectorXd::Zero(1);
   CHECK(state(errors) < 0.5 * of_part * factor);
   CHECK(accumulate(errors).unstable == 1.0);
-}
-
-TEST_CASE("in bounces errors are as much larger as these are sudden; what they are between them is there to stay") {
-  StateDifference apart;
-  apart.position = 1e-9;
-  RunErrors errors = run(apart, apart);
-  for (RunPart& part : errors.parts) part.peaks = VectorXd::Constant(1, 100.0 * speed * speed / size);
-  errors.growth.push_back(grown(0.0, 500.0));
-  CHECK(accumulate(errors).unstable == 1.0);
-  const double regular = state(errors);
-  errors.growth[0] = grown(0.0, 500.0, 450.0);
-  CHECK(accumulate(errors).unstable == 500.0);
-  CHECK(state(errors) > 4.0 * regular);
 }
 
 TEST_CASE("a velocity is off by what bodies move at, not by what they would at the ends of the box as they turn") {

@@ -354,11 +354,10 @@ class Accumulation {
 
   double factor(const ErrorGrowth& it) const { return it.of_part[static_cast<Eigen::Index>(part_)]; }
 
-  /// Relative to the growth in regular motion, which may be more while something touches.
+  /// Growth relative to that in regular motion.
   double irregularity(const ErrorGrowth& it) const {
     const double regular = irregular * (1.0 + V_ / L_ * (it.until - it.t));
-    const double between_touches = it.between_touches[static_cast<Eigen::Index>(part_)];
-    return std::max(factor(it) / std::max(largest_pace(), 1.0), between_touches) / regular;
+    return factor(it) / (regular * std::max(largest_pace(), 1.0));
   }
 
   /// That of regular motion, in proportion to time, counts by a part: what becomes of errors of energies there, which

@@ -34,7 +34,6 @@ constexpr std::int64_t more = 5, most_of_bodies = 1'500'000;  // evaluations of 
 struct Followed {
   std::size_t place;  ///< among the errors that were asked for
   VectorXd largest;   ///< of each part, relative to what it was, so far
-  VectorXd between_touches;
   Perturbation now;
 };
 
@@ -80,10 +79,7 @@ class GrowthSearch {
       if (is_interruption(error)) throw;
     }
     for (ErrorGrowth& it : out) it.until = reached_;
-    for (const Followed& it : carried_) {
-      out[it.place].of_part = it.largest;
-      out[it.place].between_touches = it.between_touches;
-    }
+    for (const Followed& it : carried_) out[it.place].of_part = it.largest;
     return out;
   }
 
@@ -98,8 +94,7 @@ class GrowthSearch {
     reached_ = log_.t(0);
     for (std::size_t k = 0;;) {
       for (; next < errors.size() && errors[next].t <= log_.t(k); ++next)
-        if (begin(out.size(), errors[next]))
-          out.push_back({errors[next].t, errors[next].t, carried_.back().largest, carried_.back().between_touches});
+        if (begin(out.size(), errors[next])) out.push_back({errors[next].t, errors[next].t, carried_.back().largest});
       if (k + 1 == log_.size()) return;
       const std::size_t following = next_state(k, next < errors.size() ? errors[next].t : INFINITY);
       if (!carry(k, following)) return;
@@ -110,8 +105,7 @@ class GrowthSearch {
   bool begin(std::size_t place, const StepDifference& step) {
     std::optional<Perturbation> error = motion_.error(step);
     if (!error) return false;
-    const VectorXd none = VectorXd::Ones(lengths_.size());
-    carried_.push_back({place, none, none, std::move(*error)});
+    carried_.push_back({place, VectorXd::Ones(lengths_.size()), std::move(*error)});
     return true;
   }
 
@@ -264,14 +258,9 @@ class GrowthSearch {
   }
 
   void note(Followed& it) const {
-    const VectorXd now = motion_.size(it.now), &switches = motion_.place().switches;
-    const bool between = switches.size() > 0 && !(switches.array() > 0.0).any();
-    for (Eigen::Index part = 0; part < now.size(); ++part) {
-      if (!(it.now.first[part] > 0.0)) continue;
-      const double growth = now[part] / it.now.first[part];
-      it.largest[part] = std::max(it.largest[part], growth);
-      if (between) it.between_touches[part] = std::max(it.between_touches[part], growth);
-    }
+    const VectorXd now = motion_.size(it.now);
+    for (Eigen::Index part = 0; part < now.size(); ++part)
+      if (it.now.first[part] > 0.0) it.largest[part] = std::max(it.largest[part], now[part] / it.now.first[part]);
   }
 
   const System& system_;
@@ -318,10 +307,8 @@ std::vector<ErrorGrowth> find_error_growth(Dynamics& dynamics, const StateLog& l
   } else if (until < end) {
     const double of_step = of_motion + of_error * static_cast<double>(followed.size());
     const double fewer = (of_step * sure * (until - begin) / (end - begin) - of_motion) / of_error;
-    if (fewer >= fewest_errors) {
-      followed = errors(static_cast<std::size_t>(fewer), end);
-      found = search(usual_difference).find(followed, most_evaluations);
-    }
+    followed = errors(static_cast<std::size_t>(std::max(fewer, fewest_errors)), end);
+    found = search(usual_difference).find(followed, fewer < fewest_errors ? more * most_evaluations : most_evaluations);
   }
   if (!(irregularity(found, lengths, speeds) > doubtful)) return found;
   const std::int64_t affordable = most_of_bodies / dynamics.system().body_count();

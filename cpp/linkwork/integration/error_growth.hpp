@@ -14,7 +14,6 @@ namespace linkwork {
 struct ErrorGrowth {
   double t = 0.0, until = 0.0;  ///< up to where it was followed [s]
   VectorXd of_part;
-  VectorXd between_touches;  ///< the same of states in which nothing touches, where there are contacts or stops; else 1
 };
 
 /// The errors of so many steps, or fewer, spread over the run up to a time, in its order.
