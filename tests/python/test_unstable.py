@@ -420,8 +420,8 @@ def test_what_is_unstable_beside_other_parts_is_told_by_its_own_number() -> None
 def test_nobody_is_told_to_follow_errors_where_that_does_not_help(stiff: bool, count: int) -> None:
     """Where evaluations end it, and of few members, which all are."""
     model = vibrating(2.5e5 if stiff else 100.0)
-    found = lw.simulate_many([model] * count, None, 2.0, 1e-3, outputs="final", progress=False,
-                             on_inaccurate="pass")  # fmt: skip
+    found = lw.simulate_many([model] * count, None, 15.0 if stiff else 2.0, 1e-3, outputs="final",
+                             progress=False, on_inaccurate="pass")  # fmt: skip
     assert np.isnan(found.unstable).all() == stiff
     assert ("follow_errors" in repr(found)) == (not stiff and count > 16)
     assert ("verify=True" in repr(found)) == (stiff and count > 16)

@@ -121,8 +121,8 @@ def _with_own(model: Model, record: Record, held: Functions, place: int, changes
 
 
 def driven(record: Record, leaving: Collection[int]) -> list[int]:
-    """Places of the drivers of coordinates that only the joints at those places have: of the same bodies, point
-    and axes."""
+    """Places of the drivers of coordinates that only the joints at those places have: of the same bodies,
+    point and axes."""
     joints = record.get("joints", [])
     owners: dict[str, list[int]] = {}
     for place, it in enumerate(joints):
