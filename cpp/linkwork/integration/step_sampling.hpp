@@ -56,8 +56,8 @@ class StepSampling {
   /// many.
   void expect_breaks(std::vector<double> times);
   const std::vector<double>& breaks() const { return breaks_; }
-  /// States are logged, too, for errors that are followed: up to where a contact or a stop begins or ends, or a
-  /// characteristic has a kink.
+  /// States are logged, too, for errors that are followed: up to where an event, a jump or a kink of a
+  /// characteristic is.
   void log_states();
   const StateLog& log() const { return log_; }
   /// See Integrator::memory.

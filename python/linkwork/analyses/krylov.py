@@ -30,7 +30,8 @@ def largest_eigenvalues(operator: Any, number: int, enough: int, first: Complex)
 
     A Krylov space has one vector of those that are equal, and others by rounding only. So the largest one is
     looked for beside the vectors that are there, in what the operator leaves of others (Saad, Numerical
-    Methods for Large Eigenvalue Problems, 2011, section 4.2), until it is smaller than those.
+    Methods for Large Eigenvalue Problems, 2011, section 4.2), until it is smaller than those, or none by its
+    residual, as where hardly any are left.
     """
     theta, z = _by_arnoldi(operator, number, enough, first)
     real = operator.dtype == float
