@@ -27,7 +27,7 @@ py::tuple follow(DrivenMotion& motion, const std::vector<double>& times, double 
   add("power", found.power, false);
   add("violation", found.violation, true);
   add("history", found.history, true);
-  return py::make_tuple(count, out,
+  return py::make_tuple(count, out, found.paused,
                         py::dict(py::arg("steps") = found.steps, py::arg("evaluations") = found.evaluations,
                                  py::arg("factorizations") = found.factorizations));
 }
@@ -67,8 +67,8 @@ void bind_driven_motion(py::module_& module) {
       .def("begin", &DrivenMotion::begin, py::arg("t"), py::arg("q"), py::arg("v"), py::arg("v_dot"),
            py::arg("history"), "From a state on the constraints; False: it is singular, or nearly so.")
       .def("follow", &follow, py::arg("times"), py::arg("seconds"),
-           "(count, frames, costs): as many frames as there are before something unusual, and until `seconds` are "
-           "over.");
+           "(count, frames, paused, costs): as many frames as there are before something unusual, and until `seconds` "
+           "are over; `paused` if they were on the way to the next one.");
 }
 
 }  // namespace linkwork::python

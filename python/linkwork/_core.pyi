@@ -282,7 +282,7 @@ class DrivenMotion:
         seconds: typing.SupportsFloat | typing.SupportsIndex,
     ) -> tuple:
         """
-        (count, frames, costs): as many frames as there are before something unusual, and until `seconds` are over.
+        (count, frames, paused, costs): as many frames as there are before something unusual, and until `seconds` are over; `paused` if they were on the way to the next one.
         """
     def pass_by(
         self,

@@ -60,6 +60,20 @@ TEST_CASE("a motion that is taken up where another one was goes on with its fram
   for (std::size_t k = 0; k < on.q.size(); ++k) CHECK(std::abs(on.q[k] - again.q[k]) < 1e-13);
 }
 
+TEST_CASE("a motion that pauses on the way to a frame goes on to it") {
+  Driven it;
+  REQUIRE(it.motion.start(it.dynamics.system().model().initial_q(), it.dynamics.history()));
+  int pauses = 0;
+  DrivenFrames found = it.motion.follow({1.3}, 0.0);
+  for (; found.count == 0; ++pauses) {
+    REQUIRE(found.paused);
+    found = it.motion.follow({1.3}, 0.0);
+  }
+  CHECK(pauses > 3);
+  const double angle = amplitude * std::sin(frequency * 1.3);
+  CHECK(2.0 * std::atan2(found.q[6], found.q[3]) == doctest::Approx(angle).epsilon(1e-12));
+}
+
 TEST_CASE("a pose that cannot be brought onto its joints is no start") {
   Driven it;
   VectorXd q = it.dynamics.system().model().initial_q();

@@ -98,6 +98,19 @@ TEST_CASE("long steps turn by the mean of the rates at their ends, or nobody kno
   CHECK(braked.counter.found().back().angle == doctest::Approx(72.0).epsilon(1e-12));  // of what is sure since
 }
 
+TEST_CASE("of steps that a run gives up nothing is counted, also where it goes back without a word") {
+  for (const bool told : {true, false}) {
+    Rotor it;
+    it.pass(0.0, 0.0, 4.0, true);
+    const TurnCounter::Way way = it.counter.way();
+    for (int k = 1; k <= 40; ++k) it.pass(k / 20.0, k / 5.0, 4.0, false);
+    if (told) it.counter.go_back(way);
+    for (int k = 1; k <= 100; ++k) it.pass(k / 20.0, k / 5.0, 4.0, k == 100);
+    REQUIRE(it.counter.found().size() == 1);
+    CHECK(it.counter.found()[0].angle == doctest::Approx(20.0).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("turns are counted between as many frames as there are") {
   Rotor it;
   for (int k = 0; k <= 60000; ++k) it.pass(k / 4.0, 0.4 * pi * k, 1.6 * pi, k % 4 == 0);

@@ -329,6 +329,17 @@ def test_a_slider_pushed_beyond_its_dead_point_is_told_with_its_time() -> None:
 
 
 @every_way
+@pytest.mark.filterwarnings("ignore:kinematics. the work is about")
+@pytest.mark.parametrize("frames", [2, 3, 4])
+def test_full_turns_between_frames_are_counted_through_toggles(frames: int) -> None:
+    """The compiled search ends before a toggle, and what it went of the way there is gone a second time."""
+    law = lw.functions.expression("6*tanh(8*(t-1))")
+    model = four_bar(law, (1.0, 2.0, 1.0, 2.0))
+    motion = lw.kinematics(model, np.linspace(0, 2, frames), on_singular="pass")
+    angle = np.array([law.evaluate(t)[0] for t in motion.t])
+    assert np.ptp(motion.coordinate("A").value - angle) < 1e-9
+
+
 def test_a_freedom_that_is_left_is_named() -> None:
     with pytest.raises(lw.ModelError, match="1 freedom is left to the model 'slider-crank': body 'crank'"):
         lw.kinematics(slider_crank(None, driver=""), [0, 1])

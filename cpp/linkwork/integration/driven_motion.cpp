@@ -113,14 +113,18 @@ bool DrivenMotion::begins_regular() {
 }
 
 DrivenFrames DrivenMotion::follow(const std::vector<double>& times, double seconds) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  const std::chrono::duration<double> most(seconds);
+  ends_ = std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::steady_clock::duration>(most);
   DrivenFrames out;
   steps_ = evaluations_ = factorizations_ = 0;
   for (const double t : times) {
-    if (out.count > 0 && std::chrono::steady_clock::now() > end) break;
+    if (out.count > 0 && time_is_over()) break;
     DrivenState last = now_;
+    const TurnCounter::Way way = turns_.way();
     if (try_frame(t, out)) continue;
+    if (out.paused) break;
     now_ = std::move(last);
+    turns_.go_back(way);
     break;
   }
   out.steps = steps_, out.evaluations = evaluations_, out.factorizations = factorizations_;
@@ -129,7 +133,7 @@ DrivenFrames DrivenMotion::follow(const std::vector<double>& times, double secon
 
 bool DrivenMotion::try_frame(double t, DrivenFrames& out) {
   try {
-    return go_to(t) && add_frame(out);
+    return go_to(t, out.paused) && add_frame(out);
   } catch (const Error&) {  // whoever looks closer finds it as well
     return false;
   }
@@ -137,15 +141,17 @@ bool DrivenMotion::try_frame(double t, DrivenFrames& out) {
 
 // --- steps -------------------------------------------------------------------------------------------------------------
 
-bool DrivenMotion::go_to(double t) {
+bool DrivenMotion::go_to(double t, bool& paused) {
   double h = t - now_.t;
   const double smallest = limits_.shortest_part * h, soon = std::max(limits_.touch_part * h, rounding_of_times * t);
   while (now_.t < t) {
+    if (paused) return false;
     const bool last = now_.t + h >= t - smallest;
     const double to = last ? t : now_.t + h;
     const Step found = step(to, soon);
     if (found == Step::taken) {
       h *= 2.0;
+      paused = time_is_over();
       continue;
     }
     if (!factorize(here_)) return false;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <random>
 #include <vector>
 
@@ -20,13 +21,14 @@ struct DrivenLimits {
   double closed = 1e-10;        ///< violations of redundant joints in a pose where all hold
   double regular = 1e-4;        ///< the smallest singular value of a pose that is far from singular
   double balanced = 1e-9;       ///< forces that multipliers may leave, as a part of theirs
-  double shortest_part = 1e-3;  ///< of the time between two frames that a step may take
+  double shortest_part = 1e-6;  ///< of the time to the next frame that a step may take
   double touch_part = 1e-9;  ///< the same of the step in which a contact begins: its force depends on the speed there
 };
 
 /// Frame after frame of a driven motion.
 struct DrivenFrames {
   int count = 0;
+  bool paused = false;  ///< the time was over on the way to the next one
   std::vector<double> t, q, v, v_dot, lambda, history, potential, power, violation;
   std::int64_t steps = 0, evaluations = 0, factorizations = 0;
 };
@@ -63,8 +65,8 @@ class DrivenMotion {
   /// From a state on the constraints. False: it is singular, or nearly so.
   bool begin(double t, const ConstVector& q, const ConstVector& v, const ConstVector& v_dot,
              const ConstVector& history);
-  /// Frames at `times`, as many as there are before something unusual, and until `seconds` are over. After something
-  /// unusual it has to `begin` again.
+  /// Frames at `times`, as many as there are before something unusual, and until `seconds` are over, also on the way to
+  /// one. After something unusual it has to `begin` again.
   DrivenFrames follow(const std::vector<double>& times, double seconds);
   /// Where it has come.
   const DrivenState& state() const { return now_; }
@@ -79,7 +81,8 @@ class DrivenMotion {
   enum class Step { taken, refused, touches };  ///< `touches`: it is not taken, as a contact begins in it
 
   bool try_frame(double t, DrivenFrames& out);
-  bool go_to(double t);
+  bool go_to(double t, bool& paused);
+  bool time_is_over() const { return std::chrono::steady_clock::now() > ends_; }
   bool touch(double t, double soon);
   Step step(double t, double soon);
   bool foreseen(double h, double largest_correction);
@@ -117,6 +120,7 @@ class DrivenMotion {
   Evaluation here_, there_;  ///< where the mechanism is, and at what a step tries
   VectorXd right_, left_;    ///< singular vectors of the smallest singular value, D^T left = sigma right
   VectorXd rest_, b_, dx_;
+  std::chrono::steady_clock::time_point ends_;
   std::minstd_rand random_;
   std::int64_t steps_ = 0, evaluations_ = 0, factorizations_ = 0;
 };

@@ -28,7 +28,7 @@ TurnCounter::TurnCounter(const System& system) : system_(system) {
   const std::vector<Element>& joints = system.model().joints();
   for (std::size_t joint = 0; joint < joints.size(); ++joint)
     for (const FreeCoordinate* it : joint_info(joints[joint].kind).coordinates)
-      if (it->angle()) angles_.push_back({static_cast<int>(joint), it});
+      if (it->angle()) way_.angles.push_back({static_cast<int>(joint), it});
 }
 
 double TurnCounter::fastest(const ConstVector& v) const {
@@ -42,18 +42,19 @@ double TurnCounter::fastest(const ConstVector& v) const {
 /// them before the next step only where that may be a long one.
 void TurnCounter::advance(double t, const ConstVector& q, const ConstVector& v) {
   const double now = fastest(v);
-  const double turned = std::isnan(last_.t) ? 0.0 : 2.0 * (t - last_.t) * std::max(now, last_.fastest);
-  if (kept_ && since_look_ + turned > followed) look(last_.t, last_.q, last_.v);
-  last_.t = t;
-  last_.fastest = now;
-  since_frame_ += turned;
-  since_look_ += turned;
-  looked_ = !is_first() && since_look_ > followed;
-  if (looked_) look(t, q, v);
-  kept_ = !is_first() && !looked_ && turned > soon_long;
-  if (!kept_) return;
-  last_.q = q;
-  last_.v = v;
+  const double turned =
+      std::isnan(way_.last.t) ? 0.0 : 2.0 * std::abs(t - way_.last.t) * std::max(now, way_.last.fastest);
+  if (way_.kept && way_.since_look + turned > followed) look(way_.last.t, way_.last.q, way_.last.v);
+  way_.last.t = t;
+  way_.last.fastest = now;
+  way_.since_frame += turned;
+  way_.since_look += turned;
+  way_.looked = !is_first() && way_.since_look > followed;
+  if (way_.looked) look(t, q, v);
+  way_.kept = !is_first() && !way_.looked && turned > soon_long;
+  if (!way_.kept) return;
+  way_.last.q = q;
+  way_.last.v = v;
 }
 
 TurnCounter::State TurnCounter::state(const Angle& angle, const ConstVector& q, const ConstVector& v) const {
@@ -66,18 +67,18 @@ TurnCounter::State TurnCounter::state(const Angle& angle, const ConstVector& q, 
 
 /// The first time since a frame at that, too.
 void TurnCounter::look(double t, const ConstVector& q, const ConstVector& v) {
-  if (std::isnan(looked_at_)) {
-    for (Angle& it : angles_) it.at_frame = it.last = state(it, frame_.q, frame_.v);
-    looked_at_ = frame_.t;
+  if (std::isnan(way_.looked_at)) {
+    for (Angle& it : way_.angles) it.at_frame = it.last = state(it, way_.frame.q, way_.frame.v);
+    way_.looked_at = way_.frame.t;
   }
-  for (Angle& it : angles_) {
+  for (Angle& it : way_.angles) {
     State now = state(it, q, v);
-    if (since_look_ < pi) now.angle = continued(now.angle, it.last.angle);
-    else follow_long_step(t - looked_at_, it, now);
+    if (way_.since_look < pi) now.angle = continued(now.angle, it.last.angle);
+    else follow_long_step(t - way_.looked_at, it, now);
     it.last = now;
   }
-  looked_at_ = t;
-  since_look_ = 0.0;
+  way_.looked_at = t;
+  way_.since_look = 0.0;
 }
 
 /// What is so far from the last look is one step, but for short ones. Its turns are sure where any rate between those at
@@ -90,29 +91,30 @@ void TurnCounter::follow_long_step(double h, Angle& angle, State& now) {
 }
 
 void TurnCounter::pass(double t, const ConstVector& q, const ConstVector& v) {
-  if (!angles_.empty()) advance(t, q, v);
+  if (!way_.angles.empty()) advance(t, q, v);
 }
 
 void TurnCounter::record(double t, const ConstVector& q, const ConstVector& v) {
-  if (angles_.empty()) return;
+  if (way_.angles.empty()) return;
   advance(t, q, v);
-  const double by_rates = (t - frame_.t) * (frame_.fastest + last_.fastest);
-  if (!is_first() && since_frame_ + by_rates > doubtful) {
-    if (!looked_) look(t, q, v);
+  const double by_rates = (t - way_.frame.t) * (way_.frame.fastest + way_.last.fastest);
+  if (!is_first() && way_.since_frame + by_rates > doubtful) {
+    if (!way_.looked) look(t, q, v);
     compare();
   }
-  frame_ = {t, q, v, last_.fastest};
-  looked_at_ = NAN;
-  kept_ = false;
-  since_frame_ = since_look_ = 0.0;
+  way_.frame = {t, q, v, way_.last.fastest};
+  way_.looked_at = NAN;
+  way_.kept = false;
+  way_.since_frame = way_.since_look = 0.0;
 }
 
 void TurnCounter::compare() {
-  for (Angle& it : angles_) {
+  for (Angle& it : way_.angles) {
     const double turned = it.last.angle - it.at_frame.angle;
-    const double expected = (last_.t - frame_.t) * (it.at_frame.rate + it.last.rate) / 2;
+    const double expected = (way_.last.t - way_.frame.t) * (it.at_frame.rate + it.last.rate) / 2;
     const bool told = std::abs(turned - expected) <= doubtful && std::abs(turned) <= pi;
-    if (!it.sure || !told) found_.push_back({frame_.t, last_.t, it.joint, it.coordinate->name, it.sure ? turned : NAN});
+    if (!it.sure || !told)
+      found_.push_back({way_.frame.t, way_.last.t, it.joint, it.coordinate->name, it.sure ? turned : NAN});
     it.sure = true;
   }
 }

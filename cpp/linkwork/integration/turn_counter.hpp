@@ -26,15 +26,6 @@ class TurnCounter {
     double angle;  ///< [rad]; NaN: there were steps too long to tell
   };
 
-  /// The run goes on from this state.
-  void pass(double t, const ConstVector& q, const ConstVector& v);
-  /// It is recorded; not before the last one from which the run went on.
-  void record(double t, const ConstVector& q, const ConstVector& v);
-
-  /// Where the rates at the frames would tell something else, or not for sure.
-  const std::vector<Turned>& found() const { return found_; }
-
- private:
   struct State {
     double angle = 0.0, rate = 0.0;  ///< [rad] over full turns, [rad/s]
   };
@@ -50,7 +41,28 @@ class TurnCounter {
     double fastest = 0.0;  ///< rate of a body [rad/s]
   };
 
-  bool is_first() const { return std::isnan(frame_.t); }  ///< there is no frame yet
+  /// The run goes on from this state.
+  void pass(double t, const ConstVector& q, const ConstVector& v);
+  /// It is recorded; not before the last one from which the run went on.
+  void record(double t, const ConstVector& q, const ConstVector& v);
+
+  /// Where the rates at the frames would tell something else, or not for sure.
+  const std::vector<Turned>& found() const { return found_; }
+
+  /// From the last frame to the last state.
+  struct Way {
+    Passed frame, last;
+    std::vector<Angle> angles;
+    double looked_at = NAN;                      ///< when, since the frame [s]
+    bool looked = false, kept = false;           ///< whether at the last state; whether its q and v are kept
+    double since_frame = 0.0, since_look = 0.0;  ///< by which any angle may have turned [rad]
+  };
+  const Way& way() const { return way_; }
+  /// The run goes on from where it was then; no frame was recorded since.
+  void go_back(const Way& way) { way_ = way; }
+
+ private:
+  bool is_first() const { return std::isnan(way_.frame.t); }  ///< there is no frame yet
   void advance(double t, const ConstVector& q, const ConstVector& v);
   void look(double t, const ConstVector& q, const ConstVector& v);
   static void follow_long_step(double h, Angle& angle, State& now);
@@ -59,11 +71,7 @@ class TurnCounter {
   double fastest(const ConstVector& v) const;
 
   const System& system_;
-  std::vector<Angle> angles_;
-  Passed frame_, last_;                          ///< the last frame, the last state
-  double looked_at_ = NAN;                       ///< when, since the last frame [s]
-  bool looked_ = false, kept_ = false;           ///< whether at the last state; whether its q and v are kept
-  double since_frame_ = 0.0, since_look_ = 0.0;  ///< by which any angle may have turned [rad]
+  Way way_;
   std::vector<Turned> found_;
 };
 

@@ -179,9 +179,11 @@ class _CompiledContinuation:
         """How many frames at these times have been added; 0: the next one needs a closer look."""
         if not self.ready or self.motion is None:
             return 0
-        count, found, costs = self.motion.follow(list(t), PIECE)
-        for name, cost in costs.items():
-            self.continuation.counts[name] += cost
+        count, paused = 0, True
+        while paused and not count:
+            count, found, paused, costs = self.motion.follow(list(t), PIECE)
+            for name, cost in costs.items():
+                self.continuation.counts[name] += cost
         self.ready = count > 0
         if count:
             self.frames.extend(found)
