@@ -210,6 +210,11 @@ def test_text_that_is_no_formula_is_refused(text: str) -> None:
         functions.expression(text)
 
 
+def test_a_formula_with_a_caret_is_told_how_powers_are_written() -> None:
+    with pytest.raises(lw.ModelError, match=r"written with \*\*"):
+        functions.expression("exp(-((t - 1) / 0.2)^2)")
+
+
 def test_a_formula_that_keeps_its_last_time_is_right_at_any_order_of_times() -> None:
     formula = functions.expression("sqrt(t)").compiled()
     for t in (1.0, 4.0, 4.0, -1.0, 1.0, -1.0, 4.0):

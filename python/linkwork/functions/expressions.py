@@ -190,6 +190,8 @@ class Formula:
             return lambda t: combine(left(t), right(t))
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and not node.keywords:
             return self._call(node.func.id, node.args)
+        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.BitXor):
+            raise self._refuse("has a ^: powers are written with **, such as t**2")
         raise self._refuse(f"has a part that formulas cannot have: {ast.unparse(node)[:40]}")
 
     def _name(self, name: str) -> Part:
