@@ -78,7 +78,7 @@ nitpick_ignore_regex = [
     # of other packages, whose documentation is elsewhere, and what only types are called
     (
         r"py:.*",
-        r"(numpy|np|collections|concurrent|typing|os|pathlib|matplotlib|pandas|xarray|ctypes|scipy)\b.*",
+        r"(numpy|np|collections|concurrent|contextlib|typing|os|pathlib|matplotlib|pandas|xarray|ctypes|scipy)\b.*",
     ),
     (
         r"py:.*",
@@ -92,7 +92,8 @@ nitpick_ignore_regex = [
     (
         r"py:.*",
         r"(linkwork\.options\.types\.)?Options|Integrator|IntegratorName|PythonStep|Named"
-        r"|(linkwork\.modeling\.handles\.)?Handle|(linkwork\.motion\.records\.)?(Checkpoint|Resume)|abc\.ABC",
+        r"|(linkwork\.modeling\.handles\.)?Handle|(linkwork\.motion\.records\.)?(Checkpoint|Resume)|StoredCheckpoint|StateNames|abc\.ABC"
+        r"|linkwork\.(constraints\.equations\.Equations|functions\.calls\.Calls|view\.local_server\.Answer)",
     ),
     (
         r"py:.*",

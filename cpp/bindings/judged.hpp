@@ -49,6 +49,7 @@ inline py::dict to_dict(const AccumulatedError& found, const System& system, boo
   out["state"] = found.state;
   out["growth"] = std::isnan(found.growth) ? py::object(py::none()) : py::float_(found.growth);
   out["unstable"] = found.unstable;
+  out["lost"] = std::isnan(found.lost) ? py::object(py::none()) : py::float_(found.lost);
   out["at_most"] = found.at_most;
   out["grows"] = found.grows;
   out["local_error"] = found.local_error;

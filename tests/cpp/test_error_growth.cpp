@@ -88,6 +88,27 @@ TEST_CASE("however few evaluations there are, it ends where they do") {
       CHECK(it.of_part[0] >= 1.0);
 }
 
+TEST_CASE("an error is lost where nothing is known of the motion, and grows beyond as one that begins there") {
+  const double t_end = 3.0, again = 2.0;
+  const auto upright = [](double t) { return std::abs(t - 1.05) < 0.01 ? state(NAN, NAN) : state(M_PI, 0.0); };
+  const StateLog log = log_of(t_end, 60, upright);
+  Dynamics dynamics(pendulum(), Options());
+  const VectorXd off = state(M_PI + 1e-6, 0.0), exact = state(M_PI, 0.0);
+  const auto errors = [&](std::size_t, double) {
+    return std::vector<StepDifference>{{0.0, off, exact}, {1.05, off, exact}, {again, off, exact}};
+  };
+  const auto found =
+      find_error_growth(dynamics, log, errors, MovingAxes(), VectorXd::Ones(1), VectorXd::Constant(1, pace), 100'000);
+  REQUIRE(found.size() == 2);
+  CHECK(found[0].lost);
+  CHECK(found[0].until == doctest::Approx(1.0));
+  CHECK(!found[1].lost);
+  CHECK(found[1].until == doctest::Approx(t_end));
+  const double after = std::cosh(pace * (t_end - again));
+  CHECK(found[1].of_part[0] == doctest::Approx(after).epsilon(0.02));
+  CHECK(found[0].of_part[0] == doctest::Approx(std::cosh(pace * found[0].until) * after).epsilon(0.02));
+}
+
 TEST_CASE("of one state, and where there is no error, nothing grows") {
   const auto below = [](double) { return state(0.0, 0.0); };
   CHECK(growth(pendulum(), log_of(0.0, 0, below), state(1e-6, 0.0), below(0.0), pace).empty());

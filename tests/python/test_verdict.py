@@ -26,7 +26,7 @@ _NUMBERS: dict[str, Any] = {
     "taken": 1, "failed": 0, "kinetic_share": 1.0, "rest_energy": 1.0, "violation": 0.0, "seconds": 1.0,
     "rate": 1.0, "slowness": 1.0, "suddenness": 0.0, "state": 1e-3,
     "local_error": 1e-3, "rounding": 0.0, "yielding": 0.0, "steps": [(0.0, 1e-3, 1e-6, None)], "energies": [],
-    "body": -1, "growth": 2.0, "at_most": float("nan"), "unstable": 1.0, "grows": False,
+    "body": -1, "growth": 2.0, "at_most": float("nan"), "unstable": 1.0, "grows": False, "lost": None,
 }  # fmt: skip
 
 
@@ -580,6 +580,30 @@ def test_reactions_that_may_be_off_are_named_beside_a_good_motion() -> None:
         again = verdict.verified(found, 0.25 * found.state, method)
         assert again.reactions == pytest.approx(0.25 * found.reactions)
         assert ("but reactions" in again.sentence) is (ratio == 1e4), again.sentence
+
+
+def test_a_good_run_says_beyond_which_time_nobody_knows_what_becomes_of_errors() -> None:
+    method = verdict.Method(4, step=1e-3)
+    for changed, said in (({}, True), ({"unstable": 1e4}, False), ({"state": 1.0}, False)):
+        found = verdict.estimate(
+            _NUMBERS | {"lost": 1.14, "reactions_by_state": 0.0} | changed, verdict.Energies(), method, {}
+        )
+        assert ("before t = 1.14 s become there is not known" in found.sentence) is said
+        assert found.followed_until == 1.14
+
+
+def test_what_a_bead_leaves_its_curve_by_at_knots_is_taken_back_and_does_not_add_up() -> None:
+    t = np.linspace(0, 2 * np.pi, 80, endpoint=False)
+    points = np.column_stack([np.cos(t), np.sin(2 * t) / 2, 0.3 * np.sin(t)])
+    along = points[1] - points[-1]
+    model = lw.Model(gravity=(0, 0, 0), name="bead")
+    bead = model.body("bead", mass=1.0, inertia=(0.01, 0.01, 0.01), position=points[0],
+                      velocity=2.0 * along / np.linalg.norm(along))  # fmt: skip
+    model.point_on_curve("ground", bead, points=points, at=points[0], closed=True)
+    model = lw.assemble(model).model
+    run = quick(model, 2.0, step=5e-3)
+    assert run.verdict is not None
+    assert 1.0 < run.verdict.error / true_error(model, run) < 300.0  # thousands with all that is taken back
 
 
 def test_what_stays_at_rest_is_judged_by_its_size() -> None:

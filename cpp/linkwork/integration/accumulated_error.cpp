@@ -342,9 +342,11 @@ class Accumulation {
 
   double accumulated() {
     const double usual = state(), unstable = grown(), first = all_parts().front()->t;
+    for (const ErrorGrowth& it : errors_.growth)
+      if (it.lost) out_.lost = std::fmin(out_.lost, it.until);
     for (const ErrorGrowth& it : errors_.growth) {
       const bool unstable_there = irregularity(it) > 1.0;
-      if (it.until >= followed * out_.seconds + first || unstable_there)
+      if ((it.until >= followed * out_.seconds + first && std::isnan(out_.lost)) || unstable_there)
         out_.growth = std::fmax(out_.growth, factor(it));
       if (unstable_there) out_.unstable = std::max(out_.unstable, factor(it));
     }

@@ -45,6 +45,7 @@ struct AccumulatedError {
   double growth = std::numeric_limits<double>::quiet_NaN();  ///< see ErrorGrowth, the largest; NaN: not known
   double unstable = 1.0;                                     ///< the largest that is more than that of regular motion
   bool grows = false;                                        ///< that is most of the state's
+  double lost = std::numeric_limits<double>::quiet_NaN();    ///< when errors were lost first [s], see ErrorGrowth
   /// Of the state: all errors of steps added up as they have grown, which is more than they come to where it is known
   /// of all of the run, and of all parts, how they grow; NaN: not known.
   double at_most = std::numeric_limits<double>::quiet_NaN();

@@ -37,6 +37,11 @@ struct Followed {
   Perturbation now;
 };
 
+/// That of regular motion is in proportion to time.
+double relative_growth(const ErrorGrowth& it, Eigen::Index part, const VectorXd& lengths, const VectorXd& speeds) {
+  return it.of_part[part] / (1.0 + speeds[part] / lengths[part] * (it.until - it.t));
+}
+
 class GrowthSearch {
  public:
   GrowthSearch(Dynamics& dynamics, const StateLog& log, const MovingAxes& axes, const VectorXd& lengths,
@@ -73,13 +78,12 @@ class GrowthSearch {
   std::vector<ErrorGrowth> find(const std::vector<StepDifference>& errors, std::int64_t most) {
     motion_.afford(most);
     std::vector<ErrorGrowth> out;
-    try {
-      follow(errors, out);
-    } catch (const std::exception& error) {  // functions of the user's throw what they like
-      if (is_interruption(error)) throw;
-    }
-    for (ErrorGrowth& it : out) it.until = reached_;
-    for (const Followed& it : carried_) out[it.place].of_part = it.largest;
+    succeeds([&] { return follow(errors, out); });
+    leave_off(out);
+    for (ErrorGrowth& it : out)
+      if (it.until == it.t) it.until = reached_;  // it has vanished on the way
+    for (auto it = out.rbegin(); it != out.rend(); ++it)
+      if (it->until < reached_) it->of_part.array() *= growth_beyond(it->until, out).array();
     return out;
   }
 
@@ -88,18 +92,64 @@ class GrowthSearch {
   static Eigen::Index v_of(int body) { return velocity_size * static_cast<Eigen::Index>(body); }
 
   /// As far as the log and the evaluations go.
-  void follow(const std::vector<StepDifference>& errors, std::vector<ErrorGrowth>& out) {
+  bool follow(const std::vector<StepDifference>& errors, std::vector<ErrorGrowth>& out) {
     std::size_t next = 0;
-    if (!motion_.go_to(log_.t(0), log_.y(0), log_.history(0))) return;
+    if (!motion_.go_to(log_.t(0), log_.y(0), log_.history(0))) return false;
     reached_ = log_.t(0);
     for (std::size_t k = 0;;) {
       for (; next < errors.size() && errors[next].t <= log_.t(k); ++next)
         if (begin(out.size(), errors[next])) out.push_back({errors[next].t, errors[next].t, carried_.back().largest});
-      if (k + 1 == log_.size()) return;
+      if (k + 1 == log_.size()) return true;
       const std::size_t following = next_state(k, next < errors.size() ? errors[next].t : INFINITY);
-      if (!carry(k, following)) return;
-      k = following;
+      if (succeeds([&] { return carry(k, following); })) {
+        k = following;
+        continue;
+      }
+      for (const Followed& it : carried_) out[it.place].lost = motion_.affords_more();
+      leave_off(out);
+      k = beyond(following);
+      while (next < errors.size() && errors[next].t < log_.t(k)) ++next;
+      if (next == errors.size() || !motion_.affords_more()) return false;
     }
+  }
+
+  /// What is carried goes no farther.
+  void leave_off(std::vector<ErrorGrowth>& out) {
+    for (const Followed& it : carried_) {
+      out[it.place].of_part = it.largest;
+      out[it.place].until = reached_;
+    }
+    carried_.clear();
+  }
+
+  /// The first state from `k` on at which errors can begin anew, behind one where nothing is known of how they go on, as
+  /// where a mechanism is singular or a law has a kink; or the last.
+  std::size_t beyond(std::size_t k) {
+    const auto goes_on = [&] { return motion_.go_to(log_.t(k), log_.y(k), log_.history(k)); };
+    while (k + 1 < log_.size() && motion_.affords_more() && !succeeds(goes_on)) ++k;
+    return k;
+  }
+
+  /// Whether that can be done. What interrupts the run is thrown.
+  template <class Function>
+  static bool succeeds(const Function& function) {
+    try {
+      return function();
+    } catch (const std::exception& error) {  // functions of the user's throw what they like
+      if (is_interruption(error)) throw;
+      return false;
+    }
+  }
+
+  /// Of each part, by which errors grow that begin later, where that is more than in regular motion: by about as much
+  /// those grow that came there before.
+  VectorXd growth_beyond(double t, const std::vector<ErrorGrowth>& all) const {
+    VectorXd out = VectorXd::Ones(lengths_.size());
+    for (const ErrorGrowth& it : all)
+      for (Eigen::Index part = 0; it.t >= t && part < out.size(); ++part)
+        if (relative_growth(it, part, lengths_, speeds_) > suspicious)
+          out[part] = std::max(out[part], it.of_part[part]);
+    return out;
   }
 
   bool begin(std::size_t place, const StepDifference& step) {
@@ -277,12 +327,19 @@ class GrowthSearch {
   std::vector<Followed> carried_;
 };
 
-/// The largest growth relative to that of regular motion, in proportion to time.
+/// The largest growth relative to that of regular motion.
 double irregularity(const std::vector<ErrorGrowth>& found, const VectorXd& lengths, const VectorXd& speeds) {
   double out = 0.0;
   for (const ErrorGrowth& it : found)
     for (Eigen::Index part = 0; part < lengths.size(); ++part)
-      out = std::max(out, it.of_part[part] / (1.0 + speeds[part] / lengths[part] * (it.until - it.t)));
+      out = std::max(out, relative_growth(it, part, lengths, speeds));
+  return out;
+}
+
+/// Up to where errors were followed [s].
+double reached_by(const std::vector<ErrorGrowth>& found) {
+  double out = found.front().until;
+  for (const ErrorGrowth& it : found) out = std::max(out, it.until);
   return out;
 }
 
@@ -300,7 +357,7 @@ std::vector<ErrorGrowth> find_error_growth(Dynamics& dynamics, const StateLog& l
   std::vector<StepDifference> followed = planned(most_evaluations);
   std::vector<ErrorGrowth> found = search(usual_difference).find(followed, most_evaluations);
   if (found.empty()) return found;
-  const double begin = log.t(0), end = log.t(log.size() - 1), until = found.front().until;
+  const double begin = log.t(0), end = log.t(log.size() - 1), until = reached_by(found);
   if ((until < end || followed.size() < enough_errors) && irregularity(found, lengths, speeds) > suspicious) {
     followed = planned(more * most_evaluations);
     found = search(usual_difference).find(followed, more * most_evaluations);
@@ -314,7 +371,8 @@ std::vector<ErrorGrowth> find_error_growth(Dynamics& dynamics, const StateLog& l
   const std::int64_t affordable = most_of_bodies / dynamics.system().body_count();
   std::vector<ErrorGrowth> again =
       search(fine_difference).find(followed, std::min(more * more * most_evaluations, affordable));
-  return again.size() == found.size() && again.front().until >= found.front().until ? again : found;
+  const bool as_far = again.size() == found.size() && again.front().until >= found.front().until;
+  return as_far && reached_by(again) >= reached_by(found) ? again : found;
 }
 
 }  // namespace linkwork

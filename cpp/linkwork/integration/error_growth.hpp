@@ -14,6 +14,7 @@ namespace linkwork {
 struct ErrorGrowth {
   double t = 0.0, until = 0.0;  ///< up to where it was followed [s]
   VectorXd of_part;
+  bool lost = false;  ///< beyond that nothing is known of it
 };
 
 /// The errors of so many steps, or fewer, spread over the run up to a time, in its order.
@@ -24,6 +25,9 @@ using ErrorsToFollow = std::function<std::vector<StepDifference>(std::size_t cou
 /// interpolation of the fifth degree between; by the classical Runge-Kutta method, with a difference of two evaluations
 /// for the derivative. What it misses the equations of the joints by is taken back, as stabilization does. Memories stay
 /// as they are.
+///
+/// Where that fails, as in a singular pose or at a kink of a law, they are lost, and others begin behind it: those before
+/// are taken to grow as these, where that is more than in regular motion.
 ///
 /// Of a long run as far as so many evaluations and the log go; what grows much is followed once more in finer steps, as
 /// what these leave grows, too. `lengths`, `speeds`: by which poses and velocities of each part count, seen from its

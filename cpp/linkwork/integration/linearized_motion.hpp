@@ -32,6 +32,7 @@ class LinearizedMotion {
 
   /// Evaluations in all; what follows is false once there have been more.
   void afford(std::int64_t evaluations) { most_ = evaluations; }
+  bool affords_more() const { return evaluations_ < most_; }
 
   /// To another state, with its accelerations; false also where there are none.
   bool go_to(double t, const VectorXd& y, const VectorXd& history);

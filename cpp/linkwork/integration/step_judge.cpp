@@ -21,6 +21,7 @@ constexpr double long_contact = 0.1;  // share of the run: beyond, it is no boun
 constexpr double well_chosen = 0.1;   // root of the smallest pivot, relative to the usual one
 constexpr double beside = 1e-9;       // of a step: times that are one
 constexpr double soon = 0.1;          // share that a step takes back: then errors off the constraints do not add up
+constexpr double little = 0.25;       // of what velocities are off, that is along the constraints: then it counts alone
 constexpr double roundoff = 8.0 * std::numeric_limits<double>::epsilon();
 
 /// One step of a one-step method in parts, with the correction that a multistep method adds, if asked for.
@@ -328,8 +329,7 @@ void StepJudge::compare(const KeptStep& step, StepError& out) {
     if (step.changes.size() > 0) out.of_part[k].change = step.changes[static_cast<Eigen::Index>(k)];
   }
   const double share = take_.staggered ? 1.0 : share_taken_back(dynamics_, step.h);
-  if (take_.staggered || (share >= soon && (recorded_ || !dynamics_.sampled()))) separate_fading(step, share, out);
-  else separate_damped(step, out);
+  if (!(take_.staggered || share >= soon) || !separate_fading(step, share, out)) separate_damped(step, out);
   look_at_motion(step, out);
   DifferencesOfParts unseen = rounding(system, step.y_new);
   for (std::size_t k = 0; k < unseen.size(); ++k) {
@@ -340,8 +340,10 @@ void StepJudge::compare(const KeptStep& step, StepError& out) {
   }
 }
 
-/// What remains is the difference of the states on the constraints; the rest is there until it is taken back.
-void StepJudge::separate_fading(const KeptStep& step, double share, StepError& out) {
+/// What remains is the difference of the states on the constraints; the rest is there until it is taken back. Where
+/// stabilization is sampled both are of one size as a rule, and all of it is taken to remain. False: nothing is separated.
+bool StepJudge::separate_fading(const KeptStep& step, double share, StepError& out) {
+  const bool rarely = dynamics_.sampled() && !recorded_ && !take_.staggered;
   const double end = span_.at(1.0);
   VectorXd ours = step.y_new, others = y_;
   try {
@@ -352,13 +354,17 @@ void StepJudge::separate_fading(const KeptStep& step, double share, StepError& o
       projection.velocities(end, *y);
     }
   } catch (const Error&) {
-    return;
+    return !rarely;
   }
   const DifferencesOfParts lasting = differences(dynamics_.system(), ours, others);
+  bool found = !rarely;
   for (std::size_t k = 0; k < lasting.size(); ++k) {
+    if (rarely && lasting[k].velocity > little * out.of_part[k].end.velocity) continue;
     out.of_part[k].fading = std::exchange(out.of_part[k].end, lasting[k]);
     out.of_part[k].fading.scale(factor_ / std::fmin(share, 1.0));
+    found = true;
   }
+  return found;
 }
 
 /// What friction that sticks and stiff dampers take back does not add up.

@@ -142,7 +142,7 @@ class StepJudge {
   void finish(double t);
   void compare(const KeptStep& step, StepError& out);
   void find_violation(const KeptStep& step, StepError& out);
-  void separate_fading(const KeptStep& step, double share, StepError& out);
+  bool separate_fading(const KeptStep& step, double share, StepError& out);
   void separate_damped(const KeptStep& step, StepError& out);
   void look_at_motion(const KeptStep& step, StepError& out);
   void compare_inside(const KeptStep& step, StepError& out);

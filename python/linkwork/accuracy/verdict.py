@@ -125,6 +125,9 @@ class Verdict:
                  members of ensembles, long runs, large models, and from the first event or kink on
     unstable     the same of motion that is unstable or chaotic, of whichever part: where it is much more than
                  in regular motion, else 1
+    followed_until
+                 when something happens beyond which nobody knows what becomes of errors before [s], such as a
+                 singular pose or a kink of a law; None: nothing did as far as errors were followed
     """
 
     level: Literal["good", "coarse", "wrong"]
@@ -150,6 +153,7 @@ class Verdict:
     body: str = ""
     growth: float | None = field(default=None, compare=False)  # most lanes do not look at it
     unstable: float = field(default=1.0, compare=False)
+    followed_until: float | None = field(default=None, compare=False)
 
     def numbers(self) -> dict[str, Any]:
         """
@@ -323,9 +327,10 @@ def estimate(
     error, steps = max(state, energy, yielding), tuple(itertools.starmap(StepEstimate, found["steps"]))
     method = replace(method, growth=found["growth"] if found["grows"] and by_steps >= error else 1.0)
     body = name(found["body"] if by_steps >= error else late if max(before + delay, energy) >= error else -1)
+    sentence = _sentence(error, violation, state, method, before, steps, body) + _but(error, reactions)
     verdict = Verdict(
         level=_level(error),
-        sentence=_sentence(error, violation, state, method, before, steps, body) + _but(error, reactions),
+        sentence=sentence + (_beyond(found) if error <= GOOD else ""),
         error=error,
         state=state,
         local_error=_known(found["local_error"]),
@@ -345,7 +350,16 @@ def estimate(
 
 def _as_found(found: Mapping[str, Any]) -> dict[str, Any]:
     """What a Verdict has as it is."""
-    return {name: found[name] for name in ("rounding", "growth", "unstable")}
+    return {name: found[name] for name in ("rounding", "growth", "unstable")} | {
+        "followed_until": found["lost"]
+    }
+
+
+def _beyond(found: Mapping[str, Any]) -> str:
+    """That errors were followed to there alone, if nothing else is said of them."""
+    if found["lost"] is None or found["unstable"] > UNSTABLE:
+        return ""
+    return f"; what errors before t = {found['lost']:.5g} s become there is not known (verify=True tells)"
 
 
 def without_steps(
