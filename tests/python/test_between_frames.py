@@ -300,3 +300,29 @@ def test_means_of_magnitudes_are_exact_where_the_vector_passes_near_zero(how: An
     way = quad(lambda t: np.hypot(drift * t, up * t - g * t * t / 2), 0, 1, points=turn, epsabs=1e-13)[0]
     assert study.outputs[names[0]][0] == pytest.approx(speed, rel=1e-9)
     assert study.outputs[names[1]][0] == pytest.approx(way, rel=1e-7)
+
+
+@pytest.mark.parametrize("jump", [0.3, 0.337, 0.96])
+@pytest.mark.parametrize("frames", [{"step": 0.1}, {"step": 0.05, "record_every": 2}, {"rtol": 1e-8}])
+def test_means_go_up_to_a_jump_and_begin_anew_there(frames: dict[str, Any], jump: float) -> None:
+    """A force is t before the jump and 5 - t after it: what is straight between jumps has exact means."""
+    law = lw.functions.piecewise_polynomial([0, jump, 2], [[0, 1], [5 - jump, -1]])
+    model = lw.Model(gravity=(0, 0, 0))
+    model.body("b", mass=1.0, inertia=(1, 1, 1))
+    model.translational("ground", "b", at=(0, 0, 0), axis=(1, 0, 0), name="rail")
+    model.force("b", force=(law, law, 0))
+    mean = jump**2 / 2 + 5 * (1 - jump) - (1 - jump**2) / 2
+    square = jump**3 / 3 + ((5 - jump) ** 3 - 4.0**3) / 3
+    exact = {
+        "body('b').acceleration.x.mean": mean,
+        "body('b').acceleration.rms": np.sqrt(square),
+        "reaction('rail').force.mean": mean,
+        "reaction('rail').force.rms": np.sqrt(square),
+    }
+    run: dict[str, Any] = {**frames, "progress": False, "on_inaccurate": "pass"}
+    found = lw.sweep(model, {"b.mass": [1.0]}, list(exact), t_end=1.0, processes=1, **run)
+    many = lw.simulate_many(model, {"b.mass": [1.0]}, 1.0, outputs=list(exact), **run)
+    for name, value in exact.items():
+        close = 5e-3 if jump == 0.96 else 1e-12  # one frame after it tells no slope
+        assert found.outputs[name][0] == pytest.approx(value, rel=close), name
+        assert_array_equal(many.outputs[name], found.outputs[name])

@@ -11,6 +11,9 @@ where that is so often, as in an oscillation of which there are too few frames, 
 go straight from frame to frame, and are largest and smallest at one. So they do where second rates are
 recorded as well and say something else than the cubic's, -4 a - 2 b and 2 a + 4 b over h^2. Where the rate is
 known at one of two frames alone, as beside an impact, it is a parabola.
+
+What has no rate may jump where functions of time break: means go up to there and begin there in a straight
+line through two frames of the same side.
 """
 
 from __future__ import annotations
@@ -26,7 +29,7 @@ from numpy.typing import NDArray
 
 from linkwork.arrays import Floats
 
-__all__ = ["Bends", "Curve", "bends_of"]
+__all__ = ["Bends", "Curve", "bends_of", "with_sides"]
 
 #: Places and weights of Gauss from 0 to 1: exact for squares of cubics, close for magnitudes away from zero.
 GAUSS = tuple(
@@ -86,6 +89,40 @@ def bends_of(
     resolved = ((one_way | straight) & counted).sum(axis=0) >= RESOLVED * counted.sum(axis=0)
     one_way, known = one_way & resolved, (one_way | straight) & resolved
     return Bends(np.where(one_way, a, 0.0), np.where(one_way, b, 0.0), known)
+
+
+def with_sides(t: Floats, values: Floats, breaks: Floats, clock: Floats) -> tuple[Floats, Floats]:
+    """With two values at each of the `breaks` [s], ascending, between frames: of what is before, and after.
+
+    clock  where functions were evaluated for the frames (k,) [s], beside breaks
+    """
+    passed = np.searchsorted(breaks, clock)
+    last = np.flatnonzero(np.diff(passed) > 0)  # before a break
+    after = last + 1
+    begin, end = breaks[passed[last]], breaks[passed[after] - 1]
+    before = _continued(t, values, passed, last, np.clip(begin, t[last], t[after]), -1)
+    behind = _continued(t, values, passed, after, np.clip(end, t[last], t[after]), 1)
+    known = (t[after] == t[np.minimum(after + 1, len(t) - 1)]) & (after + 1 < len(t))  # as of a strike
+    places = np.tile(after[~known], 2)
+    times, added = (
+        np.concatenate([one[~known], other[~known]]) for one, other in zip(before, behind, strict=True)
+    )
+    return np.insert(t, places, times), np.insert(values, places, added, axis=0)
+
+
+def _continued(
+    t: Floats, values: Floats, passed: NDArray[np.intp], frame: NDArray[np.intp], at: Floats, away: int
+) -> tuple[Floats, Floats]:
+    """The times `at` [s], and values there in a straight line through those frames and ones `away` from
+    there, about as far or farther, with no break between; else those of the frames."""
+    far = t[frame] - 0.5 * (at - t[frame])
+    other = np.searchsorted(t, far, "right") - 1 if away < 0 else np.searchsorted(t, far)
+    other = np.clip(other, 0, len(t) - 1)
+    way = t[frame] - t[other]
+    usable = (passed[other] == passed[frame]) & (way * away < 0.0)
+    part = np.where(usable, (at - t[frame]) / np.where(usable, way, 1.0), 0.0)
+    part = part.reshape(-1, *[1] * (values.ndim - 1))
+    return at, values[frame] + part * (values[frame] - values[other])
 
 
 @dataclass(frozen=True)

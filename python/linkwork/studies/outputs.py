@@ -19,11 +19,12 @@ from linkwork.arrays import Floats
 from linkwork.errors import LinkworkError, OptionError, nearest
 from linkwork.fingerprints import canonical
 from linkwork.modeling.coordinates import coordinate_of
+from linkwork.results.forces import clock
 from linkwork.results.last_state import LastState
 from linkwork.results.result import Result
 from linkwork.results.tables import COORDINATES
 from linkwork.studies.around_events import ENERGIES, around_events, energy_of_bodies, without
-from linkwork.studies.between_frames import Bends, Curve, bends_of
+from linkwork.studies.between_frames import Bends, Curve, bends_of, with_sides
 
 __all__ = ["REDUCTIONS", "Output", "checked", "identity", "outputs_of"]
 
@@ -69,6 +70,9 @@ REDUCTIONS: Mapping[str, tuple[str, Callable[[Curve], Floats]]] = {
     "range": ("largest less smallest", lambda curve: curve.largest() + curve.largest(np.negative)),
     "final": ("last", lambda curve: curve.values[-1]),
 }
+
+#: Those that count what is between frames, whether or not rates are known.
+OVER_TIME = ("mean", "rms")
 
 Step = tuple[Any, ...]
 
@@ -140,7 +144,12 @@ class Output:
         if self.reduction != "final":
             result, values = _around_events(result, self.steps, values)
             bends = _bends(result, self.steps, values, sizes)
-        return Curve(result.t, np.asarray(values, dtype=float), bends, sizes)
+        values = np.asarray(values, dtype=float)
+        if bends is None and self.reduction in OVER_TIME and len(result.header.breaks):
+            return Curve(
+                *with_sides(result.t, values, np.asarray(result.header.breaks), clock(result)), None, sizes
+            )
+        return Curve(result.t, values, bends, sizes)
 
     def _of_sizes(self, result: Result, values: Floats) -> bool:
         """Whether it reduces vectors: indices after their name leave all components."""
