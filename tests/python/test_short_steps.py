@@ -7,7 +7,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 from linkwork.running import short_steps
-from linkwork.running.short_steps import Pace, Places, ShortSteps
+from linkwork.running.short_steps import Pace, Places, ShortSteps, Suspects
 
 
 def sliding_block(law) -> lw.Model:
@@ -170,7 +170,54 @@ def test_the_pace_of_now_counts(monkeypatch: pytest.MonkeyPatch) -> None:
     now[0] = 10.0
     assert not pace.look(50.0, 1000)
     now[0] = 20.0
-    assert "1e-07 s" in pace.look(50.0 + 1e-4, 2000)
+    slow = pace.look(50.0 + 1e-4, 2000)
+    assert slow is not None and "1e-07 s" in slow.told
+
+
+BRAKE, LAW = "'brake' with transition 1e-09", "the function of 'law'"
+COSTS = [
+    (1e-7, 10**5, (BRAKE, LAW), ()),  # 1e9 steps are left, each is cheap
+    (5e-5, 50, ("Each step takes 0.2 s", LAW), (BRAKE, "tolerances", "atol")),  # 2e6 steps are left
+    (1e-7, 50, ("Each step takes 0.2 s", BRAKE, "larger rtol"), ()),
+]
+
+
+@pytest.mark.parametrize(("step", "steps", "said", "unsaid"), COSTS)
+def test_a_slow_run_is_told_by_the_number_of_its_steps_or_by_what_each_takes(
+    monkeypatch: pytest.MonkeyPatch, step: float, steps: int, said: tuple[str, ...], unsaid: tuple[str, ...]
+) -> None:
+    """Of 100 s to be simulated, in 10 s of wall time."""
+    now = [0.0]
+    monkeypatch.setattr(short_steps.time, "monotonic", lambda: now[0])
+    suspects = Suspects([BRAKE], [LAW])
+    looking = ShortSteps(0.0, 0, 100.0, lambda: state_at(0.0), lambda: suspects)
+    now[0] = 10.0
+    with pytest.warns(lw.LinkworkWarning) as told:
+        looking.look(step * steps, steps)
+    text = str(told[0].message)
+    assert all(it in text for it in said) and not any(it in text for it in unsaid)
+
+
+def test_a_slow_run_that_is_verified_is_told_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Both runs are slow here, at any pace."""
+    for name, value in (("PACE_SECONDS", 0.0), ("SLOW_SECONDS", -1.0), ("TINY", 1e9)):
+        monkeypatch.setattr(short_steps, name, value)
+    with pytest.warns(lw.LinkworkWarning, match="at this pace") as told:
+        lw.simulate(braked(1e-2), 0.5, rtol=1e-6, times=[0.1, 0.2], verify=True)
+    assert sum("at this pace" in str(it.message) for it in told) == 1
+
+
+def test_a_second_run_that_alone_is_slow_is_told_as_that() -> None:
+    found = []
+    for first_was_told in (False, True):
+        with short_steps.second_run(first_was_told), warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            looking, t = ShortSteps(0.0, 0, 100.0, lambda: state_at(0.0)), 0.0
+            for count, step in enumerate(STEADY + [1e-9] * 30, start=1):
+                t += 600 * step
+                looking.look(t, 600 * count)
+        found.append([str(it.message) for it in told])
+    assert not found[1] and len(found[0]) == 1 and found[0][0].startswith("the second run, by verify: since")
 
 
 def test_fixed_steps_are_told_of_before_the_run_not_of_their_pace(

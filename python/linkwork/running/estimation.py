@@ -42,6 +42,7 @@ from linkwork.running.compiled_laws import CompiledLaws
 from linkwork.running.kept import Kept
 from linkwork.running.returned import note_left
 from linkwork.running.schedule import Adaptive, Fixed
+from linkwork.running.short_steps import second_run
 from linkwork.running.time_scale import size
 from linkwork.running.written import Written
 
@@ -83,6 +84,8 @@ def _at_rest(model: Model, duration: float) -> float:
 
 class ErrorEstimator:
     """Follows a run, and takes steps of it again."""
+
+    told_of_steps = False  #: whether the run was told to be slow
 
     def __init__(
         self,
@@ -181,7 +184,7 @@ class ErrorEstimator:
         if stateful:
             return warn(no_second_run(stateful[0]))
         try:
-            with self._as_it_was(), began.as_then():
+            with self._as_it_was(), began.as_then(), second_run(self.told_of_steps):
                 found = self._second_run(result, run)
         except LinkworkError as error:
             return warn(f"verify: the second run failed, so that nothing is known by it: {error}")

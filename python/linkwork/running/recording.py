@@ -30,7 +30,7 @@ from linkwork.running.laws_of_forces import LawsOfForces
 from linkwork.running.progress import Report
 from linkwork.running.resuming import Identity
 from linkwork.running.seen_in_frames import warn_of_what_frames_show
-from linkwork.running.short_steps import ShortSteps
+from linkwork.running.short_steps import ShortSteps, Suspects
 
 if TYPE_CHECKING:
     from linkwork.running.estimation import ErrorEstimator
@@ -229,12 +229,12 @@ def record(
     *,
     t_end: float,
     warns: bool = False,
-    forces: Callable[[], str] = str,
+    forces: Callable[[], Suspects] = Suspects,
 ) -> float:
     """Write the pieces as they come; the time they took [s].
 
     `labels` of the events, in the order in which the run knows them; `t_end` [s]; `forces` that may be why
-    steps are short, in words. LinkworkWarning: `warns`, and the run has passed a singular pose; steps are
+    steps are short. LinkworkWarning: `warns`, and the run has passed a singular pose; steps are
     very short. AccuracyError: `estimator` stops it.
     """
     spent, before, warned = 0.0, time.perf_counter(), 0
@@ -253,6 +253,7 @@ def record(
             violation = float(np.ravel(frames["violation"])[-3])  # of positions, at the last frame
         report(run.t, run.steps_done, violation)
         short_steps.look(run.t, run.steps_done)
+        estimator.told_of_steps = short_steps.told
         if warns:
             warned = warn_of_singular_poses(run.statistics(), warned)
         before = time.perf_counter()

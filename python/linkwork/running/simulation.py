@@ -46,7 +46,7 @@ from linkwork.running.progress import ProgressOption, check_progress, preparing,
 from linkwork.running.reach import telling_of_reach
 from linkwork.running.recording import PythonStep
 from linkwork.running.seen_in_frames import warn_of_what_frames_show
-from linkwork.running.short_steps import sharp_forces
+from linkwork.running.short_steps import Suspects
 from linkwork.running.written import Written
 
 __all__ = ["PythonStep", "check_run", "simulate", "what_steps"]
@@ -402,7 +402,7 @@ def _carried_out(
             spent["driver_seconds"] = recording.record(
                 run, recording.pieces(run, interrupts, it.method, it.system), recorder, report, labels,
                 estimator, interrupts, t_end=plan.t_end, warns=it.system.options["on_singular"] == "warn",
-                forces=lambda: sharp_forces(header, model),
+                forces=lambda: Suspects.of(header, model),
             )  # fmt: skip
         laws = LawsOfForces(model)
         statistics = {**it.statistics(), **plan.steps_with_breaks(it.breaks, it.run)}
