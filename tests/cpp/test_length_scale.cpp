@@ -82,3 +82,22 @@ TEST_CASE("the rate of a mechanism is that of its velocities: twice as fast, twi
   CHECK(rate(2.0) == doctest::Approx(2.0 * rate(1.0)).epsilon(1e-12));
   CHECK(rate(1.0) >= 3.0);
 }
+
+TEST_CASE("the rate of a mechanism at rest is what its forces and torques would give it") {
+  Model model(Vec3<double>::Zero());
+  Body wheel = body_at({0, 0, 0});
+  wheel.mass = 2.0;
+  wheel.inertia = Vec3<double>(1.0, 2.0, 2.0).asDiagonal();
+  model.add_body("wheel", wheel);
+  join(model, "revolute", "pin", ground, 0, {0.25, 0, 0});
+  const System system(model);
+  Evaluation at = system.make_evaluation();
+  const auto rate = [&](const Vec3<double>& force, const Vec3<double>& torque) {
+    system.evaluate(0.0, model.initial_q(), model.initial_v(), system.initial_history(), at);
+    at.g << force, torque;
+    return characteristic_rates(system, at, model.initial_v())[0];
+  };
+  const double length = 0.25, inertia = 2.0 * length + 5.0 / (2.0 * length);  // kg m
+  CHECK(rate({0, 0, 0}, {0, 0, 3}) == doctest::Approx(std::sqrt(3.0 / length / inertia)).epsilon(1e-12));
+  CHECK(rate({0, 4, 0}, {0, 0, 3}) == doctest::Approx(std::sqrt((4.0 + 3.0 / length) / inertia)).epsilon(1e-12));
+}

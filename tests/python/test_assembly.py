@@ -456,3 +456,14 @@ def test_roundoff_of_velocities_at_rest_is_no_violation() -> None:
     lw.simulate(belt(a=1e-16), t_end=0.01, step=1e-3, progress=False)
     with pytest.raises(lw.ModelError, match="belt 1e-10/s: more than"):
         lw.simulate(belt(a=1e-10), t_end=0.01, step=1e-3, progress=False)
+
+
+def test_roundoff_of_velocities_is_beside_what_torques_would_give() -> None:
+    """The belt is held by torques, which would give it some 1/s: 6e-11/s are none of a motion."""
+    held = belt(a=6e-11)
+    held.force("a", torque=(0, 0, -10.0))
+    held.force("b", torque=(0, 0, 30.0))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        found = lw.simulate(held, t_end=0.01, step=1e-3, progress=False)
+    assert np.abs(found.v[-1]).max() < 1e-10

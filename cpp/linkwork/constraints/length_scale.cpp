@@ -196,8 +196,9 @@ VectorXd characteristic_rates(const System& system, const Evaluation& at, const 
     const auto own = v.segment<velocity_size>(velocity_size * body);
     const int part = parts.of_body(body);
     out[part] = std::max({out[part], own.head<3>().norm() / lengths[body], own.tail<3>().norm()});
-    force[part] += at.g.segment<3>(velocity_size * body).norm();
-    inertia[part] += system.mass(body) * lengths[body];
+    const auto load = at.g.segment<velocity_size>(velocity_size * body);
+    force[part] += load.head<3>().norm() + load.tail<3>().norm() / lengths[body];
+    inertia[part] += system.mass(body) * lengths[body] + system.inertia(body).trace() / (2.0 * lengths[body]);
   }
   const VectorXd rows = at.Phi_t.size() > 0 ? row_lengths(system, at) : VectorXd();
   for (Eigen::Index row = 0; row < rows.size(); ++row) {

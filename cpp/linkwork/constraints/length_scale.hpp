@@ -33,8 +33,8 @@ double roundoff_of_positions(const System& system, const ConstVector& q);
 /// The same of each connected part.
 VectorXd roundoff_of_parts(const System& system, const ConstVector& q);
 
-/// A rate of each connected part [1/s]: of its velocities and drivers at a whole evaluation, and what its forces would
-/// give it on a way of its own length. What moves beside it, however fast, says nothing of it.
+/// A rate of each connected part [1/s]: of its velocities and drivers at a whole evaluation, and what its forces and
+/// torques would give it on a way of its own length. What moves beside it, however fast, says nothing of it.
 VectorXd characteristic_rates(const System& system, const Evaluation& at, const ConstVector& v);
 
 }  // namespace linkwork
