@@ -10,6 +10,7 @@
 #include "linkwork/formulation/formulation.hpp"
 #include "linkwork/formulation/not_finite.hpp"
 #include "linkwork/formulation/right_hand_side_times.hpp"
+#include "linkwork/integration/relative_violation.hpp"
 #include "linkwork/math/error.hpp"
 #include "linkwork/math/interruption.hpp"
 
@@ -359,6 +360,16 @@ py::tuple scales(const Dynamics& dynamics, double t, const ConstVector& q, const
   return py::make_tuple(characteristic_lengths(system), std::move(rates), std::move(parts));
 }
 
+/// Of each body that of its connected part.
+VectorXd part_sizes(const Dynamics& dynamics) {
+  const System& system = dynamics.system();
+  const VectorXd of_parts = RelativeViolation::lengths_of(system);
+  VectorXd sizes(system.body_count());
+  for (int body = 0; body < system.body_count(); ++body)
+    sizes[body] = of_parts[ConnectedParts::of(system).of_body(body)];
+  return sizes;
+}
+
 void bind_measurements(py::class_<Dynamics>& dynamics) {
   dynamics
       .def_property_readonly("residual_at_start", exclusive(&residual_at_start),
@@ -481,6 +492,8 @@ void bind_formulation(py::module_& module) {
            "/ rate are parts of the size and speed of the connected part, known to the roundoff of its positions.")
       .def("scales", exclusive(&scales), py::arg("t"), py::arg("q"), py::arg("v"),
            "Of each body a length [m] and a rate [1/s], those of its connected part, and which part that is.")
+      .def_property_readonly("part_sizes", exclusive(&part_sizes),
+                             "Of each body the size of its connected part, by which verdicts weigh errors [m].")
       .def("accelerations", exclusive(&accelerations), py::arg("t"), py::arg("q"), py::arg("v"),
            py::arg("history") = py::none(), "(v_dot, multipliers) of the mechanism itself, without stabilization.")
       .def("derivative", exclusive(&derivative), py::arg("t"), py::arg("y"), py::arg("history") = py::none(),

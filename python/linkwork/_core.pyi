@@ -539,6 +539,11 @@ class Dynamics:
     @property
     def options(self) -> Options: ...
     @property
+    def part_sizes(self) -> typing.Annotated[numpy.typing.NDArray[numpy.float64], "[m, 1]"]:
+        """
+        Of each body the size of its connected part, by which verdicts weigh errors [m].
+        """
+    @property
     def passed(self) -> tuple[int, int]:
         """
         How many singular poses were passed, and how often other rows became the redundant ones.

@@ -31,6 +31,7 @@ from linkwork.cli import run
 from linkwork.comparison import Comparison, text, workers
 from linkwork.comparison.reference import solved_reference
 from linkwork.comparison.store import Store
+from linkwork.motion.header import Header
 from linkwork.validation import Series
 
 ONE_BODY = Bodies(np.ones(1), np.zeros(1, int), np.ones(1), np.full(1, np.inf), joint_part=np.zeros(1, int))
@@ -591,9 +592,42 @@ def test_scales_of_a_body_that_only_turns_are_those_of_its_arm() -> None:
     v = np.tile([0.0, 0, 0, 0, 0, 5.0], (3, 1, 1))
     scales = Scales.of(
         Sampled(np.arange(3.0), q, v, np.zeros((3, 0, 3)), np.zeros((3, 0, 3))),
-        ONE_BODY._replace(longest_arm=np.array([0.2]), joint_part=np.zeros(0, int)),
+        ONE_BODY._replace(longest=np.array([0.2]), joint_part=np.zeros(0, int)),
     )
     assert (scales.length, scales.speed, scales.force) == (0.2, 1.0, 1.0)
+
+
+def rod_in_the_air(length: float) -> lw.Model:
+    """A ball that a rod of two points holds at its center, beside one on an arm of 0.5 m and a free one."""
+    model = lw.Model(gravity=(0, 0, -9.81))
+    model.body("ball", mass=1.0, inertia=(0.004,) * 3, position=(0, 0, 3 - length), omega=(3, 0, 0))
+    model.distance("ground", "ball", at=((0, 0, 3), (0, 0, 3 - length)))
+    model.body("arm", mass=1.0, inertia=(0.1, 0.2, 0.2), position=(5.5, 0, 0))
+    model.revolute("ground", "arm", at=(5, 0, 0), axis=(0, 1, 0))
+    model.body("free", mass=2.0, inertia=(0.4, 0.3, 0.3), position=(9, 0, 0))
+    return model
+
+
+SIZED = [
+    lambda: rod_in_the_air(2.0),
+    mechanisms.bricard,
+    mechanisms.flyball_governor,
+    mechanisms.double_wishbone,
+    mechanisms.rolling_disc,
+]
+
+
+@pytest.mark.parametrize("build", SIZED)
+def test_the_size_of_bodies_is_that_of_verdicts(build: Any) -> None:
+    model = build()
+    bodies = Bodies.of(Header.of(model.compiled(), None, {}))
+    np.testing.assert_allclose(bodies.size()[bodies.part], lw.System(model).compiled().part_sizes, rtol=1e-14)
+
+
+def test_what_a_rod_holds_has_the_size_of_the_rod() -> None:
+    """Not of the ball, at whose center it ends."""
+    bodies = Bodies.of(Header.of(rod_in_the_air(2.0).compiled(), None, {}))
+    assert bodies.size()[bodies.part] == pytest.approx([2.0, 0.5, np.sqrt(0.5)], rel=1e-14)
 
 
 @pytest.mark.parametrize(("way", "speed"), [(0.01, 0.01), (1e-8, 1e-4 * 1e3)])

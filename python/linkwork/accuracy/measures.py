@@ -24,6 +24,8 @@ from numpy.typing import NDArray
 
 from linkwork.arrays import Floats, ReadOnly
 from linkwork.errors import OptionError
+from linkwork.modeling.elements import KINDS
+from linkwork.motion.records import rotate
 
 if TYPE_CHECKING:
     from linkwork.motion.header import Header
@@ -107,7 +109,7 @@ class Bodies(NamedTuple):
 
     masses: Floats  #: (n,) [kg]
     part: NDArray[np.integer]  #: (n,) of each the connected part: joints and forces connect, the ground not
-    longest_arm: Floats  #: (p,) from a center of mass to a joint [m]
+    longest: Floats  #: (p,) way from a center of mass to a joint, or between points that one keeps apart [m]
     gyration: Floats  #: (p,) least radius of gyration, by the trace of the inertia [m]; infinite: none
     joint_part: NDArray[np.integer]  #: (j,) of the joints with unique reactions
 
@@ -124,6 +126,8 @@ class Bodies(NamedTuple):
         part = connected_components(edges, directed=False)[1] if count else np.zeros(0, np.intp)
         arms = np.linalg.norm(header.joint_origin, axis=-1)
         longest = _by_part(arms[joints >= 0], part[joints[joints >= 0]], int(part.max(initial=-1)) + 1)
+        which, apart = _kept_apart(header)
+        np.maximum.at(longest, part[joints[which].max(axis=1)], apart)
         unique = joints[header.reaction_unique].max(axis=1, initial=-1)  # not the ground
         mass = np.where(header.mass > 0.0, header.mass, np.nan)
         squares = np.trace(header.inertia, axis1=1, axis2=2) / mass
@@ -132,11 +136,22 @@ class Bodies(NamedTuple):
         return cls(header.mass, part, longest, gyration, part[unique])
 
     def size(self) -> Floats:
-        """Of the bodies of each part (p,): the longest arm, or, where joints are at centers of mass, the
-        radius of gyration; 1 where there is neither [m]."""
+        """Of the bodies of each part (p,): the longest way, or, where joints are at centers of mass, the
+        radius of gyration; 1 where there is neither [m]. Verdicts have the same (Dynamics.part_sizes)."""
         extended = np.isfinite(self.gyration)
-        small = extended & (self.longest_arm < NEXT_TO * self.gyration)
-        return np.where(small, self.gyration, _or_one(self.longest_arm))
+        small = extended & (self.longest < NEXT_TO * self.gyration)
+        return np.where(small, self.gyration, _or_one(self.longest))
+
+
+def _kept_apart(header: Header) -> tuple[NDArray[np.intp], Floats]:
+    """Joints that keep two points apart, and by how much they do in the initial pose [m]."""
+    kinds = {kind for kind, it in KINDS["joint"].items()
+             if any(equation.quantity == "distance" for equation in it.equations.values())}  # fmt: skip
+    which = np.array([k for k, kind in enumerate(header.joint_kinds) if kind in kinds], dtype=np.intp)
+    bodies, points, q = header.joint_bodies[which], header.joint_origin[which], header.q0.reshape(-1, 7)
+    there = q[bodies, :3] + rotate(q[bodies, 3:], points) if len(q) else points
+    there = np.where((bodies >= 0)[..., None], there, points)
+    return which, np.linalg.norm(there[:, 0] - there[:, 1], axis=-1)
 
 
 @dataclass(frozen=True)
@@ -144,7 +159,7 @@ class Scales(ReadOnly):
     """What errors are divided by, of p connected parts, in axes that move with each; 1 where nothing moves or
     pulls."""
 
-    length: Floats  #: (p,) L: half the diagonal of the box in which centers move, or the longest arm [m]
+    length: Floats  #: (p,) L: half the diagonal of the box in which centers move, or the longest way [m]
     speed: Floats  #: (p,) V: largest of |r_dot| and s |omega|, s the size of the bodies [m/s]
     turning: Floats  #: (p,) Omega: largest of |omega| and V / L [rad/s]
     force: Floats  #: (p,) F_max: largest of |F| and |T| / L of the unique reactions [N]
@@ -164,12 +179,12 @@ class Scales(ReadOnly):
         What goes no farther than `STILL`, or the `tolerance` that steps follow, of the length is at rest: its
         trembling is weighed by the speed that the largest reaction gives to the mass of its part.
         """
-        part, count = bodies.part, len(bodies.longest_arm)
+        part, count = bodies.part, len(bodies.longest)
         r, r_dot = _in_moving_axes(motion, bodies)
         fallen, speed = (_by_part(np.broadcast_to(it, part.shape), part, count) for it in at_rest)
         boxes, far = _half_boxes(r, part, count), _by_part(_largest(motion.q[:, :, :3]), part, count)
         boxes[boxes <= ROUNDING * far] = 0.0
-        length = _or_one(np.max([boxes, bodies.longest_arm, fallen], axis=0))
+        length = _or_one(np.max([boxes, bodies.longest, fallen], axis=0))
         turning = _by_part(_largest(motion.v[:, :, 3:]), part, count)
         own = np.maximum(_by_part(_largest(r_dot), part, count), bodies.size() * turning)
         speed = np.maximum(speed, own)
@@ -280,7 +295,7 @@ class Lateness(NamedTuple):
         along += turned * np.sum(angle * omega, axis=2)
         speed = np.sum(r_dot**2, axis=2) + turned * np.sum(omega**2, axis=2)
         order = np.argsort(bodies.part, kind="stable")
-        begins = np.searchsorted(bodies.part[order], np.arange(len(bodies.longest_arm)))
+        begins = np.searchsorted(bodies.part[order], np.arange(len(bodies.longest)))
         of_parts = [np.add.reduceat(it[:, order], begins, axis=1) for it in (along, speed)]
         sums = [np.cumsum(np.pad(it, ((1, 0), (0, 0))), axis=0) for it in of_parts]
         along, speed = (it[width:] - it[:-width] for it in sums)
