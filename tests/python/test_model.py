@@ -699,6 +699,21 @@ def test_vectors_of_many_are_one_for_all_or_one_for_each() -> None:
         model.forces("bushing", "ground", rods, at=at, stiffness=np.ones((2, 3)))
 
 
+@pytest.mark.parametrize("count", [2, 3, 4])
+def test_rows_of_functions_of_many_are_refused_as_such(count: int) -> None:
+    """Three functions for three elements may be one with its derivatives, or a vector; else they are that."""
+    model, at = lw.Model(), [(k, 0, 0) for k in range(count)]
+    rods = model.bodies("rod", mass=1.0, inertia=(1, 1, 1), position=at)
+    f = (np.sin, np.cos, lambda t: -np.sin(t))
+    for rows in ([(np.sin, 0, 0)] * count, [[*f]] * count, *([[f] * 3] if count == 3 else [])):
+        with pytest.raises(lw.ModelError, match=r"\[0\]': force has rows of functions: .* one by one"):
+            model.forces("applied", "ground", rods, at=at, force=rows)
+    assert model.force_count == 0
+    if count != 3:
+        model.forces("applied", "ground", rods, at=at, force=[f] * 3)
+        assert model.force_count == count
+
+
 @pytest.mark.parametrize(
     ("names", "message"),
     [

@@ -302,6 +302,8 @@ def test_gravity_is_read_and_changed(pendulums: lw.Model) -> None:
     for wrong in ((0, 0), (0, 0, np.nan), "down"):
         with pytest.raises(lw.ModelError, match="gravity"):
             pendulums.with_gravity(wrong)
+    with pytest.raises(lw.ModelError, match=r"gravity \(0, 0, nan\) is not finite"):
+        pendulums.with_gravity((0, 0, np.nan))
 
 
 def test_a_pendulum_on_the_moon_is_slower(pendulums: lw.Model) -> None:

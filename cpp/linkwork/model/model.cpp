@@ -88,6 +88,10 @@ void check_body(const Body& body, const NameWhereWanted& name) {
            name);
 }
 
+void check_gravity(const Vec3<double>& gravity) {
+  if (!gravity.allFinite()) throw ModelError("not_finite", "gravity " + text(gravity) + " is not finite");
+}
+
 bool orthonormal(const Mat3<double>& C) {
   return (C.transpose() * C - Mat3<double>::Identity()).cwiseAbs().maxCoeff() < tolerance && C.determinant() > 0;
 }
@@ -139,9 +143,7 @@ void append(std::vector<T>&& added, std::vector<T>& list) {
 
 }  // namespace
 
-Model::Model(const Vec3<double>& gravity) : gravity_(gravity) {
-  if (!gravity.allFinite()) throw ModelError("not_finite", "gravity " + text(gravity) + " is not finite");
-}
+Model::Model(const Vec3<double>& gravity) : gravity_(gravity) { check_gravity(gravity); }
 
 int Model::add_body(const std::string& name, const Body& body) { return add_bodies(std::vector{name}, {body}); }
 
@@ -441,7 +443,7 @@ Model Model::seen_from(const VectorXd& origins) const {
 
 Model Model::with_weights(const Vec3<double>& gravity, const std::vector<int>& bodies,
                           const std::vector<double>& masses, const std::vector<Mat3<double>>& inertias) const {
-  if (!gravity.allFinite()) throw ModelError("gravity", "gravity must be finite");
+  check_gravity(gravity);
   Model out = *this;
   out.gravity_ = gravity;
   if (bodies.empty()) return out;

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from itertools import pairwise
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn, overload
 
 from linkwork.arguments import check_new, check_suffix, optional_package
 from linkwork.comparison.order import OrderStudy
@@ -209,9 +209,15 @@ class Comparison:
         found: pandas.DataFrame = package.DataFrame(self._flat_rows())
         return found
 
-    def to_csv(self, path: str | os.PathLike[str] | None = None, *, overwrite: bool = False) -> str:
+    @overload
+    def to_csv(self, path: None = None, *, overwrite: bool = False) -> str: ...
+
+    @overload
+    def to_csv(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None: ...
+
+    def to_csv(self, path: str | os.PathLike[str] | None = None, *, overwrite: bool = False) -> str | None:
         """
-        The table as CSV, also written to `path`.
+        The table as CSV: to `path`, or returned where none is given.
 
             comparison.to_csv("methods.csv")
 
@@ -227,9 +233,15 @@ class Comparison:
         writer.writerows(rows)
         return _written(out.getvalue(), target)
 
-    def to_json(self, path: str | os.PathLike[str] | None = None, *, overwrite: bool = False) -> str:
+    @overload
+    def to_json(self, path: None = None, *, overwrite: bool = False) -> str: ...
+
+    @overload
+    def to_json(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> None: ...
+
+    def to_json(self, path: str | os.PathLike[str] | None = None, *, overwrite: bool = False) -> str | None:
         """
-        Everything, the curves over time too, as JSON, also written to `path`.
+        Everything, the curves over time too, as JSON: to `path`, or returned where none is given.
 
             comparison.to_json("methods.json")
 
@@ -244,9 +256,16 @@ class Comparison:
         ]}  # fmt: skip
         return _written(json.dumps(_plain(document), indent=1, allow_nan=False) + "\n", target)
 
-    def to_html(self, path: str | os.PathLike[str] | None = None) -> str:
+    @overload
+    def to_html(self, path: None = None) -> str: ...
+
+    @overload
+    def to_html(self, path: str | os.PathLike[str]) -> None: ...
+
+    def to_html(self, path: str | os.PathLike[str] | None = None) -> str | None:
         """
-        A page that needs nothing but a browser: table, pictures, definitions; also written to `path`.
+        A page that needs nothing but a browser: table, pictures, definitions; to `path`, or returned where
+        none is given.
 
             comparison.to_html("methods.html")
 
@@ -373,10 +392,10 @@ def _plain(value: Any) -> Any:
     return value
 
 
-def _written(text: str, path: Path | None) -> str:
-    """Also to a file, if one is named."""
+def _written(text: str, path: Path | None) -> str | None:
+    """To a file, if one is named; else it is returned."""
     if path is None:
         return text
     with replacing(path, "output") as beside:
         beside.write_text(text, encoding="utf-8")
-    return text
+    return None

@@ -102,9 +102,21 @@ class Subject:
         """The three parts of a vector, of any kind: what_x, what_y, what_z; of a group also (k, 3)."""
         if self.group and (each := _rows(value)) is not None:
             return {f"{what}_{axis}": x for axis, x in zip("xyz", self.array(each, 3, what).T, strict=True)}
+        if self.group and self._are_rows(value):
+            why = f"{what} has rows of functions: in a group a function of time is for all elements"
+            self.refuse(0, f"{why}; add those that have functions of their own one by one", "shape", what)
         if _length(value) != 3:
             self.refuse(0, f"{what} must have three components, not {value!r}", "shape", what)
         return {f"{what}_{axis}": component for axis, component in zip("xyz", value, strict=True)}
+
+    def _are_rows(self, value: Any) -> bool:
+        """Whether a component is a vector; three functions, one with its derivatives, are none, unless there
+        are as many as elements, where nobody can tell."""
+        vectors = [it for it in value if _length(it) == 3] if _length(value) else []
+        return any(
+            len(vectors) == self.count or not (isinstance(it, tuple) and all(map(callable, it)))
+            for it in vectors
+        )
 
     def directions(self, value: Any, what: str) -> Floats:
         """Unit vectors (k, 3)."""
