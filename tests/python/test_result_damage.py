@@ -328,6 +328,7 @@ def test_repair_refuses_what_it_cannot_do(tmp_path: Path, capsys: pytest.Capture
     assert "run.h5': exists already" in capsys.readouterr().err
     assert run(["repair", str(tmp_path / "no.h5")], debug=False) == 1
     assert "no such file" in capsys.readouterr().err
+    path.unlink()
     ResultWriter(path, HEADER).close()
     assert run(["repair", str(path)], debug=False) == 1
     assert "no frame is whole" in capsys.readouterr().err

@@ -420,7 +420,7 @@ BEGIN_ANEW_ON_A_SMALL_DISK = """
                 break
         try:
             with writing.ResultWriter(path, large) as writer:
-                writer.write(synthetic.frames(large, 0, 1))
+                writer.write(synthetic.frames(large, 0, COUNT))
             found.add("written")
         except errors.FileError:
             found.add("refused")
@@ -430,10 +430,13 @@ BEGIN_ANEW_ON_A_SMALL_DISK = """
 """
 
 
-def test_a_file_gives_way_to_a_run_whose_first_frame_has_room(tmp_path: Path) -> None:
-    assert on_a_small_disk(BEGIN_ANEW_ON_A_SMALL_DISK, tmp_path) == [
+@pytest.mark.parametrize("count", [1, 3])
+def test_a_file_gives_way_to_a_run_whose_first_frames_have_room(count: int, tmp_path: Path) -> None:
+    """Three at once have none on some disks on which a file for one could be begun."""
+    program = BEGIN_ANEW_ON_A_SMALL_DISK.replace("COUNT", str(count))
+    assert on_a_small_disk(program, tmp_path) == [
         "2 bodies, 5 frames",
-        "4000 bodies, 1 frames",
+        f"4000 bodies, {count} frames",
         "refused",
         "written",
     ]
@@ -462,7 +465,7 @@ def test_room_that_is_reserved_stays_reserved_after_the_first_flush(tmp_path: Pa
             assert os.path.getsize(tmp_path / "run.h5") >= writer._reserved
 
 
-def test_a_run_without_room_for_its_first_frame_removes_its_file_unless_it_has_replaced_one(
+def test_a_run_without_room_for_its_first_frame_leaves_what_was_there(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     header = synthetic.header(expected_frames=10)
@@ -475,6 +478,7 @@ def test_a_run_without_room_for_its_first_frame_removes_its_file_unless_it_has_r
             writer.write(synthetic.frames(header, 0, 5000))
         monkeypatch.undo()
     assert [it.name for it in tmp_path.iterdir()] == ["old.h5"]
+    assert len(Result.load(tmp_path / "old.h5")) > 0
 
 
 def test_run_that_cannot_fit_is_refused_before_it_starts(tmp_path: Path) -> None:

@@ -143,6 +143,7 @@ class ResultWriter:
         self._failure: FileError | None = None
         self._checkpoint, self._checkpoint_due = checkpoint, 0.0
         self._last_checkpoint: Checkpoint | None = None  # while there is hardly any room left
+        self._begun: Path | None = None  # the name of the file until it takes the place of one that is there
         self._goes_on = False  # whether what was closed has a checkpoint
         self._pause = pause
         self._beside_bytes = 0  # of the last checkpoint that was written beside
@@ -154,6 +155,11 @@ class ResultWriter:
         self._check_room(_frame_bytes(header) * (header.expected_frames or 1) + MARGIN_BYTES)
         with self._failures():
             self._begin(run or uuid.uuid4().hex)
+
+    @property
+    def begun(self) -> bool:
+        """Whether the file is there: until its first frame one that it replaces is."""
+        return self._begun is None
 
     @property
     def run(self) -> str:
@@ -175,6 +181,7 @@ class ResultWriter:
             for chunk in self._chunks.values()
         )
         with self._failures(), self._whole_or_not():
+            self._take_place()
             for name, dataset in self._fields.items():
                 if name != "t":
                     dataset.resize(end, axis=0)
@@ -273,6 +280,8 @@ class ResultWriter:
         """
         if not self._file:
             return
+        if not self._takes_place_at_end(statistics):
+            return self._release()
         stays = hurried and self._beside_bytes > LARGE_CHECKPOINT_BYTES
         checkpoint = None if stays else self._checkpoint()
         if self._frames and checkpoint is not None and checkpoint.t > self._last_t:
@@ -300,6 +309,17 @@ class ResultWriter:
                 checkpoints.beside(self._target).unlink(missing_ok=True)
             self._goes_on = self._goes_on or checkpoints.beside(self._target).exists()
 
+    def _takes_place_at_end(self, statistics: Mapping[str, Any] | None) -> bool:
+        """Whether the file has its name: without a frame it takes a place only to say how the run ended."""
+        if statistics is not None and self._failure is None:
+            try:
+                with self._failures():
+                    self._take_place()
+            except FileError:
+                self._release()
+                raise
+        return self._begun is None
+
     def _write_end(self, statistics: Mapping[str, Any] | None) -> None:
         try:
             if statistics is not None:
@@ -313,6 +333,8 @@ class ResultWriter:
     def _release(self) -> None:
         self._file.close()
         os.close(self._descriptor)
+        if self._begun is not None:
+            self._begun.unlink(missing_ok=True)
 
     def _write_checkpoint(self, checkpoint: Checkpoint) -> bool:
         """Whether there was room for it."""
@@ -342,10 +364,7 @@ class ResultWriter:
         if target.exists() and not os.access(target, os.W_OK, effective_ids=mine):
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
         if _is_being_written(target):
-            raise FileError(
-                f"output '{self.path}': another run is writing it; give each run an output of its own",
-                code="busy",
-            )
+            raise busy(self.path)
         self._target, self._run = target, run
         head, digest = self._head(run)
         begun = target.with_name(f".{target.name}.{run}.begun")
@@ -357,21 +376,34 @@ class ResultWriter:
             self._reserved = len(head)
             self._file = h5py.File(begun, "r+")  # before room is reserved, which would be the file's to HDF5
             self._fields = {name: self._file["frames"][name] for name in self._chunks}
-            # room for the first frames, before a file that is there gives way
+            # room for the first frames
             self._allot(_with_margin(len(head) + 8 * sum(map(math.prod, self._chunks.values()))))
-            self._is_new = not target.exists()
-            if not self._is_new:
-                shutil.copymode(target, begun)
-            checkpoints.beside(target).unlink(missing_ok=True)
-            os.replace(begun, target)
+            self._begun, self._is_new = begun, not target.exists()
+            if self._is_new:
+                self._take_place()
         except BaseException:
             if self._fields:
                 self._file.close()
             os.close(self._descriptor)
-            raise
-        finally:
             begun.unlink(missing_ok=True)
+            raise
         self._blocks = digests.Blocks(digest, list(self._fields))
+
+    def _take_place(self) -> None:
+        """From the first frame on the file has its name: one that is there gives way when that has room.
+
+        FileError: another run has begun to write it.
+        """
+        if self._begun is None:
+            return
+        if _is_being_written(self._target):
+            self._failure = busy(self.path)
+            raise self._failure
+        if self._target.exists():
+            shutil.copymode(self._target, self._begun)
+        checkpoints.beside(self._target).unlink(missing_ok=True)
+        os.replace(self._begun, self._target)
+        self._begun = None
 
     def _head(self, run: str) -> tuple[bytes, int]:
         """The file before its first frame, and its digest."""
@@ -471,7 +503,7 @@ class ResultWriter:
     def _check_mine(self) -> None:
         """FileError: the output was removed, or what has its name by now is another file."""
         try:
-            found = os.stat(self.path)
+            found = os.stat(self._begun or self.path)
         except FileNotFoundError:
             raise replaced(self.path, "was moved or removed") from None
         if not os.path.samestat(found, os.fstat(self._descriptor)):
@@ -598,6 +630,12 @@ def _event_fields(bodies: int) -> dict[str, tuple[tuple[int, ...], Any]]:
 def _event_bytes(shape: tuple[int, ...]) -> int:
     """Of one field of one event; a name is counted with what HDF5 needs beside it."""
     return 8 * math.prod(shape) if shape else 64
+
+
+def busy(path: Path) -> FileError:
+    return FileError(
+        f"output '{path}': another run is writing it; give each run an output of its own", code="busy"
+    )
 
 
 def replaced(path: Path, what: str) -> FileError:

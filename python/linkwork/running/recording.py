@@ -188,6 +188,8 @@ class _File:
         """FileError: in the moment since it was closed, it was removed, or another run took its place."""
         from linkwork.results.writing import replaced
 
+        if not self._writer.begun:
+            raise replaced(self._writer.path, "stayed what it was")
         try:
             found = Result._read(self._writer.path, written=self._header)
         except FileError as error:
