@@ -302,6 +302,34 @@ def test_what_drives_a_joint_goes_with_it(of_driver: dict[str, float]) -> None:
     assert changed.hash() == hinge(0.25, of_driver.get("drive.at[1]", 0.25)).hash()
 
 
+def test_what_drives_two_joints_goes_with_both() -> None:
+    """A coordinate of two hinges on one axis is that of either."""
+
+    def hinges(y: float) -> lw.Model:
+        model = lw.Model()
+        model.body("rod", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+        for name in ("pin", "second"):
+            model.revolute("ground", "rod", at=(0, y, 0), axis=(0, 0, 1), name=name)
+        model.drive("pin", position=lw.functions.polynomial(0, 1), name="drive")
+        return model
+
+    case = {"pin.at[1]": 0.25, "second.at[1]": 0.25}
+    changed = Changed.of(hinges(0.0), list(case))
+    assert changed.model(case).hash() == hinges(0.25).hash()
+    with pytest.raises(lw.ModelError, match=r"'drive': drives a coordinate of 'pin' and 'second', which go"):
+        changed.model({**case, "second.at[1]": 0.5})
+
+
+def test_studies_that_move_what_is_driven_gather_nothing_of_versions_that_left_drivers_behind() -> None:
+    model = lw.Model()
+    model.body("rod", mass=1.0, inertia=(0.1, 0.1, 0.1), position=(1, 0, 0))
+    model.revolute("ground", "rod", at=(0, 0, 0), axis=(0, 0, 1), name="pin")
+    free = Changed.of(model, ["pin.at[1]"]).identity(), Changed.of(model, ["rod.mass"]).identity()
+    model.drive("pin", position=lw.functions.polynomial(0, 1), name="drive")
+    moved, heavier = (Changed.of(model, [path]).identity() for path in ("pin.at[1]", "rod.mass"))
+    assert free[0] == free[1] and moved != heavier
+
+
 def test_the_point_that_is_on_a_curve_is_varied_in_space() -> None:
     """As it is given to the joint, though a file has it in coordinates of the body; here turned."""
 

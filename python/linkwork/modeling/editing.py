@@ -24,7 +24,7 @@ from linkwork.modeling.handles import Body, Force, Joint
 if TYPE_CHECKING:
     from linkwork.modeling.model import Model
 
-__all__ = ["built", "driven", "follow", "replaced", "values", "without"]
+__all__ = ["built", "driven", "follow_all", "replaced", "values", "without"]
 
 #: How many names a message lists.
 LISTED = 5
@@ -94,7 +94,7 @@ def replaced(model: Model, name: str | Body | Joint | Force, changes: Mapping[st
         return _with_own(model, record, held, place, changes)
     parameters = KINDS[ROLES[section]][old["kind"]].parameters if section in ROLES else SMOOTH
     elsewhere = changes.keys() - {*NAMES, ATTACHED, *parameters}  # what says where it is
-    drivers = driven(record, [place]) if section == "joints" else []
+    drivers = driven(record, [place]) if section == "joints" else {}
     if section in ROLES and elsewhere:
         old = {what: x for what, x in old.items() if what != ATTACHED}
     record[section][place] = {**old, **{what: _plain(x, what, held) for what, x in changes.items()}}
@@ -120,21 +120,21 @@ def _with_own(model: Model, record: Record, held: Functions, place: int, changes
     return built(model, record, held)
 
 
-def driven(record: Record, leaving: Collection[int]) -> list[int]:
-    """Places of the drivers of coordinates that only the joints at those places have: of the same bodies,
-    point and axes."""
+def driven(record: Record, leaving: Collection[int]) -> dict[int, list[int]]:
+    """Places of the drivers of coordinates that only the joints at those places have, of the same bodies,
+    point and axes; with each these joints."""
     joints = record.get("joints", [])
     owners: dict[str, list[int]] = {}
     for place, it in enumerate(joints):
         if not it["kind"].endswith("_driver"):
             owners.setdefault(_where(it), []).append(place)
-    found = []
+    found = {}
     for place, it in enumerate(joints):
         if not it["kind"].endswith("_driver"):
             continue
         own = [k for k in owners.get(_where(it), ()) if it["kind"] in _drivers_of(joints[k]["kind"])]
         if own and all(k in leaving for k in own):
-            found.append(place)
+            found[place] = own
     return found
 
 
@@ -146,12 +146,27 @@ def _where(it: Record) -> str:
     return repr((it.get("a"), it.get("b"), it.get(ATTACHED)))
 
 
-def follow(record: Record, joint: Record, drivers: Sequence[int]) -> None:
+def follow(record: Record, joint: Record, drivers: Collection[int]) -> None:
     """The drivers of a joint go to where it is now."""
     for place in drivers:
         record["joints"][place] = {
             **record["joints"][place], **{what: joint[what] for what in ("a", "b", ATTACHED)}
         }  # fmt: skip
+
+
+def follow_all(record: Record, drivers: Mapping[int, Sequence[int]]) -> None:
+    """Each driver goes to where its joints are now. ModelError: they are not in one place any more."""
+    for place, own in drivers.items():
+        joints = [record["joints"][k] for k in own]
+        if len({_where(it) for it in joints}) > 1:
+            names = " and ".join(f"'{it['name']}'" for it in joints)
+            driver = record["joints"][place]
+            raise ModelError(
+                f"{driver['kind']} '{driver['name']}': drives a coordinate of {names}, which go to different "
+                "places: move it, too",
+                code="attached",
+            )
+        follow(record, joints[0], [place])
 
 
 def _attached(model: Model, record: Record, held: Functions, place: int) -> Record:

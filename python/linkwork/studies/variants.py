@@ -22,7 +22,7 @@ from linkwork.arrays import Floats
 from linkwork.errors import LinkworkError, ModelError, OptionError, nearest
 from linkwork.fingerprints import canonical, digest, plain
 from linkwork.functions import TimeFunction
-from linkwork.modeling.editing import ATTACHED, NAMES, OWN, ROLES, SECTIONS, built, driven, follow
+from linkwork.modeling.editing import ATTACHED, NAMES, OWN, ROLES, SECTIONS, built, driven, follow_all
 from linkwork.modeling.elements import KINDS
 from linkwork.modeling.files import whole_record
 from linkwork.modeling.files.schema import BodyRecord, element_type, form_of
@@ -170,8 +170,7 @@ class Changed:
         for name in self._order:
             address = self.addresses[name]
             _put(record, address, plain(case[name]), self._points.get(address.where, frozenset()))
-        for joint, drivers in self._drivers.items():
-            follow(record, record["joints"][joint], drivers)
+        follow_all(record, self._drivers)
         if self.weights_alone:
             try:
                 return _with_weights(self._base, record, self._bodies)
@@ -211,13 +210,13 @@ class Changed:
 
     @cached_property
     def _drivers(self) -> dict[int, list[int]]:
-        """Of each joint that moves those that drive it, but for drivers that parameters move."""
+        """Drivers of joints that all move, each with these joints, but for drivers that parameters move."""
         moved = {
             int(it.where[1])
             for it in self.addresses.values()
             if it.where[:1] == ("joints",) and it.field in ("at", ATTACHED)
         }
-        return {joint: [k for k in driven(self.record, [joint]) if k not in moved] for joint in moved}
+        return {driver: own for driver, own in driven(self.record, moved).items() if driver not in moved}
 
     @cached_property
     def weights_alone(self) -> bool:
@@ -287,7 +286,10 @@ class Changed:
 
     def identity(self) -> str:
         functions = [*self.held.values(), *((it.law, it.data, plain(it.record)) for it in self.own)]
-        return digest("changed", canonical(plain(self.record)), *([functions] if functions else []))
+        following = [canonical(self._drivers)] if self._drivers else []  # earlier versions left some behind
+        return digest(
+            "changed", canonical(plain(self.record)), *([functions] if functions else []), *following
+        )
 
 
 def _with_weights(model: Model, record: Record, bodies: Sequence[int]) -> Model:
