@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import warnings
 from itertools import product
+from typing import Any
 
 import linkwork as lw
 import numpy as np
@@ -23,13 +24,14 @@ MODEL = lw.mechanisms.four_bar()  # with redundant equations
 REFERENCE = lw.simulate(MODEL, 3e-3, 1e-3, progress=False).q[-1]
 
 
-def runs(**options: str) -> bool:
+def runs(**options: Any) -> bool:
     """False: refused, with a way out."""
-    steps = {"rtol": 1e-6} if isinstance(METHODS[options["integrator"]], EmbeddedPair) else {"step": 1e-3}
+    adaptive = isinstance(METHODS[options["integrator"]], EmbeddedPair)
+    steps: dict[str, Any] = {"rtol": 1e-6, "record_every": 1} if adaptive else {"step": 1e-3}
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", lw.LinkworkWarning)
-            result = lw.simulate(MODEL, 3e-3, progress=False, **steps, **options)  # type: ignore[arg-type]
+            result = lw.simulate(MODEL, 3e-3, progress=False, **steps, **options)
     except lw.OptionError as error:
         assert WAY_OUT.search(str(error)), f"{options}: {error}"
         return False

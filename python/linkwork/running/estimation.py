@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import replace
 from typing import Any
 
@@ -53,6 +54,7 @@ __all__ = [
     "of_memory",
     "strict",
     "told_of_memory",
+    "unjudged",
     "warn_of_memory",
 ]
 
@@ -72,6 +74,18 @@ NOT_AS_IT_WAS = (
 
 #: Of the size of a mechanism: what moves or falls less in a run is at rest.
 STILL, FALLEN = 1e-10, 1e-12
+
+_judges: ContextVar[bool] = ContextVar("_judges", default=True)
+
+
+@contextmanager
+def unjudged() -> Iterator[None]:
+    """A context whose runs have no verdict: it may take many times as long as a run of few steps."""
+    before = _judges.set(False)
+    try:
+        yield
+    finally:
+        _judges.reset(before)
 
 
 def _at_rest(model: Model, duration: float) -> float:
@@ -153,12 +167,12 @@ class ErrorEstimator:
         steps: bool = True,
         report: Callable[[float], None] | None = None,
     ) -> Verdict | None:
-        """Of the run, which is over: the system is used up. None: there was no step.
+        """Of the run, which is over: the system is used up. None: there was no step, or nobody asks.
 
         steps   whether it lists those that were taken again
         report  is called with the share that is done, as each is begun
         """
-        if not self._run.has_steps:
+        if not self._run.has_steps or not _judges.get():
             return None
         return self._of(self._system, statistics, steps=steps, report=report)
 
