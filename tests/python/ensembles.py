@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from typing import Any
 
 import linkwork as lw
@@ -60,6 +61,12 @@ def variants(model: lw.Model, count: int, seed: int) -> list[lw.Model]:
                 for name, value in record.items()}  # fmt: skip
 
     return [source.model(scaled()) for _ in range(count)]
+
+
+@cache
+def known_variants(name: str, count: int, seed: int) -> list[lw.Model]:
+    """Of one of KNOWN, made once for all tests."""
+    return variants(KNOWN[name][0](), count, seed)
 
 
 def alone(model: lw.Model, t_end: float, step: float | None = None, **options: Any) -> lw.Result:

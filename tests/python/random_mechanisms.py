@@ -81,7 +81,7 @@ class Element:
     name: str = ""
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True, repr=False, eq=False)
 class Mechanism:
     gravity: Floats
     bodies: tuple[Body, ...]
@@ -140,6 +140,14 @@ class Mechanism:
     @property
     def v(self) -> Floats:
         return np.concatenate([np.concatenate([body.r_dot, body.omega]) for body in self.bodies])
+
+    @lru_cache(maxsize=256)  # noqa: B019 for parameters of a test that share their examples
+    def with_masses(self, factors: tuple[float, ...]) -> Mechanism:
+        """Masses and inertias times such factors, one for each body."""
+        pairs = zip(self.bodies, factors, strict=True)
+        return replace(
+            self, bodies=tuple(replace(it, mass=f * it.mass, inertia=f * it.inertia) for it, f in pairs)
+        )
 
     def with_velocity(self, v: Floats) -> Mechanism:
         pairs = zip(self.bodies, v.reshape(-1, 6), strict=True)

@@ -9,7 +9,7 @@ import linkwork as lw
 import numpy as np
 import pytest
 import random_mechanisms
-from ensembles import KNOWN, alone, bits, variants, with_functions
+from ensembles import KNOWN, alone, bits, known_variants, variants, with_functions
 from hypothesis import given
 from linkwork import mechanisms
 from linkwork.options import names as option_names
@@ -35,8 +35,9 @@ def same(result: lw.Result, single: lw.Result) -> bool:
 #: The other one is stiff.
 @pytest.mark.parametrize("name", sorted(set(KNOWN) - {"flyball_governor"}))
 def test_a_run_in_a_lane_has_the_bits_of_its_run_by_itself(name: str, pair: str) -> None:
-    models = variants(KNOWN[name][0](), 11, seed=len(name))
-    options: dict[str, Any] = {"integrator": pair, "rtol": 1e-4 if pair == "bs32" else RTOL}
+    models = known_variants(name, 11, seed=len(name))
+    rtol = 1e-4 if pair == "bs32" else RTOL
+    options: dict[str, Any] = {"integrator": pair, "rtol": rtol, "record_every": 1}
     found = many(models, 0.03, threads=1, **options)
     assert found.alone == {}
     for k in (0, 7, 10):  # more than there are lanes: the last ones were taken up by lanes that were free

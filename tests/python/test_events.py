@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pydoc
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -182,7 +183,7 @@ def test_an_event_at_the_very_end_of_a_run_is_in_it_or_in_the_next(
         return lw.Event(lambda t, state: state.body("bar").position[0] - x, terminal=terminal)
 
     others = [at(0.002)] if on_the_way == "another event" else []
-    how: dict[str, Any] = {"integrator": integrator, "rtol": rtol, "on_inaccurate": "pass"}
+    how: dict[str, Any] = {"integrator": integrator, "rtol": rtol, "on_inaccurate": "pass", "record_every": 1}
     whole = run(model, 2.0, *others, at(0.0), **how)
     crossing = whole.events[len(others)].t
 
@@ -190,8 +191,8 @@ def test_an_event_at_the_very_end_of_a_run_is_in_it_or_in_the_next(
         """Of the first run, and what goes on from it."""
         begun = run(model, end - 1e-4, *events, **how) if on_the_way == "a short run before it" else None
         start = {} if begun is None else {"start": begun.snapshot()}
-        times = {"times": [end]} if on_the_way == "its end alone" else {}
-        first = run(model, end, *events, **how, **start, **times)
+        times = {"times": [end], "record_every": None} if on_the_way == "its end alone" else {}
+        first = run(model, end, *events, **{**how, **start, **times})
         listed = [it.t for part in (begun, first) if part is not None for it in part.events]
         return listed, run(model, 2.0, *events, **how, start=first.snapshot())
 
@@ -527,32 +528,35 @@ CHANGES: dict[str, Any] = {
 }
 
 
+def event_of_bars(of: str, level: float, change: str) -> lw.Event:
+    def height(t: float, state: lw.State) -> float:
+        bar = state.body("bar 0")
+        return float(bar.position[2] + 0.3 * lw.rotation.matrix(bar.orientation)[2, 0] + level)
+
+    def speed(t: float, state: lw.State) -> float:
+        return float(state.body("bar 0").omega[1]) - 8.0 * level
+
+    function = height if of == "height" else speed
+    return lw.Event(function, direction=-1 if of == "height" else 1, change=CHANGES[change])
+
+
+@cache
+def right_times(of: str, level: float, change: str) -> list[float]:
+    right = run(hinged_bars(2), 0.5, event_of_bars(of, level, change), rtol=1e-11, record_every=1)
+    return [it.t for it in right.events]
+
+
 @pytest.mark.parametrize("integrator", ["bs32", "dopri5", "tsit5"])
 @pytest.mark.parametrize("change", CHANGES)
 @pytest.mark.parametrize("of", ["height", "speed"])
 def test_changes_of_mechanisms_with_joints_come_once(of: str, change: str, integrator: str) -> None:
     """What brings the state back to the constraints moves the function off zero, to either side."""
-    levels = (0.2, 0.3, 0.47)
-
-    def event(level: float) -> lw.Event:
-        def height(t: float, state: lw.State) -> float:
-            bar = state.body("bar 0")
-            return float(bar.position[2] + 0.3 * lw.rotation.matrix(bar.orientation)[2, 0] + level)
-
-        def speed(t: float, state: lw.State) -> float:
-            return float(state.body("bar 0").omega[1]) - 8.0 * level
-
-        function = height if of == "height" else speed
-        return lw.Event(function, direction=-1 if of == "height" else 1, change=CHANGES[change])
-
-    for level in levels:
-        right = run(hinged_bars(2), 0.5, event(level), rtol=1e-11)
-        times = [it.t for it in right.events]
+    how: dict[str, Any] = {"integrator": integrator, "on_inaccurate": "pass", "record_every": 1}
+    for level in (0.2, 0.3, 0.47):
+        times = right_times(of, level, change)
         assert times
         for rtol in (1e-4, 1e-6):
-            found = run(
-                hinged_bars(2), 0.5, event(level), rtol=rtol, integrator=integrator, on_inaccurate="pass"
-            )
+            found = run(hinged_bars(2), 0.5, event_of_bars(of, level, change), rtol=rtol, **how)
             assert [it.t for it in found.events] == pytest.approx(times, abs=30 * rtol)
 
 

@@ -7,6 +7,7 @@ import inspect
 import shutil
 import warnings
 from collections.abc import Callable, Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -121,16 +122,19 @@ def motion(model: lw.Model) -> lw.Result:
     return lw.simulate(model, t_end=0.1, step=1e-3, progress=False)
 
 
+@cache
 def comparison() -> lw.Comparison:
     steps, methods = [4e-3, 2e-3], ["rk4", "euler"]
     return lw.compare(crank(), 0.04, steps=steps, integrators=methods, processes=1, progress=False)
 
 
+@cache
 def found() -> lw.Sensitivity:
     height = {"height": lambda result: result.position[-1, 0, 2]}
     return lw.sensitivity(pendulum, {"length": 1.0, "mass": 2.0}, height, t_end=0.1, step=1e-3)
 
 
+@cache
 def study() -> lw.Study:
     height = {"height": "body('rod').position.z.min"}
     masses = {"rod.mass": [1, 2, 3, 4], "crank.mass": [1, 2, 3, 4]}

@@ -7,7 +7,6 @@ against those of the mechanism and of its bodies without joints, M^-1 g: some me
 from __future__ import annotations
 
 import contextlib
-from dataclasses import replace
 
 import linkwork as lw
 import numpy as np
@@ -125,11 +124,7 @@ def test_slow_convergence_of_the_augmented_lagrangian_is_not_taken_for_its_end()
 
 def with_masses_apart(mechanism: Mechanism, decades: float, seed: int) -> Mechanism:
     factors = 10 ** np.random.default_rng(seed).uniform(-decades / 2, decades / 2, len(mechanism.bodies))
-    bodies = [
-        replace(body, mass=factor * body.mass, inertia=factor * body.inertia)
-        for body, factor in zip(mechanism.bodies, factors, strict=True)
-    ]
-    return replace(mechanism, bodies=tuple(bodies))
+    return mechanism.with_masses(tuple(factors))
 
 
 @pytest.mark.parametrize(("form", "solver"), [it for it in CHOICES if it[0] != "normal"])

@@ -268,13 +268,17 @@ def saddle_point(
     equations: Equations, A: Sparse, D: Sparse, b: Floats, c: Floats
 ) -> tuple[Floats, Floats] | None:
     """x (6n,) and y (m,) of A x - D^T y = b, D x = c, for D of full row rank; None: singular."""
-    from scipy.sparse import block_array
+    from scipy.sparse import csc_array
     from scipy.sparse.linalg import splu
 
     unit = float(abs(A.diagonal() * equations.scale**2).max()) or 1.0
     scale = np.concatenate([equations.scale, np.full(len(c), unit)])
-    matrix = block_array([[A, -D.T], [D, None]] if len(c) else [[A]], format="csc")
-    matrix = matrix.multiply(scale[:, None]).multiply(scale[None, :]).tocsc()
+    own, joints = A.tocoo(), D.tocoo()
+    below = joints.row + len(b)
+    row = np.concatenate([own.row, joints.col, below])
+    column = np.concatenate([own.col, below, joints.col])
+    entries = np.concatenate([own.data, -joints.data, joints.data]) * scale[row] * scale[column]
+    matrix = csc_array((entries, (row, column)), shape=(len(scale), len(scale)))
     try:
         factor = splu(matrix)
     except RuntimeError:

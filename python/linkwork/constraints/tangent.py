@@ -57,17 +57,19 @@ def to_inertial_axes(q: Floats, x: Floats) -> Floats:
 def _exponential(phi: Floats) -> Floats:
     """Euler parameters (n, 4) of rotation vectors (n, 3)."""
     half = np.linalg.norm(phi, axis=1, keepdims=True) / 2
-    return np.hstack([np.cos(half), np.sinc(half / np.pi) / 2 * phi])
+    p = np.empty((len(phi), 4))
+    p[:, :1] = np.cos(half)
+    p[:, 1:] = np.sinc(half / np.pi) / 2 * phi
+    return p
 
 
 def _product(a: Floats, b: Floats) -> Floats:
     """Of Euler parameters (n, 4): first the turn b, then a; of unit length."""
     (a0, a1, a2, a3), (b0, b1, b2, b3) = a.T, b.T
-    p = np.stack([
-        a0 * b0 - a1 * b1 - a2 * b2 - a3 * b3,
-        a0 * b1 + a1 * b0 + a2 * b3 - a3 * b2,
-        a0 * b2 + a2 * b0 + a3 * b1 - a1 * b3,
-        a0 * b3 + a3 * b0 + a1 * b2 - a2 * b1,
-    ], axis=1)  # fmt: skip
-    unit: Floats = p / np.linalg.norm(p, axis=1, keepdims=True)
-    return unit
+    p = np.empty_like(a)
+    p[:, 0] = a0 * b0 - a1 * b1 - a2 * b2 - a3 * b3
+    p[:, 1] = a0 * b1 + a1 * b0 + a2 * b3 - a3 * b2
+    p[:, 2] = a0 * b2 + a2 * b0 + a3 * b1 - a1 * b3
+    p[:, 3] = a0 * b3 + a3 * b0 + a1 * b2 - a2 * b1
+    p /= np.linalg.norm(p, axis=1, keepdims=True)
+    return p
