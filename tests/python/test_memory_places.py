@@ -325,15 +325,15 @@ PLACES = [
 def test_what_an_event_changes_is_given_back_wherever_it_is_held(place: Place) -> None:
     get, put = place()
     model = _held_by(lambda t, angle, rate: float(get()))
-    how = {"t_end": 0.2, "events": _clock(put), **HOW}
-    alone = _reached(lw.simulate(model, deterministic=True, **how))
+    how, steps = {"t_end": 0.2, "events": _clock(put), **HOW}, {"record_every": 1}
+    alone = _reached(lw.simulate(model, deterministic=True, **how, **steps))
     with pytest.warns(lw.LinkworkWarning, match="'controller': reads what events have changed in a run"):
-        assert _reached(lw.simulate(model, deterministic=True, **how)) != alone
+        assert _reached(lw.simulate(model, deterministic=True, **how, **steps)) != alone
     get, put = place()
     how = {**how, "events": _clock(put)}
     model = _held_by(lambda t, angle, rate: float(get()))
     study = lw.sweep(model, {"bar.mass": [2.0, 1.0]}, FINAL, processes=1, **how)
-    many = lw.simulate_many(model, {"bar.mass": [2.0, 1.0]}, **how)
+    many = lw.simulate_many(model, {"bar.mass": [2.0, 1.0]}, **how, **steps)
     assert not study.remarks and study.outputs[FINAL][1] == alone
     assert _reached(many.member(1)) == alone and get() == 0.0
 

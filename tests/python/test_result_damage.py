@@ -336,7 +336,8 @@ def test_repair_refuses_what_it_cannot_do(tmp_path: Path, capsys: pytest.Capture
 
 
 @pytest.mark.parametrize("words", [
-    ["plot", "FILE"], ["export", "FILE"], ["movie", "FILE", "-o", "run.gif"],
+    ["plot", "FILE"], ["export", "FILE"],
+    ["movie", "FILE", "-o", "run.gif", "--seconds", "0.1", "--size", "64", "64"],
     ["report", "FILE", "-o", "run.html"], ["view", "FILE", "--html", "view.html"],
     ["run", "pendulum", "--start", "FILE", "--t-end", "0.2"],
     ["compare", "pendulum", "--reference", "FILE", "--t-end", "0.1", "--steps", "0.01"],
