@@ -1,5 +1,6 @@
 """Settings of all Python tests."""
 
+import gc
 import os
 import re
 import signal
@@ -27,3 +28,9 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             drawn[path] = bool(re.search(r"(random|light)_mechanisms|first_release", text))
         if drawn[path]:
             item.add_marker(ignored)
+
+
+def pytest_collection_finish() -> None:
+    """Ten thousand tests are no garbage: not to be looked through again and again."""
+    gc.collect()
+    gc.freeze()

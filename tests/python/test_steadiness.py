@@ -155,7 +155,8 @@ def test_a_stiff_torsion_spring_between_two_tilted_shafts_bends_them_by_nothing(
     assert np.abs(K[3:6, 3:6] - k * np.outer(n, n)).max() < 1e-8 * k
 
 
-def test_a_model_without_a_name_is_called_the_model() -> None:
+def test_a_model_without_a_name_is_called_the_model(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("linkwork.analyses.equilibrium.ALL_ITERATIONS", 20)  # it falls for ever
     model = lw.Model()
     model.body("falls", mass=1.0, inertia=(0.1, 0.1, 0.1))
     for analysis in (lw.linearize, lw.equilibrium, lambda model: lw.kinematics(model, [0.0, 1.0])):

@@ -365,7 +365,7 @@ def test_nobody_is_told_to_follow_errors_that_are_followed() -> None:
 
 
 def test_a_study_is_told_by_some_of_its_cases_also_when_it_is_read_again(tmp_path: Path) -> None:
-    def study(count: int = 130, **more: Any) -> lw.Study:
+    def study(count: int = 50, **more: Any) -> lw.Study:
         given = {"t_end": 10.0, "step": 5e-3, "progress": False, "processes": 1, **more}
         return lw.sweep(rods(1e-3, 1e-3), {"rod 1.mass": MASSES[:count]}, "final", **given)
 
