@@ -101,6 +101,7 @@ def test_figures_are_those_of_a_separate_run() -> None:
     assert cell.velocity_violation == result.violation[:, 1].max()
     assert cell.energy_error == np.abs(result.energy_error).max()
     assert cell.evaluations == result.statistics["evaluations"]
+    assert result.verdict is not None and cell.estimated_error == result.verdict.error
     reference, scales = comparison.reference.motion, comparison.reference.scales
     apart = np.linalg.norm(result.position - reference.q[:, :, :3], axis=-1).max(axis=1)
     turned = np.array([
