@@ -376,7 +376,7 @@ def test_interrupted_run_says_so_in_one_line_and_leaves_a_readable_file(
 
 
 @pytest.mark.parametrize("kind", ["device", "pipe", "socket"])
-def test_what_is_no_file_is_neither_written_nor_read(kind: str, tmp_path: Path) -> None:
+def test_what_is_no_file_is_neither_written_nor_read(kind: str, screen: Screen, tmp_path: Path) -> None:
     """Not even by a link to it: as root a device would be replaced, and a pipe waits for ever."""
     place = tmp_path / "run.h5"
     if kind == "pipe":
@@ -392,8 +392,8 @@ def test_what_is_no_file_is_neither_written_nor_read(kind: str, tmp_path: Path) 
         ["repair"],
         ["view"],
     ):
-        done = linkwork(*words, str(place))
-        assert done.returncode == 1 and f"is no regular file but a {kind}" in done.stderr, done.stderr
+        code, _, error = screen(*words, place)
+        assert code == 1 and f"is no regular file but a {kind}" in error, error
     with pytest.raises(FileError, match="no regular file"):
         simulate(MECHANISMS["pendulum"].function(), 0.01, 1e-3, output=place)
     result = simulate(MECHANISMS["pendulum"].function(), 0.01, 1e-3)
@@ -421,8 +421,10 @@ def wait_for_frames(path: Path) -> None:
 
 
 def test_progress_is_silent_when_standard_error_is_not_a_terminal() -> None:
-    done = linkwork("run", "spatial_slider_crank", "--t-end", "600", "--step", "1e-3",
-                    "--on-inaccurate", "pass")  # fmt: skip
+    """Also where a line would be shown from the beginning."""
+    program = "from linkwork.running import progress; progress.SILENT_SECONDS = 0.0; " + COMMAND[-1]
+    words = ["run", "spatial_slider_crank", "--t-end", "60", "--step", "1e-3", "--on-inaccurate", "pass"]
+    done = subprocess.run([*COMMAND[:-1], program, *words], capture_output=True, text=True, timeout=120)
     assert (done.returncode, done.stderr) == (0, "")
 
 

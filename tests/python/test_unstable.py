@@ -11,6 +11,8 @@ import numpy as np
 import pytest
 from linkwork import mechanisms
 from linkwork.accuracy.measures import Bodies, Differences, Sampled, Scales
+from linkwork.arrays import Floats
+from linkwork.running.estimation import unjudged
 
 METHODS: tuple[dict[str, Any], ...] = (
     {"rtol": 1e-5}, {"rtol": 1e-7}, {"step": 0.01, "integrator": "rk4"}, {"step": 2e-3, "integrator": "heun"},
@@ -35,10 +37,21 @@ def run(model: lw.Model, t_end: float, **how: Any) -> lw.Result:
     return lw.simulate(model, t_end, **how, **times, on_inaccurate="pass", progress=False)
 
 
+EXACT: dict[tuple[str, bytes], lw.Result] = {}
+
+
+def exact_motion(model: lw.Model, times: Floats) -> lw.Result:
+    """Made once for all methods with these times."""
+    key = model.hash(), times.tobytes()
+    if key not in EXACT:
+        with unjudged():
+            EXACT[key] = lw.simulate(model, float(times[-1]), rtol=1e-12, atol=1e-15, integrator="dop853",
+                                     times=times, on_inaccurate="pass", progress=False)  # fmt: skip
+    return EXACT[key]
+
+
 def true_error(model: lw.Model, result: lw.Result) -> float:
-    times = result.t
-    exact = lw.simulate(model, float(times[-1]), rtol=1e-12, atol=1e-15, integrator="dop853", times=times,
-                        on_inaccurate="pass", progress=False)  # fmt: skip
+    exact = exact_motion(model, np.asarray(result.t))
     reference = Sampled.of(exact)
     apart = Differences.between(Sampled.of(result), reference)
     return float(apart.state(Scales.of(reference, Bodies.of(exact.header))).max())
