@@ -177,15 +177,19 @@ NAMES = (
 OF_SPRING = {"by_object", "by_class", "object_itself", "method"}
 
 
-def digests(
-    folder: Path, mine: str = MINE, helpers: str = HELPERS, inner: str = INNER, before: str = ""
-) -> dict[str, str]:
-    """Of each, in a process of its own: modules are read once in each."""
+def write(folder: Path, mine: str, helpers: str, inner: str) -> None:
     (folder / "package").mkdir()
     (folder / "package" / "__init__.py").touch()
     (folder / "package" / "inner.py").write_text(inner)
     (folder / "mine.py").write_text(mine)
     (folder / "helpers.py").write_text(helpers)
+
+
+def digests(
+    folder: Path, mine: str = MINE, helpers: str = HELPERS, inner: str = INNER, before: str = ""
+) -> dict[str, str]:
+    """Of each, in a process of its own: modules are read once in each."""
+    write(folder, mine, helpers, inner)
     program = f"import mine\nfrom linkwork.fingerprints import digest\n{before}\n"
     program += f"for name in {NAMES}: print(name, digest(getattr(mine, name)))"
     command = [sys.executable, "-B", "-c", program]
@@ -198,41 +202,67 @@ def usual(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     return digests(tmp_path_factory.mktemp("usual"))
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "seen_by"),
-    [
-        ("self.stiffness * x", "self.stiffness + x", OF_SPRING),
-        ("return FACTOR", "return FACTOR + 1.0", OF_SPRING),
-        ("FACTOR = 2.0", "FACTOR = 2.5", OF_SPRING),
-        ("return 1.0", "return 1.5", OF_SPRING),
-        ("SHARE = 0.5", "SHARE = 0.6", OF_SPRING),
-        ("2.0 * self", "2.5 * self", OF_SPRING),
-        ("return 3.0", "return 3.5", OF_SPRING),
-        ("return 4.0", "return 4.5", OF_SPRING),
-        ("Spring(5.0)", "Spring(5.5)", {"by_object"}),
-        ("math.sin(6.0)", "math.sin(6.5)", {"by_module"}),
-        ("GAIN, OFFSET, UNUSED = 1.0", "GAIN, OFFSET, UNUSED = 1.5", {"by_module"}),
-        ("1.0, 0.0, 0.0", "1.0, 0.5, 0.0", {"by_module"}),
-        ("return 7.0", "return 7.5", {"by_import", "imports_itself"}),
-        ("11.0", "11.5", {"data_class"}),
-        ("12.0", "12.5", {"stateless"}),
-        ("13.0", "13.5", {"stateless"}),
-        ("14.0", "14.5", {"by_member", "by_registry"}),
-        ("15.0", "15.5", {"by_global"}),
-        ("16.0", "16.5", {"by_global"}),
-        ("17,", "27,", {"by_global"}),
-        ("18.0", "18.5", {"by_global"}),
-        ("19.0", "19.5", {"imports_itself"}),
-        ("return 8.0", "return 8.5", set()),
-        ("0.0, 0.0", "0.0, 0.5", set()),
-    ],
-)
+EDITS: list[tuple[str, str, set[str]]] = [
+    ("self.stiffness * x", "self.stiffness + x", OF_SPRING),
+    ("return FACTOR", "return FACTOR + 1.0", OF_SPRING),
+    ("FACTOR = 2.0", "FACTOR = 2.5", OF_SPRING),
+    ("return 1.0", "return 1.5", OF_SPRING),
+    ("SHARE = 0.5", "SHARE = 0.6", OF_SPRING),
+    ("2.0 * self", "2.5 * self", OF_SPRING),
+    ("return 3.0", "return 3.5", OF_SPRING),
+    ("return 4.0", "return 4.5", OF_SPRING),
+    ("Spring(5.0)", "Spring(5.5)", {"by_object"}),
+    ("math.sin(6.0)", "math.sin(6.5)", {"by_module"}),
+    ("GAIN, OFFSET, UNUSED = 1.0", "GAIN, OFFSET, UNUSED = 1.5", {"by_module"}),
+    ("1.0, 0.0, 0.0", "1.0, 0.5, 0.0", {"by_module"}),
+    ("return 7.0", "return 7.5", {"by_import", "imports_itself"}),
+    ("11.0", "11.5", {"data_class"}),
+    ("12.0", "12.5", {"stateless"}),
+    ("13.0", "13.5", {"stateless"}),
+    ("14.0", "14.5", {"by_member", "by_registry"}),
+    ("15.0", "15.5", {"by_global"}),
+    ("16.0", "16.5", {"by_global"}),
+    ("17,", "27,", {"by_global"}),
+    ("18.0", "18.5", {"by_global"}),
+    ("19.0", "19.5", {"imports_itself"}),
+    ("return 8.0", "return 8.5", set()),
+    ("0.0, 0.0", "0.0, 0.5", set()),
+]
+
+#: Each folder in a process of its own, which is forked from one that has what all need.
+IN_FOLDERS = f"""
+import os, sys, pandas
+from linkwork.fingerprints import digest
+for folder in sys.argv[1:]:
+    if os.fork() == 0:
+        os.chdir(folder)
+        import mine
+        for name in {NAMES}: print(folder, name, digest(getattr(mine, name)))
+        sys.stdout.flush()
+        os._exit(0)
+    os.wait()
+"""
+
+
+@pytest.fixture(scope="module")
+def edited(tmp_path_factory: pytest.TempPathFactory) -> list[dict[str, str]]:
+    """The digests after each of EDITS."""
+    folders = []
+    for old, new, _ in EDITS:
+        folders.append(tmp_path_factory.mktemp("edited"))
+        write(folders[-1], *(text.replace(old, new) for text in (MINE, HELPERS, INNER)))
+    command = [sys.executable, "-B", "-c", IN_FOLDERS, *map(str, folders)]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    found = [line.split() for line in done.stdout.splitlines()]
+    return [{name: digest for place, name, digest in found if place == str(it)} for it in folders]
+
+
+@pytest.mark.parametrize(("old", "new", "seen_by"), EDITS)
 def test_an_edit_counts_for_those_that_read_it(
-    old: str, new: str, seen_by: set[str], usual: dict[str, str], tmp_path: Path
+    old: str, new: str, seen_by: set[str], usual: dict[str, str], edited: list[dict[str, str]]
 ) -> None:
-    texts = MINE, HELPERS, INNER
-    assert sum(old in text for text in texts) == 1
-    found = digests(tmp_path, *(text.replace(old, new) for text in texts))
+    assert sum(old in text for text in (MINE, HELPERS, INNER)) == 1
+    found = edited[EDITS.index((old, new, seen_by))]
     assert {name for name in NAMES if found[name] != usual[name]} == seen_by
 
 
