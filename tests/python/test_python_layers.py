@@ -14,10 +14,10 @@ import linkwork as lw
 
 #: Modules and packages in python/linkwork; "linkwork" itself, the public names, stands before the commands.
 ROOMS = [
-    "_core", "former", "arrays", "memory", "errors", "replacement", "fingerprints", "arguments",
-    "rotation", "functions", "integrators", "options", "modeling", "equations", "motion", "constraints",
-    "accuracy", "plots", "view", "results", "running", "analyses", "importers", "mechanisms", "comparison",
-    "studies", "ensemble", "validation", "benchmark", "linkwork", "cli",
+    "_core", "former", "arrays", "blas_threads", "memory", "errors", "replacement", "fingerprints",
+    "arguments", "rotation", "functions", "integrators", "options", "modeling", "equations", "motion",
+    "constraints", "accuracy", "plots", "view", "results", "running", "analyses", "importers",
+    "mechanisms", "comparison", "studies", "ensemble", "validation", "benchmark", "linkwork", "cli",
     "__main__",
 ]  # fmt: skip
 

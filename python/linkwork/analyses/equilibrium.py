@@ -14,6 +14,7 @@ from linkwork.analyses.step_limits import LONGEST_STEP, LONGEST_TURN, StepLimits
 from linkwork.analyses.stiffness import stiffness
 from linkwork.arguments import check_switch
 from linkwork.arrays import Floats, ReadOnly
+from linkwork.blas_threads import one_blas_thread
 from linkwork.constraints.equations import LAST_DIGITS, Equations, Sparse
 from linkwork.constraints.rolling import rolled
 from linkwork.constraints.solver import balance, check_regular, saddle_point, shared
@@ -144,7 +145,7 @@ def equilibrium(model: Model, *, stable: bool = True) -> Equilibrium:
     remember calls, so that it may rest elsewhere.
     """
     check_switch("stable", stable)
-    with told_of_memory(model, "equilibrium"):
+    with one_blas_thread(), told_of_memory(model, "equilibrium"):
         equations = Equations(model)
         checks.warn_of_near_dependence(equations.dynamics)
         search = _Search(equations, stable)

@@ -13,6 +13,7 @@ from linkwork.accuracy.verdict import WRONG, Energies
 from linkwork.analyses.driven_frames import Frames
 from linkwork.arguments import array, one_of
 from linkwork.arrays import Floats
+from linkwork.blas_threads import one_blas_thread
 from linkwork.constraints.continuation import Continuation
 from linkwork.constraints.crossing import SAME, SINGULAR, Crossing, MotionState
 from linkwork.constraints.equations import Equations
@@ -69,7 +70,7 @@ def kinematics(
     """
     one_of(on_singular, ("pass", "warn", "stop"), "on_singular")
     check_bodies(model)
-    with told_of_memory(model, "kinematics"):
+    with one_blas_thread(), told_of_memory(model, "kinematics"):
         return _motion(model, _times(times), on_singular)
 
 

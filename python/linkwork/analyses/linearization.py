@@ -22,6 +22,7 @@ from linkwork.analyses.steadiness import Steadiness
 from linkwork.analyses.stiffness import Stiffness, has_potential, scaled
 from linkwork.arguments import is_number, number
 from linkwork.arrays import Complex, Floats, ReadOnly
+from linkwork.blas_threads import one_blas_thread
 from linkwork.constraints.equations import Equations, Sparse, Terms
 from linkwork.constraints.solver import DENSE, check_regular, null_space
 from linkwork.constraints.tangent import displaced
@@ -195,7 +196,7 @@ def linearize(
         raise OptionError(f"modes {modes!r} is not a positive whole number", code="modes")
     if not is_number(near) or near < 0:
         raise OptionError(f"near {near!r} rad/s must be a finite number, zero or positive", code="near")
-    with told_of_memory(model, "linearize"):
+    with one_blas_thread(), told_of_memory(model, "linearize"):
         return _linearized(model, start, modes, near)
 
 

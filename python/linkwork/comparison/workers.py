@@ -25,6 +25,8 @@ from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 from typing import Any, TypeVar
 
+from linkwork.blas_threads import one_blas_thread_from_here
+
 __all__ = ["Lost", "can_fork", "in_processes", "processor_count"]
 
 T = TypeVar("T")
@@ -162,6 +164,7 @@ def _serve(connection: Connection, others: Sequence[Connection], task: Any, item
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT, signal.SIGTERM})
     os.environ["OMP_NUM_THREADS"] = "1"  # of threads counted from here on: others need processors, too
+    one_blas_thread_from_here()
     logging.getLogger("linkwork").setLevel(logging.WARNING)  # who asks tells of each item
     for other in others:  # inherited; while they are open, nobody would notice that the one who asks is gone
         other.close()

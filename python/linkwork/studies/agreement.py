@@ -21,6 +21,7 @@ from dataclasses import dataclass, field
 from types import FunctionType, MethodType
 from typing import Any
 
+from linkwork.blas_threads import one_blas_thread
 from linkwork.errors import LinkworkError
 from linkwork.fingerprints import digest
 from linkwork.modeling.model import Model
@@ -77,7 +78,8 @@ class Sent:
             if refusal := self._refusal() or self._torn(cases):
                 return refusal
             _AGREED.append(self.study)
-        return self.runner(cases)
+        with one_blas_thread():  # others of the executor are beside it
+            return self.runner(cases)
 
     def _refusal(self) -> Refusal | None:
         runner = self.runner
