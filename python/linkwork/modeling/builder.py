@@ -11,14 +11,22 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from linkwork import _core, arguments, functions
-from linkwork.arrays import Floats, Number, VectorLike, read_only
+from linkwork.arrays import Floats, Indices, Number, VectorLike, read_only
 from linkwork.errors import ModelError, about, nearest
 from linkwork.functions import Sum, TimeFunction, TimeFunctionLike, as_time_function
 from linkwork.functions.calls import Calls
 from linkwork.functions.compiled_law import CompiledLaw
 from linkwork.modeling.bodies import Bodies
 from linkwork.modeling.coordinates import JointCoordinate, coordinate_of, coordinates_of
-from linkwork.modeling.elements import KINDS, Elements, Role, kind_info, placed, with_parameters
+from linkwork.modeling.elements import (
+    KINDS,
+    Elements,
+    Role,
+    check_known,
+    kind_info,
+    placed,
+    with_parameters,
+)
 from linkwork.modeling.handles import BodiesLike, Body, BodyLike, Force, Joint, Range
 from linkwork.modeling.methods import ForceMethods, JointMethods
 from linkwork.modeling.placement import Attachment, Frames, Subject
@@ -324,16 +332,8 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         frame  axes of the components: "inertial", or "body" that turn with the body
         breaks times [s] at which Python functions are not smooth, see functions.with_breaks
         """
-        _choose("frame", frame, ("inertial", "body"))
-        subject = Subject("applied", self._named(name, "applied", self._counts["applied"]), False, 1)
-        index = self._bodies.index(body, subject)
-        s = subject.array((0.0, 0.0, 0.0) if at is None else at, 3, "at")
-        axes = np.broadcast_to(np.eye(3), (1, 2, 3, 3))
-        place = Attachment(np.stack([np.zeros_like(s), s], axis=1), axes, np.zeros(1))
-        components = subject.components(force, "force") | subject.components(torque, "torque")
-        components = functions.broken(components, breaks, subject.who(0))
-        bodies = np.array([[-1 if frame == "inertial" else index, index]], np.int32)
-        self._add(with_parameters(kind_info("force", "applied"), subject, bodies, place, components))
+        given = {"force": force, "torque": torque, "at": at, "frame": frame, "breaks": breaks}
+        self._apply("ground", body, name, False, given)
         return self._force(self.force_count - 1, "applied")
 
     def spring_damper(
@@ -471,7 +471,7 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         b: BodiesLike,
         *,
         name: str | Sequence[str] | None = None,
-        frames: Frames = "space",
+        frames: Frames | None = None,
         **arguments: Any,
     ) -> Range[Force]:
         """
@@ -480,11 +480,17 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
             model.forces("drag", "ground", ["crank", "rod"], at=np.zeros((2, 3)), coefficient=0.2)
 
         Arguments are those of the kind's own method, with its defaults, each the same for all or with a
-        leading k: of a bushing `stiffness` is (3,) or (k, 3). One component alone is `stiffness_x`, ... A
-        given force is of the kind "applied", with `force` and `torque`, between bodies a and b: on b, in the
-        axes of a.
+        leading k: of a bushing `stiffness` is (3,) or (k, 3). One component alone is `stiffness_x`, ...
+
+        A given force, `Model.force`, is of the kind "applied": on b, `at` in its coordinates, with components
+        in the axes of a, of "ground" inertial; frame="body": in those of b. With `frames` its point and axes,
+        `at` and `orientation`, are given as those of a bushing.
         """
         first = self.force_count
+        if kind == "applied" and frames is None:
+            self._apply(a, b, name, True, arguments)
+            return Range(range(first, self.force_count), lambda index: self._force(index, kind))
+        frames = "space" if frames is None else frames
         if kind == "rotational_spring_damper" and arguments.get("at") is None:
             arguments["at"] = _on_any_axis(frames)
         self._place("force", kind, a, b, frames, name, True, arguments)
@@ -599,18 +605,46 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         """Add one element or a group; `arguments` are those of the placement and the parameters."""
         info = kind_info(role, kind)
         _choose("frames", frames, ("space", "body"))
+        subject, bodies = self._subject(kind, a, b, name, group)
+        quantities = _quantities(info, subject, arguments)
+        self._add(placed(info, subject, bodies, self._bodies.poses, frames == "body", quantities))
+
+    def _apply(
+        self,
+        a: BodiesLike,
+        b: BodiesLike,
+        name: str | Sequence[str] | None,
+        group: bool,
+        arguments: Mapping[str, Any],
+    ) -> None:
+        """Apply one force or a group on b, at points in its coordinates, with components in the axes of a."""
+        info = kind_info("force", "applied")
+        subject, bodies = self._subject("applied", a, b, name, group)
+        given = dict(arguments)
+        at, frame = given.pop("at", None), given.pop("frame", None)
+        if at is not None and info.parameters.keys() <= given.keys():
+            why = 'at is in the coordinates of b, as in Model.force: frames="space" for a point in space'
+            subject.refuse(0, why, "argument", "at")
+        quantities = _quantities(info, subject, given)
+        known = ["at", "frame", "force", "torque", *info.parameters]
+        check_known(subject, quantities, known)
+        if frame is not None:
+            bodies = _axes_by_frame(frame, subject, bodies)
+        s = subject.array((0.0, 0.0, 0.0) if at is None else at, 3, "at")
+        axes = np.broadcast_to(np.eye(3), (subject.count, 2, 3, 3))
+        place = Attachment(np.stack([np.zeros_like(s), s], axis=1), axes, np.zeros(subject.count))
+        self._add(with_parameters(info, subject, bodies, place, quantities))
+
+    def _subject(
+        self, kind: str, a: BodiesLike, b: BodiesLike, name: str | Sequence[str] | None, group: bool
+    ) -> tuple[Subject, Indices]:
+        """One element or a group, and its bodies (k, 2)."""
         several = name if group and name is not None and not isinstance(name, str) else None
         name = kind if several is not None else self._named(name, kind, self._counts[kind])
         pairs = self._bodies.pairs if group else self._bodies.pair
         bodies = pairs(a, b, Subject(kind, name, False, 1))
         each = [] if several is None else _names_of_all(kind, several, len(bodies))
-        subject = Subject(kind, name, group, len(bodies), each)
-        arguments = dict(arguments)
-        breaks = arguments.pop("breaks", ())
-        usual = _usual(info) if group and role == "force" else {}
-        arguments = {**_in_components(info, subject, usual), **_in_components(info, subject, arguments)}
-        arguments = functions.broken(arguments, breaks, subject.who(0))
-        self._add(placed(info, subject, bodies, self._bodies.poses, frames == "body", arguments))
+        return Subject(kind, name, group, len(bodies), each), bodies
 
     def _add(self, elements: Elements) -> None:
         self._functions |= elements.add_to(self._core)
@@ -645,6 +679,26 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         ):
             count += 1
         return f"{kind} {count + 1}"
+
+
+def _quantities(info: _core.KindInfo, subject: Subject, arguments: Mapping[str, Any]) -> dict[str, Any]:
+    """The arguments, vectors in components, functions with their breaks; a group of forces with defaults."""
+    given = dict(arguments)
+    breaks = given.pop("breaks", ())
+    usual = _usual(info) if subject.group and not info.rows else {}
+    whole = {**_in_components(info, subject, usual), **_in_components(info, subject, given)}
+    return functions.broken(whole, breaks, subject.who(0))
+
+
+def _axes_by_frame(frame: str, subject: Subject, bodies: Indices) -> Indices:
+    """Bodies (k, 2) of applied forces, the first with the axes of the components, by the `frame` of these."""
+    _choose("frame", frame, ("inertial", "body"))
+    a, b = bodies.T
+    axes = np.full_like(b, -1) if frame == "inertial" else b
+    subject.check(
+        (a == -1) | (a == axes), lambda k: f"frame {frame!r} are not the axes of a", "frame", "frame"
+    )
+    return np.stack([axes, b], axis=1)
 
 
 def _usual(info: _core.KindInfo) -> dict[str, Any]:

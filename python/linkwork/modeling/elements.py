@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -116,12 +116,17 @@ def _check_names(info: _core.KindInfo, subject: Subject, where: Mapping[str, Any
     """ModelError: an argument that there is not, or one that is missing."""
     arguments = list(inspect.signature(PLACEMENTS[info.placement]).parameters.values())[1:]
     known = [it.name for it in arguments] + list(info.parameters)
-    for name in where:
-        if name not in known:
-            subject.refuse(0, f"'{name}' is none of its arguments{nearest(name, known)}", "argument", name)
+    check_known(subject, where, known)
     for it in arguments:
         if it.default is it.empty and it.name not in where:
             subject.refuse(0, f"{it.name} is missing", "missing", it.name)
+
+
+def check_known(subject: Subject, names: Iterable[str], known: Collection[str]) -> None:
+    """ModelError: an argument that there is not."""
+    for name in names:
+        if name not in known:
+            subject.refuse(0, f"'{name}' is none of its arguments{nearest(name, known)}", "argument", name)
 
 
 def with_parameters(
