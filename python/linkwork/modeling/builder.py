@@ -23,6 +23,7 @@ from linkwork.modeling.elements import (
     Elements,
     Role,
     check_known,
+    in_components,
     kind_info,
     placed,
     with_parameters,
@@ -686,7 +687,7 @@ def _quantities(info: _core.KindInfo, subject: Subject, arguments: Mapping[str, 
     given = dict(arguments)
     breaks = given.pop("breaks", ())
     usual = _usual(info) if subject.group and not info.rows else {}
-    whole = {**_in_components(info, subject, usual), **_in_components(info, subject, given)}
+    whole = {**in_components(info, subject, usual), **in_components(info, subject, given)}
     return functions.broken(whole, breaks, subject.who(0))
 
 
@@ -709,18 +710,6 @@ def _usual(info: _core.KindInfo) -> dict[str, Any]:
         for name, it in inspect.signature(method).parameters.items()
         if {name, f"{name}_x"} & info.parameters.keys() and it.default is not it.empty
     }
-
-
-def _in_components(info: _core.KindInfo, subject: Subject, arguments: Mapping[str, Any]) -> dict[str, Any]:
-    """With stiffness_x, ... for a vector `stiffness`, where the kind has such. ModelError: both are given."""
-    out: dict[str, Any] = {}
-    for what, value in arguments.items():
-        vector = f"{what}_x" in info.parameters
-        parts = subject.components(value, what) if vector else {what: value}
-        if twice := (parts.keys() & arguments.keys()) - {what}:
-            subject.refuse(0, f"{what} and {min(twice)} are both given: give one of them", "argument", what)
-        out |= parts
-    return out
 
 
 def _on_any_axis(frames: Frames) -> Any:

@@ -20,6 +20,7 @@ from linkwork.modeling.elements import KINDS, Role
 from linkwork.modeling.files import from_changed_record, whole_record
 from linkwork.modeling.files.writing import function_record, is_data
 from linkwork.modeling.handles import Body, Force, Joint
+from linkwork.modeling.moving import ATTACHED, moved
 
 if TYPE_CHECKING:
     from linkwork.modeling.model import Model
@@ -44,9 +45,6 @@ NAMES = ("name", "kind", "a", "b", "body", "joint", "bodies", "coordinate")
 
 #: What of a body changes without a jump of its pose.
 SMOOTH = ("mass", "inertia", "velocity", "omega")
-
-#: Where an element sits, by points and axes in its bodies; whoever places it anew says so in another way.
-ATTACHED = "attachment"
 
 Record = dict[str, Any]
 
@@ -93,10 +91,13 @@ def replaced(model: Model, name: str | Body | Joint | Force, changes: Mapping[st
     if section == OWN:
         return _with_own(model, record, held, place, changes)
     parameters = KINDS[ROLES[section]][old["kind"]].parameters if section in ROLES else SMOOTH
-    elsewhere = changes.keys() - {*NAMES, ATTACHED, *parameters}  # what says where it is
+    names = [what for what in NAMES if what in old]
+    elsewhere = changes.keys() - {*names, ATTACHED, *parameters}  # what says where it is
     drivers = driven(record, [place]) if section == "joints" else {}
-    if section in ROLES and elsewhere:
+    if elsewhere and "kind" in changes:
         old = {what: x for what, x in old.items() if what != ATTACHED}
+    elif elsewhere and ATTACHED in old and ATTACHED not in changes:
+        changes = moved(model, ROLES[section], old, changes)
     record[section][place] = {**old, **{what: _plain(x, what, held) for what, x in changes.items()}}
     if changes.get("name", old["name"]) != old["name"]:
         _rename(record, section, old["name"], changes["name"])

@@ -108,7 +108,7 @@ def placed(
         raise OptionError(message, code="one_by_one")
     where = {what: value for what, value in arguments.items() if what not in info.parameters}
     _check_names(info, subject, where)
-    place = attach(PLACEMENTS[info.placement], subject, bodies, poses, in_bodies, where)
+    place = attach(PLACEMENTS[info.placement], subject, bodies, poses, where if in_bodies else (), where)
     return with_parameters(info, subject, bodies, place, arguments)
 
 
@@ -127,6 +127,18 @@ def check_known(subject: Subject, names: Iterable[str], known: Collection[str]) 
     for name in names:
         if name not in known:
             subject.refuse(0, f"'{name}' is none of its arguments{nearest(name, known)}", "argument", name)
+
+
+def in_components(info: _core.KindInfo, subject: Subject, arguments: Mapping[str, Any]) -> dict[str, Any]:
+    """With stiffness_x, ... for a vector `stiffness`, where the kind has such. ModelError: both are given."""
+    out: dict[str, Any] = {}
+    for what, value in arguments.items():
+        vector = f"{what}_x" in info.parameters
+        parts = subject.components(value, what) if vector else {what: value}
+        if twice := (parts.keys() & arguments.keys()) - {what}:
+            subject.refuse(0, f"{what} and {min(twice)} are both given: give one of them", "argument", what)
+        out |= parts
+    return out
 
 
 def with_parameters(

@@ -8,7 +8,7 @@ on some thousand: what is computed on the way then fits into a cache.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence, Set
+from collections.abc import Callable, Collection, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from typing import Any, Literal, NoReturn
 
@@ -178,20 +178,20 @@ class Place:
     subject: Subject
     a: Poses
     b: Poses
-    in_bodies: bool
+    in_bodies: Collection[str]  # names of those that are in body coordinates, for a and for b
 
     def common_points(self, at: Any) -> Pair:
         """The same point of both bodies, in body coordinates."""
-        return self.points(at if self.in_bodies else (at, at))
+        return self.points(at if "at" in self.in_bodies else (at, at))
 
     def points(self, at: Any) -> Pair:
         """A point of a and a point of b, in body coordinates."""
         p_a, p_b = (self.subject.array(p, 3, "at") for p in self.subject.pair(at, "at"))
-        return (p_a, p_b) if self.in_bodies else (self.a.body_point(p_a), self.b.body_point(p_b))
+        return (p_a, p_b) if "at" in self.in_bodies else (self.a.body_point(p_a), self.b.body_point(p_b))
 
     def common_direction(self, axis: Any, what: str) -> Pair:
         """The same direction, as seen by both bodies, in space."""
-        if self.in_bodies:
+        if what in self.in_bodies:
             return self.directions(axis, what)
         z = self.subject.directions(axis, what)
         return z, z
@@ -199,7 +199,7 @@ class Place:
     def directions(self, axes: Any, what: str) -> Pair:
         """A direction fixed in a and one fixed in b, in space."""
         z_a, z_b = (self.subject.directions(z, what) for z in self.subject.pair(axes, what))
-        return (turn(self.a.A, z_a), turn(self.b.A, z_b)) if self.in_bodies else (z_a, z_b)
+        return (turn(self.a.A, z_a), turn(self.b.A, z_b)) if what in self.in_bodies else (z_a, z_b)
 
     def attachment(self, points: Pair, frames: Pair) -> Attachment:
         """From points in body coordinates and frames (k, 3, 3) in space."""
@@ -253,9 +253,9 @@ def two_axes(place: Place, at: Any, axes: Any) -> Attachment:
 def _two_axes(place: Place, points: Pair, axes: Any) -> Attachment:
     z_a, z_b = place.directions(axes, "axes")
     cosine = np.sum(z_a * z_b, axis=1)
-    right = np.abs(cosine) <= (1 - ROUNDING if place.in_bodies else ROUNDING)
+    right = np.abs(cosine) <= (1 - ROUNDING if "axes" in place.in_bodies else ROUNDING)
     place.subject.check(right, lambda k: _wrong_angle(z_a[k], z_b[k]), "axes", "axes")
-    if not place.in_bodies:
+    if "axes" not in place.in_bodies:
         z_b = z_b - cosine[:, None] * z_a
     x = np.cross(z_a, z_b)
     return place.attachment(points, (_frame(place, z_a, x, "axes"), _frame(place, z_b, x, "axes")))
@@ -321,7 +321,7 @@ def disc(place: Place, at: Any, axes: Any) -> Attachment:
 def plane(place: Place, at: Any, normal: Any) -> Attachment:
     """A plane of a, by a point and its normal z toward b, and a point of b."""
     z = place.subject.directions(normal, "normal")
-    z = turn(place.a.A, z) if place.in_bodies else z
+    z = turn(place.a.A, z) if "normal" in place.in_bodies else z
     frame = _frame(place, z, rotation.perpendicular(z), "normal")
     return place.attachment(place.points(at), (frame, frame))
 
@@ -343,7 +343,7 @@ def frame(place: Place, at: Any, orientation: Any = None) -> Attachment:
 def _frames(place: Place, points: Pair, orientation: Any) -> Attachment:
     if orientation is None:
         frames = _space_axes(place)
-    elif place.in_bodies:
+    elif "orientation" in place.in_bodies:
         C_a, C_b = (
             place.subject.orientations(p, "orientation")
             for p in place.subject.pair(orientation, "orientation")
@@ -376,10 +376,13 @@ def attach(
     subject: Subject,
     bodies: Indices,
     poses: Callable[[Indices], Poses],
-    in_bodies: bool,
+    in_bodies: Collection[str],
     where: Mapping[str, Any],
 ) -> Attachment:
-    """k elements between bodies (k, 2), which have these `poses`, by the arguments `where` of a placement."""
+    """k elements between bodies (k, 2), which have these `poses`, by the arguments `where` of a placement.
+
+    in_bodies  names of the arguments that are in body coordinates; the others are in space
+    """
 
     def attached(subject: Subject, bodies: Indices, where: Mapping[str, Any]) -> Attachment:
         place = Place(subject, poses(bodies[:, 0]), poses(bodies[:, 1]), in_bodies)

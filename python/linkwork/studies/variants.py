@@ -22,11 +22,12 @@ from linkwork.arrays import Floats
 from linkwork.errors import LinkworkError, ModelError, OptionError, nearest
 from linkwork.fingerprints import canonical, digest, plain
 from linkwork.functions import TimeFunction
-from linkwork.modeling.editing import ATTACHED, NAMES, OWN, ROLES, SECTIONS, built, driven, follow_all
+from linkwork.modeling.editing import NAMES, OWN, ROLES, SECTIONS, built, driven, follow_all
 from linkwork.modeling.elements import KINDS
 from linkwork.modeling.files import whole_record
 from linkwork.modeling.files.schema import BodyRecord, element_type, form_of
 from linkwork.modeling.model import Model, check_model
+from linkwork.modeling.moving import ATTACHED
 from linkwork.modeling.user_forces import UserForce
 from linkwork.studies.sampling import own_copy
 

@@ -131,7 +131,7 @@ def _add(
     subject = Subject(info.name, names[0], True, len(names), names)
     poses = model._bodies.poses
     parameters = {name: _column(elements, name) for name in info.parameters}
-    where = how(records, Place(subject, poses(bodies[:, 0]), poses(bodies[:, 1]), True))
+    where = how(records, Place(subject, poses(bodies[:, 0]), poses(bodies[:, 1]), ()))
     if isinstance(where, Attachment):
         model._add(with_parameters(info, subject, bodies, where, parameters))
     else:
