@@ -430,7 +430,7 @@ def make(
     """
     maker = Maker(seed)
     tree = _tree(maker, joints, floating)
-    pairs = [_two_bodies(maker, 0 if isolated else -1) for _ in forces]
+    pairs = [_acted_on(kind, *_two_bodies(maker, 0 if isolated else -1)) for kind in forces]
     elements = [maker.force(FORCES[kind], a, b) for kind, (a, b) in zip(forces, pairs, strict=True)]
     gravity = np.zeros(3) if isolated else maker.vector(10.0)
     given = {"joints": list(joints), "loops": list(loops), "forces": list(forces), "floating": floating}
@@ -470,6 +470,11 @@ def _tree(maker: Maker, kinds: Sequence[str], floating: bool) -> list[Element]:
 def _two_bodies(maker: Maker, lowest: int) -> tuple[int, int]:
     a, b = maker.rng.choice(np.arange(lowest, len(maker.bodies)), 2, replace=False)
     return int(a), int(b)
+
+
+def _acted_on(kind: str, a: int, b: int) -> tuple[int, int]:
+    """What acts on b alone does not act on the ground."""
+    return (b, a) if kind in ("applied", "drag") and b < 0 else (a, b)
 
 
 def _at_rest(joint: Element) -> Element:

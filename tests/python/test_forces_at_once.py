@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+from pathlib import Path
 from typing import Any
 
 import linkwork as lw
@@ -101,3 +102,33 @@ def test_points_in_space_of_applied_forces_are_said_to_be_such() -> None:
     assert np.allclose(model.values("lift[0]")["attachment"]["origin"][1], s, rtol=0, atol=1e-15)
     with pytest.raises(lw.ModelError, match="'point' is none of its arguments"):
         model.forces("applied", "ground", "b 0", point=s)
+
+
+@pytest.mark.parametrize(
+    "kind", [it for it in FORCES.values() if it.name != "applied"], ids=lambda it: it.name
+)
+def test_between_points_of_one_body_forces_cancel_and_are_refused(kind: _core.KindInfo) -> None:
+    model, given = bodies(2), arguments(kind)
+    with pytest.raises(lw.ModelError, match=f"{kind.name} 'it': joins body 'b 0' to itself"):
+        getattr(model, kind.name)("b 0", "b 0", name="it", **given)
+    with pytest.raises(lw.ModelError, match=rf"{kind.name} 'it\[1\]': joins body 'a 1' to itself"):
+        model.forces(kind.name, "a 1", ["b 1", "a 1"], name="it", **given)
+    assert model.force_count == 0
+
+
+def test_forces_on_the_ground_are_refused(tmp_path: Path) -> None:
+    """By the method, at once, from a file, and where a body is replaced by it."""
+    model = bodies()
+    message = "'it': acts on b alone, and that is the ground"
+    with pytest.raises(lw.ModelError, match=f"applied {message}"):
+        model.force("ground", force=(1, 0, 0), name="it")
+    with pytest.raises(lw.ModelError, match=f"drag {message}"):
+        model.drag("a 0", "ground", at=(0, 0, 0), coefficient=1.0, name="it")
+    model.force("b 0", force=(1, 0, 0), name="it")
+    with pytest.raises(lw.ModelError, match="acts on b alone, and that is the ground"):
+        model.replaced("it", body="ground")
+    model.save(tmp_path / "model.yaml")
+    text = (tmp_path / "model.yaml").read_text()
+    (tmp_path / "model.yaml").write_text(text.replace("b: b 0", "b: ground"))
+    with pytest.raises(lw.ModelFileError, match=r"forces\[0\].*the ground"):
+        lw.Model.load(tmp_path / "model.yaml")

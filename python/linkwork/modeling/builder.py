@@ -41,6 +41,9 @@ if TYPE_CHECKING:
 __all__ = ["ModelBuilder"]
 
 
+#: Kinds of force elements that act on b alone; a has the axes of the components, or the medium.
+ON_B = ("applied", "drag")
+
 #: Of names [characters]: with the number of one in a group they have no more than files take.
 LONGEST = 980
 
@@ -332,6 +335,8 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         at     the point of application (3,) in body coordinates [m]; without it the center of mass
         frame  axes of the components: "inertial", or "body" that turn with the body
         breaks times [s] at which Python functions are not smooth, see functions.with_breaks
+
+        ModelError: the ground, which nothing moves.
         """
         given = {"force": force, "torque": torque, "at": at, "frame": frame, "breaks": breaks}
         self._apply("ground", body, name, False, given)
@@ -648,6 +653,7 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
         return Subject(kind, name, group, len(bodies), each), bodies
 
     def _add(self, elements: Elements) -> None:
+        self._check_bodies(elements)
         self._functions |= elements.add_to(self._core)
         self._signals += elements.signals()
         if elements.info.rows:
@@ -656,6 +662,16 @@ class ModelBuilder(JointMethods, SpecialJointMethods, ForceMethods, UserForceMet
             self._storing += elements.signals("differentiable")
         self._characteristics += elements.characteristics()
         self._counts[elements.info.name] += elements.subject.count
+
+    def _check_bodies(self, elements: Elements) -> None:
+        """ModelError: a force element that no body would feel."""
+        kind, subject, (a, b) = elements.info.name, elements.subject, elements.bodies.T
+        if kind in ON_B:
+            subject.check(b >= 0, lambda k: "acts on b alone, and that is the ground", "ground", "b")
+        if kind in KINDS["force"] and kind != "applied":  # in axes of the body itself
+            subject.check(
+                a != b, lambda k: f"joins body '{self._core.body_name(a[k])}' to itself", "self_joint", "b"
+            )
 
     def _keep(self, kind: str, index: int, data: CouplerData | CurveData) -> Joint:
         """What a file of the model needs of a special joint that was added."""
