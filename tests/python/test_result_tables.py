@@ -58,6 +58,22 @@ def test_columns_can_be_chosen_and_what_is_not_there_is_named(result: lw.Result)
         result.to_frame(bodies=["krank"])
 
 
+def test_of_an_empty_list_there_is_none(result: lw.Result, tmp_path: Path) -> None:
+    """As of a list that is shorter by one; what is not given is all."""
+    whole, result_of_file = result.to_frame(), tmp_path / "run.h5"
+    result.save(result_of_file)
+    for it in (result, lw.Result.load(result_of_file)):
+        assert list(it.to_frame(quantities=[]).columns) == [] and len(it.to_frame(quantities=())) == len(it)
+        left = it.to_frame(bodies=[], joints=[], forces=[])
+        assert list(left.columns) == [
+            name for name in whole.columns if name.count(".") < 1 or "violation" in name
+        ]
+        assert it.to_csv(quantities=[]).splitlines()[0] == "t [s]"
+        assert it.to_xarray(bodies=[])["position"].shape == (len(it), 0, 3)
+        assert not it.to_xarray(joints=[], quantities=["coordinate"]).data_vars
+        assert not it.to_xarray(forces=[], quantities=["force"]).data_vars
+
+
 def test_csv_keeps_every_digit(result: lw.Result, tmp_path: Path) -> None:
     path = tmp_path / "run.csv"
     text = result.to_csv()

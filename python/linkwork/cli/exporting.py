@@ -131,7 +131,8 @@ def export(file: str, target: str | None, **chosen: tuple[str, ...]) -> None:
     if not len(result):
         raise OptionError("the result has no frames: there is nothing to export", code="empty")
     with preparing(None, f"writing {target}"):
-        result.to_csv(target, **chosen, overwrite=base.may_replace())
+        result.to_csv(target, **{what: names or None for what, names in chosen.items()},
+                      overwrite=base.may_replace())  # fmt: skip
     with open(target, newline="", encoding="utf-8") as table:
         columns = len(next(csv.reader(table))) - 1  # beside the time
     out.print_pairs([("table", f"{target} ({len(result)} frames, {columns} columns)")])

@@ -649,16 +649,16 @@ class Result:
     def to_frame(
         self,
         *,
-        bodies: Sequence[Named] = (),
-        joints: Sequence[Named] = (),
-        quantities: Sequence[str] = (),
-        forces: Sequence[str | int] = (),
+        bodies: Sequence[Named] | None = None,
+        joints: Sequence[Named] | None = None,
+        quantities: Sequence[str] | None = None,
+        forces: Sequence[str | int] | None = None,
     ) -> pandas.DataFrame:
         """A pandas.DataFrame over the time, a column a number, such as "crank.position.x [m]".
 
             result.to_frame(bodies=["crank"], quantities=["position", "coordinate"])
 
-        bodies, joints  by name, index or handle; without, all
+        bodies, joints  by name, index or handle; without, all, of an empty list none: likewise below
         quantities      of position, orientation, velocity, omega, acceleration, angular_acceleration,
                         reaction_force, reaction_torque, kinetic_energy, potential_energy, work, energy_error,
                         violation, coordinate (of joints, with their rates), and of force elements force,
@@ -678,10 +678,10 @@ class Result:
         self,
         path: None = None,
         *,
-        bodies: Sequence[Named] = (),
-        joints: Sequence[Named] = (),
-        quantities: Sequence[str] = (),
-        forces: Sequence[str | int] = (),
+        bodies: Sequence[Named] | None = None,
+        joints: Sequence[Named] | None = None,
+        quantities: Sequence[str] | None = None,
+        forces: Sequence[str | int] | None = None,
         overwrite: bool = False,
     ) -> str: ...  # fmt: skip
 
@@ -690,10 +690,10 @@ class Result:
         self,
         path: str | os.PathLike[str],
         *,
-        bodies: Sequence[Named] = (),
-        joints: Sequence[Named] = (),
-        quantities: Sequence[str] = (),
-        forces: Sequence[str | int] = (),
+        bodies: Sequence[Named] | None = None,
+        joints: Sequence[Named] | None = None,
+        quantities: Sequence[str] | None = None,
+        forces: Sequence[str | int] | None = None,
         overwrite: bool = False,
     ) -> None: ...  # fmt: skip
 
@@ -701,10 +701,10 @@ class Result:
         self,
         path: str | os.PathLike[str] | None = None,
         *,
-        bodies: Sequence[Named] = (),
-        joints: Sequence[Named] = (),
-        quantities: Sequence[str] = (),
-        forces: Sequence[str | int] = (),
+        bodies: Sequence[Named] | None = None,
+        joints: Sequence[Named] | None = None,
+        quantities: Sequence[str] | None = None,
+        forces: Sequence[str | int] | None = None,
         overwrite: bool = False,
     ) -> str | None:
         """The columns of `to_frame` as CSV, every digit kept: to `path`, or returned where none is given.
@@ -720,10 +720,10 @@ class Result:
     def to_xarray(
         self,
         *,
-        bodies: Sequence[Named] = (),
-        joints: Sequence[Named] = (),
-        quantities: Sequence[str] = (),
-        forces: Sequence[str | int] = (),
+        bodies: Sequence[Named] | None = None,
+        joints: Sequence[Named] | None = None,
+        quantities: Sequence[str] | None = None,
+        forces: Sequence[str | int] | None = None,
     ) -> xarray.Dataset:
         """An xarray.Dataset with named axes: `found.position.sel(body="crank", xyz="x")` over the time.
 

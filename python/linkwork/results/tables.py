@@ -102,39 +102,42 @@ FORCES: dict[str, OfForces] = {
 
 @dataclass(frozen=True)
 class Choice:
-    """Which part of a result: names of bodies, joints, forces and quantities; all where there are none.
+    """Which part of a result: names of bodies, joints, forces and quantities; all where none are given.
 
     Beside those of QUANTITIES and FORCES there is "coordinate": angles and displacements of joints, with
     their rates. Files have no laws of forces: these are not among all of theirs.
     """
 
-    bodies: Sequence[Named] = ()
-    joints: Sequence[Named] = ()
-    quantities: Sequence[str] = ()
-    forces: Sequence[str | int] = ()
+    bodies: Sequence[Named] | None = None
+    joints: Sequence[Named] | None = None
+    quantities: Sequence[str] | None = None
+    forces: Sequence[str | int] | None = None
 
     def names(self, result: Result) -> list[str]:
         """OptionError: no such quantity."""
         known = [*QUANTITIES, "coordinate", *FORCES]
-        _check_list("quantities", self.quantities)
-        without = () if self.forces or result.header.force_element is not None else FORCES
-        return [one_of(name, known, "quantity") for name in self.quantities] or [
-            name for name in known if name not in without
-        ]
+        if self.quantities is not None:
+            _check_list("quantities", self.quantities)
+            return [one_of(name, known, "quantity") for name in self.quantities]
+        without = () if self.forces is not None or result.header.force_element is not None else FORCES
+        return [name for name in known if name not in without]
 
     def of_forces(self, result: Result) -> dict[str, ForceResult]:
         """ModelError: no such force element. OptionError: a file, which has no laws."""
-        _check_list("forces", self.forces)
         names = result.header.force_names
-        chosen = [result.index("force", it) for it in self.forces] or range(len(names))
+        chosen: Sequence[int] = range(len(names))
+        if self.forces is not None:
+            _check_list("forces", self.forces)
+            chosen = [result.index("force", it) for it in self.forces]
         return {names[k]: result.force(k) for k in chosen}
 
     def places(self, result: Result, of: Literal["body", "joint"]) -> list[int]:
         """ModelError: no such body or joint."""
         names = self.bodies if of == "body" else self.joints
+        if names is None:
+            return list(range(len(result.body_names if of == "body" else result.joint_names)))
         _check_list("bodies" if of == "body" else "joints", names)
-        count = len(result.body_names if of == "body" else result.joint_names)
-        return [result.index(of, name) for name in names] or list(range(count))
+        return [result.index(of, name) for name in names]
 
 
 def _check_list(what: str, names: object) -> None:
