@@ -11,6 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from linkwork.accuracy.verdict import Verdict
+from linkwork.analyses.difference_ladder import Difference, Ladder, descend, difference, largest
+from linkwork.analyses.parameter_sizes import size_of_parameter
 from linkwork.arguments import UNREADABLE, check_takes, number, reals
 from linkwork.arrays import Floats, ReadOnly
 from linkwork.errors import LinkworkWarning, ModelError, OptionError, nearest
@@ -24,6 +26,18 @@ __all__ = ["Sensitivity", "sensitivity"]
 #: Steps relative to the parameter that its rounding would swallow.
 SMALLEST_STEP = 1e-13
 
+#: Steps relative to the parameter below which no smaller ones are tried.
+SMALLEST_LADDER = 1e-9
+
+#: Parameters, in any unit, of which it is looked whether they are zero but for rounding of the model.
+SMALL_IN_ITS_UNIT = 1e-6
+
+#: Parameters relative to their sizes that may be rounding.
+ROUNDED = 1e-9
+
+#: Derivatives, relative to the output over the size of the parameter, that are as good as zero.
+NEGLIGIBLE = 1e-6
+
 #: Runs at h/2 may be off by more than those at h, of which finer ones are made.
 ALLOWANCE = 3.0
 
@@ -36,7 +50,7 @@ class Sensitivity(ReadOnly):
     derivatives: Mapping[str, Mapping[str, Floats]]  #: [output][parameter], in the shape of the output
     errors: Mapping[str, Mapping[str, Floats]]  #: estimated errors of the derivatives, absolute
     parameters: Mapping[str, float]
-    steps: Mapping[str, float]  #: the larger of the two, for each parameter
+    steps: Mapping[str, float]  #: the larger of the two, for each parameter; of several, the smallest used
     runs: int
 
     def relative(self, output: str, parameter: str) -> Floats:
@@ -89,19 +103,26 @@ def sensitivity(
         found.derivatives["height"]["length"], found.errors["height"]["length"]
 
     Central differences with the steps h and h/2 and Richardson's extrapolation, (4 d(h/2) - d(h)) / 3, of
-    fourth order: four runs for each parameter and one at the middle. The estimated error is the largest of
-    |d(h/2) - d(h)| / 3, which is that of d(h/2), of half the jump between the derivatives on both sides, and
-    of what rounding makes of the differences; and beside, what the runs are off by: two of the four are made
-    once more, finer, as by `verify` of simulate, which gives d(h) without the most of it. Where there is no
-    finer run, as with `run`, or an output is not found in it, it is the outputs over h, times the error of
-    the verdicts: much more than the truth as a rule. Where it is large, the output is not smooth in the
-    parameter (events, stops, another branch, adaptive steps with loose tolerances), or steps are not
-    suitable. Use a fixed step, or a tight rtol.
+    fourth order: four runs for each parameter and one at the middle. Where both steps do not agree within a
+    hundredth of the derivative, steps of h/100, h/10000 ... follow until two of them do; where none do, as at
+    a kink, a LinkworkWarning says so. The estimated error is |d(h/2) - d(h)|, half the jump between the
+    derivatives on both sides, and what rounding makes of the differences; where there are several h, what
+    they differ by, too; and beside, what the runs are off by: two of the four are made once more, finer, as
+    by `verify` of simulate, which gives d(h) without the most of it. Where there is no finer run, as with
+    `run`, or an output is not found in it, it is the outputs over h, times the error of the verdicts: much
+    more than the truth as a rule. Where it is large, the output is not smooth in the parameter (events,
+    stops, another branch, adaptive steps with loose tolerances), or steps are not suitable. Use a fixed step,
+    or a tight rtol.
+
+    A parameter that is zero has the size by which it changes the whole of the model: a coordinate the length
+    of the mechanism, an angle 1 rad, an added mass that mass. Where the model does not tell, as of what its
+    functions depend on, h is absolute, and always followed by a smaller one that has to agree.
 
     build       makes the model: build(length=1.0, mass=2.0)
     parameters  by name, at which derivatives are wanted
     outputs     by name, numbers or arrays of the same shape in all runs, of the Result
-    steps       h for each parameter [its unit], or for all relative to the parameter (absolute where it is 0)
+    steps       h for each parameter [its unit], which is taken as it is; or for all relative to the
+                parameter, where that is 0 to its size, as above
     run         instead of `simulate(model, **options)`: any analysis; `outputs` get what it returns
     options     of `linkwork.simulate`
 
@@ -130,18 +151,57 @@ def sensitivity(
     middle = runs.sample(first, at[first]).outputs
     derivatives: dict[str, dict[str, Floats]] = {name: {} for name in outputs}
     errors: dict[str, dict[str, Floats]] = {name: {} for name in outputs}
-    for parameter, value in at.items():
-        ends = [
-            runs.sample(parameter, value + c * h[parameter], finer=abs(c) == 1.0)
-            for c in (-1.0, -0.5, 0.5, 1.0)
-        ]
-        for name in outputs:
-            samples = [end.outputs[name] for end in ends]
-            _check_shapes(name, parameter, middle[name], samples)
-            found, error = _extrapolated(samples, middle[name], h[parameter])
-            derivatives[name][parameter] = found
-            errors[name][parameter] = error + _of_runs(ends, name, h[parameter])
+    for parameter in at:
+        ladders = _ladders(runs, middle, parameter, h, isinstance(steps, Mapping))
+        h[parameter] = min(it.best.step for it in ladders.values())
+        for name, ladder in ladders.items():
+            derivatives[name][parameter], errors[name][parameter] = ladder.best.derivative, ladder.error
+        _warn(parameter, ladders)
     return Sensitivity(middle, derivatives, errors, at, h, runs.count)
+
+
+def _ladders(
+    runs: _Runs, middle: dict[str, Floats], parameter: str, h: Mapping[str, float], given: bool
+) -> dict[str, Ladder]:
+    """Of each output, by a parameter. Steps that are `given` are taken as they are."""
+    value, step = runs.at[parameter], h[parameter]
+    size: float | None = abs(value)
+    if not given and abs(value) < SMALL_IN_ITS_UNIT:
+        size = size_of_parameter(lambda at: runs.built(parameter, at).compiled(), value)
+        if size is None or abs(value) > ROUNDED * size:
+            size = abs(value) or None
+        step *= (size or 1.0) / (abs(value) or 1.0)
+    ladders = {
+        name: Ladder(NEGLIGIBLE * largest(y) / (size or 1.0), given or size is not None)
+        for name, y in middle.items()
+    }
+
+    def differences(step: float) -> dict[str, Difference]:
+        ends = [runs.sample(parameter, value + c * step, finer=abs(c) == 1.0) for c in (-1.0, -0.5, 0.5, 1.0)]
+        found = {}
+        for name, y in middle.items():
+            samples = [end.outputs[name] for end in ends]
+            _check_shapes(name, parameter, y, samples)
+            found[name] = difference(samples, y, value, step, _of_runs(ends, name, step))
+        return found
+
+    descend(ladders, differences, step, SMALLEST_LADDER * abs(value), 1 if given else None)
+    return ladders
+
+
+def _warn(parameter: str, ladders: Mapping[str, Ladder]) -> None:
+    unsettled = [name for name, it in ladders.items() if not it.settled]
+    if unsettled:
+        it = ladders[unsettled[0]]
+        tried = " to ".join(f"{step:.3g}" for step in dict.fromkeys((it.rungs[0].step, it.rungs[-1].step)))
+        warnings.warn(
+            f"sensitivity: d {' and '.join(unsettled)} / d {parameter}: differences with steps {tried} do "
+            "not agree; `errors` has by how much, and the truth may be farther. Either the output is not "
+            "smooth there (a maximum, a stop, an event, loose tolerances), or no step is of the size on "
+            f"which {parameter} acts: give that by steps={{'{parameter}': ...}}",
+            LinkworkWarning,
+            stacklevel=3,
+        )
 
 
 class _Sample(NamedTuple):
@@ -163,10 +223,13 @@ class _Runs:
     options: Mapping[str, Any]
     count: int = 0
 
+    def built(self, changed: str, value: float) -> Model:
+        return self.build(**{**self.at, changed: value})
+
     def sample(self, changed: str, value: float, *, finer: bool = False) -> _Sample:
         """Errors name the parameter and its value in a note."""
         try:
-            model = self.build(**{**self.at, changed: value})
+            model = self.built(changed, value)
             check_bodies(model)
             with leaving_no_memory(called(model, self.options), logs=False):
                 result = self._result(model, finer)
@@ -216,19 +279,6 @@ def _of_runs(ends: list[_Sample], name: str, h: float) -> Floats:
         return ALLOWANCE * np.abs(last - first) / (2 * h)
     inexact = max(end.inexact for end in ends)
     return np.asarray(inexact * np.max([np.abs(end.outputs[name]).max(initial=0.0) for end in ends]) / h)
-
-
-def _extrapolated(samples: list[Floats], middle: Floats, h: float) -> tuple[Floats, Floats]:
-    """The derivative and its error from outputs at -h, -h/2, h/2, h and 0.
-
-    Central differences do not see a kink: the derivatives on both sides do, which differ by second
-    differences over h. These go to zero with h, or to the jump, half of which the derivative is off by.
-    """
-    coarse, fine = (samples[3] - samples[0]) / (2 * h), (samples[2] - samples[1]) / h
-    bend, less = (samples[3] - 2 * middle + samples[0]) / h, (samples[2] - 2 * middle + samples[1]) / (h / 2)
-    rounding = np.finfo(float).eps * np.max(np.abs(samples), axis=0) / h
-    apart = np.maximum(np.abs(fine - coarse) / 3, np.abs(2 * less - bend) / 2)
-    return (4 * fine - coarse) / 3, np.maximum(apart, rounding)
 
 
 def _parameters(given: Mapping[str, float]) -> dict[str, float]:
