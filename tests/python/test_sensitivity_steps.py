@@ -9,7 +9,7 @@ from typing import Any
 import linkwork as lw
 import numpy as np
 import pytest
-from linkwork.analyses.parameter_sizes import size_of_parameter
+from linkwork.analyses.parameter_sizes import size_of_parameter, size_of_unit
 
 SIZES = (1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1.0, 1e3, 1e6)
 
@@ -86,6 +86,38 @@ def test_the_size_of_a_parameter_is_that_by_which_it_changes_the_whole(L: float)
     assert size(lambda angle: pendulum(L, angle=angle)) == pytest.approx(1.0, rel=0.02)
     assert size(heavier) == pytest.approx(1e-9, rel=1e-6)
     assert size(lambda nothing: pendulum(L)) is None
+
+
+@pytest.mark.parametrize("what", ["stiffness", "damping"])
+@pytest.mark.parametrize("L", [1e-6, 1e-3, 1e3])
+def test_a_spring_or_damper_of_none_has_steps_by_the_weight(what: str, L: float) -> None:
+    """The angle depends on stiffness / m g L and damping / (m L sqrt(g L)) alone, in times of sqrt(L)."""
+
+    def found(L: float, mass: float) -> tuple[float, float]:
+        def build(p: float) -> lw.Model:
+            model = lw.Model()
+            model.body("bob", mass=mass, inertia=np.ones(3) * 0.1 * mass * L**2, position=(L, 0, 0))
+            model.revolute("ground", "bob", at=(0, 0, 0), axis=(0, 1, 0), name="pin")
+            model.rotational_spring_damper("ground", "bob", axis=(0, 1, 0), **{what: p})
+            return model
+
+        T = 0.8 * np.sqrt(L)
+        angle = {"angle": OUTPUTS["angle"]}
+        it = lw.sensitivity(build, {"p": 0.0}, angle, t_end=T, step=T / 200)
+        unit = mass * 9.81 * L * (np.sqrt(L / 9.81) if what == "damping" else 1.0)
+        assert it.steps["p"] == pytest.approx(1e-3 * unit)
+        return float(it.derivatives["angle"]["p"]) * unit, float(it.errors["angle"]["p"]) * unit
+
+    (one, _), (other, error) = found(1.0, 1.0), found(L, 1e-9 if L < 1.0 else 1e6)
+    assert other == pytest.approx(one, rel=1e-8)
+    assert error < 1e-4
+
+
+def test_sizes_of_units() -> None:
+    units = {"kg": 2.0, "m": 3.0, "s": 5.0, "rad": 1.0}
+    known = {"m": 3.0, "N/m": 2 / 25, "N m s/rad": 18 / 5, "N s^2/m^2": 2 / 3, "kg m^2": 18.0, "": 1.0}
+    assert {unit: size_of_unit(unit, units) for unit in known} == pytest.approx(known)
+    assert size_of_unit("N/m^exponent", units) == size_of_unit("rad or m", units) == 0.0
 
 
 def test_steps_that_are_given_and_too_large_are_told() -> None:

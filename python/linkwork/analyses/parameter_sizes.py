@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
 
 import numpy as np
 
 from linkwork import _core
+from linkwork.analyses.difference_ladder import largest
 from linkwork.arrays import Floats
+from linkwork.modeling.elements import KINDS, Role
 from linkwork.modeling.extent import Extent, extent
 
-__all__ = ["size_of_parameter"]
+__all__ = ["size_of_parameter", "size_of_unit"]
 
 #: Changes of the model, relative to its sizes: from the first on they are linear in the parameter as a rule,
 #: up to the last they are rounding, or what assembly leaves.
@@ -36,11 +39,11 @@ def size_of_parameter(compiled: Callable[[float], _core.Model], value: float) ->
             change *= 1e-3
             continue
         moved = _moved(at, other, size)
-        if moved is None or moved < LOST:
+        if not moved:
             return None
-        if moved <= SMALL:
+        if LOST <= moved <= SMALL:
             return change / moved
-        change *= SMALL / moved / 2
+        change *= min(SMALL / moved / 2, 1e3)
     return None
 
 
@@ -60,23 +63,49 @@ def _moved(at: _core.Model, other: _core.Model, size: Extent) -> float | None:
 
 def _numbers(core: _core.Model, size: Extent) -> Iterator[tuple[Floats, Floats | float]]:
     """Numbers of a model, each with its size: lengths that of the mechanism, directions 1, speeds those of
-    falling by its length, what is not zero its own, masses and inertias that are the largest."""
+    falling by its length; masses and parameters that are not zero their own, others that of their unit."""
     length, gravity = size.size, float(np.linalg.norm(core.gravity))
     poses, velocities = core.q0.reshape(-1, 7), core.v0.reshape(-1, 6)
+    speed = max(np.sqrt(gravity * length), largest(velocities[:, :3]))
+    turning = max(np.sqrt(gravity / length), largest(velocities[:, 3:]))
     yield poses[:, :3], length
     yield poses[:, 3:], 1.0
-    yield from _speeds(velocities[:, :3], np.sqrt(gravity * length))
-    yield from _speeds(velocities[:, 3:], np.sqrt(gravity / length))
-    inertia = core.inertia.reshape(-1, 9)
-    for weights in (core.mass[:, None], inertia):
+    yield velocities[:, :3], speed
+    yield velocities[:, 3:], turning
+    for weights in (core.mass[:, None], core.inertia.reshape(-1, 9)):
         own = np.abs(weights).max(axis=1, initial=0.0, keepdims=True)
         yield weights, np.where(own > 0.0, own, own.max(initial=0.0))
     yield core.gravity, gravity or EARTH
-    for arrays in (core.joint_arrays(), core.force_arrays()):
+    rate = max(turning, speed / length)
+    units = {"kg": largest(core.mass), "m": length, "s": 1 / rate if rate > 0.0 else 0.0, "rad": 1.0}
+    of_kind: dict[Role, Any] = {"joint": core.joint_arrays(), "force": core.force_arrays()}
+    for role, arrays in of_kind.items():
         yield arrays["origin"], length
         yield arrays["frame"], 1.0
-        yield arrays["parameters"], np.abs(arrays["parameters"])
+        own = np.abs(arrays["parameters"])
+        yield arrays["parameters"], np.where(own > 0.0, own, _sizes(role, arrays, units))
 
 
-def _speeds(v: Floats, falling: float) -> Iterator[tuple[Floats, float]]:
-    yield v, max(falling, float(np.abs(v).max(initial=0.0)))
+def _sizes(role: Role, arrays: Mapping[str, Floats], units: Mapping[str, float]) -> Floats:
+    """Of parameters of all joints or forces, by their units; 0 where there is none."""
+    kinds, sizes = list(KINDS[role].values()), np.zeros(len(arrays["parameters"]))
+    for kind in np.unique(arrays["kind"]):
+        first = arrays["first_parameter"][arrays["kind"] == kind]
+        for place, parameter in enumerate(kinds[kind].parameters.values()):
+            sizes[first + place] = size_of_unit(parameter.unit, units)
+    return sizes
+
+
+def size_of_unit(unit: str, units: Mapping[str, float]) -> float:
+    """Of "N m s/rad^2" and the like, from those of kg, m, s and rad; 0 where it is not of these."""
+    if units["s"] == 0.0:
+        return 0.0
+    known = {**units, "N": units["kg"] * units["m"] / units["s"] ** 2}
+    size = 1.0
+    for sign, factors in zip((1, -1), unit.split("/"), strict=False):
+        for factor in factors.split():
+            name, _, power = factor.partition("^")
+            if name not in known or not (power or "1").isdigit():
+                return 0.0
+            size *= known[name] ** (sign * int(power or 1))
+    return size

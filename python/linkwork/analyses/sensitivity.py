@@ -115,8 +115,9 @@ def sensitivity(
     or a tight rtol.
 
     A parameter that is zero has the size by which it changes the whole of the model: a coordinate the length
-    of the mechanism, an angle 1 rad, an added mass that mass. Where the model does not tell, as of what its
-    functions depend on, h is absolute, and always followed by a smaller one that has to agree.
+    of the mechanism, an angle 1 rad, an added mass that mass, a stiffness one that holds the weight. Where
+    the model does not tell, as of what its functions depend on, h is absolute, and always followed by a
+    smaller one that has to agree.
 
     build       makes the model: build(length=1.0, mass=2.0)
     parameters  by name, at which derivatives are wanted
