@@ -322,15 +322,14 @@ def estimate(
     delay = min(delay, at_most := _at_most(found, energy))
     by_steps = before + min(SAFETY * _known(found["state"]), at_most)
     state = max(by_steps, before + max(delay, VIOLATED * violation))
-    failed, yielding = found["failed"], found["yielding"]
-    reactions = _reactions(found, state)
+    failed, yielding, reactions = found["failed"], found["yielding"], _reactions(found, state)
     error, steps = max(state, energy, yielding), tuple(itertools.starmap(StepEstimate, found["steps"]))
     method = replace(method, growth=found["growth"] if found["grows"] and by_steps >= error else 1.0)
     body = name(found["body"] if by_steps >= error else late if max(before + delay, energy) >= error else -1)
     sentence = _sentence(error, violation, state, method, before, steps, body) + _but(error, reactions)
     verdict = Verdict(
         level=_level(error),
-        sentence=sentence + (_beyond(found) if error <= GOOD else ""),
+        sentence=sentence + _beyond(found, error),
         error=error,
         state=state,
         local_error=_known(found["local_error"]),
@@ -355,9 +354,9 @@ def _as_found(found: Mapping[str, Any]) -> dict[str, Any]:
     }
 
 
-def _beyond(found: Mapping[str, Any]) -> str:
-    """That errors were followed to there alone, if nothing else is said of them."""
-    if found["lost"] is None or found["unstable"] > UNSTABLE:
+def _beyond(found: Mapping[str, Any], error: float) -> str:
+    """Of a good run: that errors were followed to there alone, if nothing else is said of them."""
+    if found["lost"] is None or found["unstable"] > UNSTABLE or error > GOOD:
         return ""
     return f"; what errors before t = {found['lost']:.5g} s become there is not known (verify=True tells)"
 
