@@ -22,6 +22,7 @@ constexpr double well_chosen = 0.1;   // root of the smallest pivot, relative to
 constexpr double beside = 1e-9;       // of a step: times that are one
 constexpr double soon = 0.1;          // share that a step takes back: then errors off the constraints do not add up
 constexpr double little = 0.25;       // of what velocities are off, that is along the constraints: then it counts alone
+constexpr double above_noise = 10.0;  // of what rounding of positions is in a step: less is none that is taken back
 constexpr double roundoff = 8.0 * std::numeric_limits<double>::epsilon();
 
 /// One step of a one-step method in parts, with the correction that a multistep method adds, if asked for.
@@ -357,9 +358,11 @@ bool StepJudge::separate_fading(const KeptStep& step, double share, StepError& o
     return !rarely;
   }
   const DifferencesOfParts lasting = differences(dynamics_.system(), ours, others);
+  const DifferencesOfParts rounded = rounding(dynamics_.system(), step.y_new);
   bool found = !rarely;
   for (std::size_t k = 0; k < lasting.size(); ++k) {
-    if (rarely && lasting[k].velocity > little * out.of_part[k].end.velocity) continue;
+    const double all = out.of_part[k].end.velocity, noise = rounded[k].position / step.h;
+    if (rarely && (lasting[k].velocity > little * all || all < above_noise * noise)) continue;
     out.of_part[k].fading = std::exchange(out.of_part[k].end, lasting[k]);
     out.of_part[k].fading.scale(factor_ / std::fmin(share, 1.0));
     found = true;

@@ -438,7 +438,8 @@ def _inaccuracy(core: _core.Model, found: Residuals, rounding: Floats | float, m
     Both are relative to the size or speed of the mechanism.
     """
     relative, unit = found.relative, found.unit
-    worst = np.argsort(-relative, kind="stable")
+    alike = np.round(relative / relative.max(initial=np.finfo(float).tiny), 6)
+    worst = np.lexsort((-found.value, -alike))
     worst = worst[(relative > rounding)[worst]]
     if not len(worst):
         return ""
