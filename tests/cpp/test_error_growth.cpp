@@ -109,6 +109,28 @@ TEST_CASE("an error is lost where nothing is known of the motion, and grows beyo
   CHECK(found[0].of_part[0] == doctest::Approx(std::cosh(pace * found[0].until) * after).epsilon(0.02));
 }
 
+TEST_CASE("what is lost where it begins is not taken for known to the end") {
+  const auto upright = [](double t) {
+    return std::abs(t - 1.05) < 0.01 || std::abs(t - 1.35) < 0.01 ? state(NAN, NAN) : state(M_PI, 0.0);
+  };
+  const StateLog log = log_of(3.0, 60, upright);
+  Dynamics dynamics(pendulum(), Options());
+  const VectorXd off = state(M_PI + 1e-6, 0.0), exact = state(M_PI, 0.0);
+  const auto errors = [&](std::size_t, double) {
+    return std::vector<StepDifference>{
+        {1.0, off, exact}, {1.05, off, exact}, {1.3, off, exact}, {1.35, off, exact}, {2.0, off, exact}};
+  };
+  const auto found =
+      find_error_growth(dynamics, log, errors, MovingAxes(), VectorXd::Ones(1), VectorXd::Constant(1, pace), 100'000);
+  REQUIRE(found.size() == 3);
+  for (int k : {0, 1}) {
+    CHECK(found[k].lost);
+    CHECK(found[k].until == doctest::Approx(found[k].t));
+    CHECK(found[k].of_part[0] == doctest::Approx(found[2].of_part[0]).epsilon(1e-3));
+  }
+  CHECK(found[2].until == doctest::Approx(3.0));
+}
+
 TEST_CASE("of one state, and where there is no error, nothing grows") {
   const auto below = [](double) { return state(0.0, 0.0); };
   CHECK(growth(pendulum(), log_of(0.0, 0, below), state(1e-6, 0.0), below(0.0), pace).empty());

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import threading
+
 import linkwork as lw
 import numpy as np
 import pytest
@@ -24,6 +26,26 @@ def test_blas_has_one_thread_as_long_as_anybody_wants_it() -> None:
             with one_blas_thread():
                 assert blas_threads() == {1}
             assert blas_threads() == {1}
+        assert blas_threads() == usual
+
+
+def test_two_threads_that_want_it_leave_it_as_it_was() -> None:
+    with threadpoolctl.threadpool_limits(2, "blas"):
+        usual = blas_threads()
+    first, second = threading.Event(), threading.Event()
+
+    def outlast() -> None:
+        with one_blas_thread():
+            first.set()
+            second.wait(10)
+
+    other = threading.Thread(target=outlast)
+    with threadpoolctl.threadpool_limits(2, "blas"), one_blas_thread():
+        other.start()
+        first.wait(10)
+    second.set()
+    other.join()
+    with threadpoolctl.threadpool_limits(2, "blas"):
         assert blas_threads() == usual
 
 

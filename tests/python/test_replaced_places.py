@@ -119,3 +119,29 @@ def test_an_applied_force_is_replaced_in_the_words_of_its_method() -> None:
         model.replaced("it", body="a 1").replaced("it", force=(1, 2, 3), frame="inertial").hash()
         == wanted.hash()
     )
+
+
+def test_axes_of_a_body_that_a_force_turns_with_go_with_it_to_another() -> None:
+    model = lw.Model()
+    for name in ("first", "second"):
+        model.body(name, mass=1.0, inertia=(1, 2, 3), orientation=(0.8, 0.6, 0, 0))
+    model.force("first", force=(0, 1, 0), frame="body", name="thrust")
+    for change in ({"b": "second"}, {"body": "second"}, {"b": "second", "force": (0, 1, 0)}):
+        own = model.replaced("thrust", **change).values("thrust")
+        assert own["a"] == own["b"] == "second"
+
+
+def test_another_stiffness_of_a_bushing_leaves_full_turns_of_others_as_they_are(
+    recwarn: pytest.WarningsRecorder,
+) -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    rod = model.body("rod", mass=1.0, inertia=(1, 1, 1), omega=(0, 0, 4 * np.pi))
+    model.revolute("ground", rod, at=(0, 0, 0), axis=(0, 0, 1), name="pin")
+    model.rotational_spring_damper("ground", rod, axis=(0, 0, 1), stiffness=1e-9, name="spring")
+    model.bushing("ground", rod, at=(0, 0, 0), stiffness=(0, 0, 1), name="bushing")
+    end = lw.simulate(model, 1.6, 1e-3).snapshot()
+    turned = model.with_initial_state(end.q, end.v, history=end.history)
+    for change in ({"stiffness": (0, 0, 2)}, {"stiffness_z": 2.0}):
+        other = turned.replaced("bushing", **change)
+        assert lw.simulate(other, 1e-3, 1e-3).force("spring").deflection[0] == pytest.approx(6.4 * np.pi)
+    assert not recwarn.list

@@ -81,7 +81,7 @@ class GrowthSearch {
     succeeds([&] { return follow(errors, out); });
     leave_off(out);
     for (ErrorGrowth& it : out)
-      if (it.until == it.t) it.until = reached_;  // it has vanished on the way
+      if (it.until == it.t && !it.lost) it.until = reached_;  // it has vanished on the way
     for (auto it = out.rbegin(); it != out.rend(); ++it)
       if (it->until < reached_) it->of_part.array() *= growth_beyond(it->until, out).array();
     return out;
@@ -109,7 +109,8 @@ class GrowthSearch {
       leave_off(out);
       k = beyond(following);
       while (next < errors.size() && errors[next].t < log_.t(k)) ++next;
-      if (next == errors.size() || !motion_.affords_more()) return false;
+      if (next == errors.size() || k + 1 == log_.size() || !motion_.affords_more()) return false;
+      reached_ = log_.t(k);
     }
   }
 

@@ -91,7 +91,8 @@ def replaced(model: Model, name: str | Body | Joint | Force, changes: Mapping[st
     if section == OWN:
         return _with_own(model, record, held, place, changes)
     parameters = KINDS[ROLES[section]][old["kind"]].parameters if section in ROLES else SMOOTH
-    names = [what for what in NAMES if what in old]
+    before, axes = old.get(ATTACHED), ("a", "b") if old.get("kind") == "applied" else ()
+    names = [what for what in NAMES if what in old and what not in axes]
     elsewhere = changes.keys() - {*names, ATTACHED, *parameters}  # what says where it is
     drivers = driven(record, [place]) if section == "joints" else {}
     if elsewhere and "kind" in changes:
@@ -103,7 +104,8 @@ def replaced(model: Model, name: str | Body | Joint | Force, changes: Mapping[st
         _rename(record, section, old["name"], changes["name"])
     if drivers and (elsewhere or changes.keys() & {"a", "b", ATTACHED}):
         follow(record, _attached(model, record, held, place), drivers)
-    anew = elsewhere or "kind" in changes
+    moves = elsewhere and not (before and before == record[section][place].get(ATTACHED))
+    anew = moves or "kind" in changes
     return _begun_anew(model, record, held) if anew else built(model, record, held)
 
 

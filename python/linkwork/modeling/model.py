@@ -213,8 +213,9 @@ class Model(ModelBuilder):
             stiffer = model.replaced("spring", stiffness=2e4)
             moved = model.replaced("pin", at=(0.2, 0, 0))
 
-        `values(name)` has those that there are; a joint or force element takes the arguments of its method,
-        too, and stays where it was in all that is not said. With another axis it keeps its x axis, but for
+        `values(name)` has those that there are; a joint between two bodies or a force element takes the
+        arguments of its method, too, and stays where it was in all that is not said; with another body alone
+        at the same body coordinates. With another axis it keeps its x axis, but for
         one that is taken without `x_axis`. Joints stay where they are on a body that is moved, and what
         drives a joint goes with it.
         Forces of the user's own stay as they are, too, or get another `function`.

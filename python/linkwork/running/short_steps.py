@@ -127,8 +127,8 @@ class Slow:
 
     def _of_cost(self, suspects: Suspects) -> str:
         asked = "a function in Python is called several times in each, and may be slow"
-        why = f"{asked}{_perhaps(suspects.functions)}" if suspects.functions else "the model is large"
-        return f"Each step takes {1 / self.rate:.2g} s: {why}."
+        why = f": {asked}{_perhaps(suspects.functions)}" if suspects.functions else ", as of a large model"
+        return f"Each step takes {1 / self.rate:.2g} s{why}."
 
     def _of_number(self, suspects: Suspects) -> str:
         here = _perhaps([*suspects.sharp, *suspects.functions])
