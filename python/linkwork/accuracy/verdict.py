@@ -355,8 +355,8 @@ def _as_found(found: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _beyond(found: Mapping[str, Any], error: float) -> str:
-    """Of a good run: that errors were followed to there alone, if nothing else is said of them."""
-    if found["lost"] is None or found["unstable"] > UNSTABLE or error > GOOD:
+    """Of a good run: that errors were followed to there alone."""
+    if found["lost"] is None or error > GOOD:
         return ""
     return f"; what errors before t = {found['lost']:.5g} s become there is not known (verify=True tells)"
 
