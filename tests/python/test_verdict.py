@@ -594,6 +594,11 @@ def test_a_good_run_says_beyond_which_time_nobody_knows_what_becomes_of_errors()
         assert found.followed_until == 1.14
 
 
+def test_errors_of_what_drivers_move_vanish_and_are_not_lost() -> None:
+    found = quick(mechanisms.delta_robot(), 1.0, step=2e-3).verdict
+    assert found is not None and found.followed_until is None and found.sentence.startswith("accurate to")
+
+
 def test_what_a_bead_leaves_its_curve_by_at_knots_is_taken_back_and_does_not_add_up() -> None:
     t = np.linspace(0, 2 * np.pi, 80, endpoint=False)
     points = np.column_stack([np.cos(t), np.sin(2 * t) / 2, 0.3 * np.sin(t)])

@@ -20,6 +20,7 @@ constexpr double near = 0.25, resolved = 0.6;
 constexpr double usual_difference = 5e-3, fine_difference = 4e-5, too_far = 10.0;
 // Share of a way, or depth relative to what it is at the other end: there touches begin or end where the way does.
 constexpr double at_end = 1e-6;
+constexpr double vanished = 1e-9;  // of an error
 constexpr double most_parts = 64.0, least_way = 0.1, least_density = 0.5;
 // Of what evaluations were enough for once, what they are for fewer errors.
 constexpr double sure = 0.9;
@@ -81,7 +82,7 @@ class GrowthSearch {
     succeeds([&] { return follow(errors, out); });
     leave_off(out);
     for (ErrorGrowth& it : out)
-      if (it.until == it.t && !it.lost) it.until = reached_;  // it has vanished on the way
+      if (it.until == it.t && !it.lost) it.until = reached_;  // it has vanished
     for (auto it = out.rbegin(); it != out.rend(); ++it)
       if (it->until < reached_) it->of_part.array() *= growth_beyond(it->until, out).array();
     return out;
@@ -101,7 +102,9 @@ class GrowthSearch {
         if (begin(out.size(), errors[next])) out.push_back({errors[next].t, errors[next].t, carried_.back().largest});
       if (k + 1 == log_.size()) return true;
       const std::size_t following = next_state(k, next < errors.size() ? errors[next].t : INFINITY);
-      if (succeeds([&] { return carry(k, following); })) {
+      const bool goes_on = succeeds([&] { return carry(k, following); });
+      drop_vanished(out);
+      if (goes_on) {
         k = following;
         continue;
       }
@@ -112,6 +115,15 @@ class GrowthSearch {
       if (next == errors.size() || k + 1 == log_.size() || !motion_.affords_more()) return false;
       reached_ = log_.t(k);
     }
+  }
+
+  /// Those of which nothing is left, as of a mechanism that drivers move, stay so.
+  void drop_vanished(std::vector<ErrorGrowth>& out) {
+    std::erase_if(carried_, [&](const Followed& it) {
+      if (!(motion_.size(it.now).maxCoeff() <= vanished * it.now.first.maxCoeff())) return false;
+      out[it.place].of_part = it.largest;
+      return true;
+    });
   }
 
   /// What is carried goes no farther.
