@@ -94,7 +94,7 @@ TEST_CASE("the rate of a mechanism at rest is what its forces and torques would 
   Evaluation at = system.make_evaluation();
   const auto rate = [&](const Vec3<double>& force, const Vec3<double>& torque) {
     system.evaluate(0.0, model.initial_q(), model.initial_v(), system.initial_history(), at);
-    at.g << force, torque;
+    at.g.head<velocity_size>() << force, torque;  // the ground's follow
     return characteristic_rates(system, at, model.initial_v())[0];
   };
   const double length = 0.25, inertia = 2.0 * length + 5.0 / (2.0 * length);  // kg m
