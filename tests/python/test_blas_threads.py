@@ -7,10 +7,9 @@ import threading
 import linkwork as lw
 import numpy as np
 import pytest
+import threadpoolctl
 from linkwork.blas_threads import one_blas_thread
 from linkwork.comparison.workers import can_fork, in_processes
-
-threadpoolctl = pytest.importorskip("threadpoolctl")
 
 
 def blas_threads(_: object = None) -> set[int]:

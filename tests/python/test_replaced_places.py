@@ -145,3 +145,16 @@ def test_another_stiffness_of_a_bushing_leaves_full_turns_of_others_as_they_are(
         other = turned.replaced("bushing", **change)
         assert lw.simulate(other, 1e-3, 1e-3).force("spring").deflection[0] == pytest.approx(6.4 * np.pi)
     assert not recwarn.list
+
+
+def test_full_turns_begin_anew_between_other_bodies_at_the_same_points_of_these() -> None:
+    model = lw.Model(gravity=(0, 0, 0))
+    for name in ("first", "second"):
+        body = model.body(name, mass=1.0, inertia=(1, 1, 1), omega=(0, 0, 4 * np.pi))
+        model.revolute("ground", body, at=(0, 0, 0), axis=(0, 0, 1), name=f"pin of {name}")
+    model.rotational_spring_damper("ground", "first", axis=(0, 0, 1), stiffness=1e-9, name="spring")
+    end = lw.simulate(model, 1.6, 1e-3).snapshot()
+    turned = model.with_initial_state(end.q, end.v, history=end.history)
+    with pytest.warns(lw.LinkworkWarning, match="full turns"):
+        other = turned.replaced("spring", b="second", frames="body", at=((0, 0, 0), (0, 0, 0)))
+    assert abs(lw.simulate(other, 1e-3, 1e-3).force("spring").deflection[0]) < 2 * np.pi

@@ -91,7 +91,7 @@ def replaced(model: Model, name: str | Body | Joint | Force, changes: Mapping[st
     if section == OWN:
         return _with_own(model, record, held, place, changes)
     parameters = KINDS[ROLES[section]][old["kind"]].parameters if section in ROLES else SMOOTH
-    before, axes = old.get(ATTACHED), ("a", "b") if old.get("kind") == "applied" else ()
+    before, axes = _where(old), ("a", "b") if old.get("kind") == "applied" else ()
     names = [what for what in NAMES if what in old and what not in axes]
     elsewhere = changes.keys() - {*names, ATTACHED, *parameters}  # what says where it is
     drivers = driven(record, [place]) if section == "joints" else {}
@@ -104,7 +104,7 @@ def replaced(model: Model, name: str | Body | Joint | Force, changes: Mapping[st
         _rename(record, section, old["name"], changes["name"])
     if drivers and (elsewhere or changes.keys() & {"a", "b", ATTACHED}):
         follow(record, _attached(model, record, held, place), drivers)
-    moves = elsewhere and not (before and before == record[section][place].get(ATTACHED))
+    moves = elsewhere and (ATTACHED not in old or before != _where(record[section][place]))
     anew = moves or "kind" in changes
     return _begun_anew(model, record, held) if anew else built(model, record, held)
 
